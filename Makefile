@@ -1,0 +1,101 @@
+# The front door: `make help` lists what there is. CMake does the building, gnuplot the drawing.
+
+SHELL       := bash
+.SHELLFLAGS := -o pipefail -c
+
+FORMAT    ?= svg
+EQUATIONS ?= published
+BUILD     := build
+NUMBERS   := 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17
+
+# Figures of the published equations stand in build/figures, others in a folder of their own.
+OUT   := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
+DRAW  ?= $(NUMBERS)
+ROTOR := $(BUILD)/rotor
+
+# What `make deps` installs, and why.
+#   g++ cmake ninja-build     compiler and build
+#   libboost-dev              Odeint steppers, Geometry, Math (automatic differentiation in tests)
+#   libeigen3-dev             plane vectors
+#   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
+#                             command line, scene files, JSON summary, messages and CSV
+#   libgtest-dev              tests
+#   gnuplot-nox fonts-dejavu-core
+#                             pictures, and the font in them
+PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
+            nlohmann-json3-dev libfmt-dev libgtest-dev gnuplot-nox fonts-dejavu-core
+missing = $(shell dpkg-query -W -f='$${db:Status-Abbrev} $${Package}\n' $(PACKAGES) 2>/dev/null | \
+            awk '/^ii/ { have[$$2] = 1 } END { split("$(PACKAGES)", all); \
+                 for (i = 1; i in all; ++i) if (!(all[i] in have)) printf "%s ", all[i] }')
+
+# Quiet unless there is something to do or to complain of.
+define configure-and-build
+{ log=$$(cmake --preset release 2>&1) || { echo "$$log" >&2; exit 1; }; } && \
+cmake --build $(BUILD) $(1) | sed -u '/no work to do/d'
+endef
+
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := help
+.PHONY: help deps need-deps build figures draw data verify clean
+
+help: ## list all targets
+	@sed -n 's/^[$$(].*## \(.*\): /\1:## /; s/^\([a-z0-9. ]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
+	  awk -F '\t' '{ printf "  make %-18s %s\n", $$1, $$2 }'
+	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent"
+
+deps: ## install the Debian packages that are missing
+	@if ! command -v apt-get >/dev/null; then \
+	  echo "make deps installs with apt-get, which this system does not have. Needed are the equivalents of:"; \
+	  echo "  $(PACKAGES)"; exit 1; \
+	elif [ -n "$(strip $(missing))" ]; then \
+	  sudo=$$([ $$(id -u) -eq 0 ] || echo sudo); \
+	  $$sudo apt-get update -q && \
+	  $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $(missing); \
+	fi
+
+# On a system without dpkg, CMake and gnuplot speak for themselves.
+need-deps:
+	@if command -v dpkg-query >/dev/null && [ -n "$(strip $(missing))" ]; then \
+	  echo "Missing packages: $(missing)"; echo "Install them with: make deps"; exit 1; \
+	fi >&2
+
+build: need-deps ## build the program, build/rotor
+	@$(call configure-and-build,--target rotor)
+
+figures: build ## redraw Figs. 2-17 into build/figures
+	@$(MAKE) --no-print-directory draw
+
+$(NUMBERS:%=fig%): fig%: build ## fig02 ... fig17: redraw one figure
+	@$(MAKE) --no-print-directory draw DRAW=$*
+
+# All data that are out of date come from one process; then each picture is drawn on its own.
+draw:
+	@start=$$(date +%s%N); \
+	stale=$$(for n in $(DRAW); do \
+	  csv=$(OUT)/fig$$n.csv; \
+	  [ $$csv -nt figures/fig$$n.toml ] && [ $$csv -nt $(ROTOR) ] || echo $$n; \
+	done); \
+	[ -z "$$stale" ] || $(ROTOR) figure $$stale --out $(OUT) --equations $(EQUATIONS) || exit 1; \
+	computed=$$(date +%s%N); \
+	if $(MAKE) -q pictures DRAW="$(DRAW)"; then echo "The figures in $(OUT) are up to date."; else \
+	  $(MAKE) --no-print-directory $(if $(findstring j,$(MAKEFLAGS)),,-j$$(nproc)) pictures DRAW="$(DRAW)" && \
+	  echo "$$start $$computed $$(date +%s%N)" | \
+	    awk '{ printf "data %.1f s, gnuplot %.1f s\n", ($$2 - $$1)/1e9, ($$3 - $$2)/1e9 }'; \
+	fi
+
+.PHONY: pictures
+pictures: $(DRAW:%=$(OUT)/fig%.$(FORMAT))
+
+$(OUT)/fig%.$(FORMAT): figures/fig%.gp figures/style.gp $(OUT)/fig%.csv
+	@gnuplot -e "data = '$(OUT)/fig$*.csv'; output = '$@.part'; format = '$(FORMAT)'" \
+	  figures/style.gp $< || { rm -f $@.part; exit 1; }
+	@mv $@.part $@ && echo "$@"
+
+$(OUT)/fig%.csv: ;
+
+verify: need-deps ## build and run all tests
+	@$(call configure-and-build)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $$(nproc)
+
+clean: ## remove everything that was made
+	rm -rf $(BUILD)

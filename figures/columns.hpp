@@ -1,0 +1,44 @@
+/// The quantities that a scene may ask for, by the names that stand in the header of its CSV.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "model/instant.hpp"
+
+namespace rotor {
+
+/// One instant, looked at by columns. What several columns need is worked out once, and only if one
+/// of them asks for it.
+class View {
+ public:
+  View(const Instant& at, const Ring<double>& ring) : at_(at), ring_(ring) {}
+
+  const Instant& at() const { return at_; }
+  const Motion<double>& motion();
+  const RimPoint<double>& rim_point();
+  bool in_contact() const;
+  ContactForces<double> contact_forces();
+  Vector<double> displacement_in_stator_frame();
+
+ private:
+  const Instant& at_;
+  const Ring<double>& ring_;
+  std::optional<Motion<double>> motion_;
+  std::optional<RimPoint<double>> rim_point_;
+};
+
+struct Column {
+  std::string_view name;  ///< with its unit
+  std::string_view meaning;
+  double (*value)(View&);
+};
+
+/// All columns, in the order in which a trace has them.
+std::span<const Column> all_columns();
+
+/// The column of that name, or null.
+const Column* find_column(std::string_view name);
+
+}  // namespace rotor

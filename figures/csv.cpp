@@ -1,0 +1,69 @@
+#include "figures/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace rotor {
+namespace {
+
+std::filesystem::path draft_of(std::filesystem::path file) { return file += ".part"; }
+
+[[noreturn]] void fail(const std::filesystem::path& file, std::string_view reason) {
+  throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), reason));
+}
+
+}  // namespace
+
+std::string to_csv(const std::vector<std::string>& provenance,
+                   const std::vector<const Column*>& columns,
+                   const std::vector<NamedTable>& tables) {
+  std::string csv;
+  const auto end = std::back_inserter(csv);
+  for (const std::string& line : provenance) fmt::format_to(end, "# {}\n", line);
+  csv += "run";
+  for (const Column* column : columns) fmt::format_to(end, ",{}", column->name);
+  csv += '\n';
+  for (const auto& [run, table] : tables)
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      csv += run;
+      for (const double value : table.row(i)) {
+        csv += ',';
+        if (!std::isnan(value)) fmt::format_to(end, "{}", value);
+      }
+      csv += '\n';
+    }
+  return csv;
+}
+
+FileTransaction::~FileTransaction() {
+  std::error_code ignored;
+  for (const auto& file : files_) std::filesystem::remove(draft_of(file), ignored);
+}
+
+void FileTransaction::write(const std::filesystem::path& file, std::string_view content) {
+  std::error_code error;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+  if (error) fail(file, error.message());
+  if (std::filesystem::is_directory(file)) fail(file, "it is a directory");
+  files_.push_back(file);
+  std::ofstream stream(draft_of(file), std::ios::binary);
+  stream << content << std::flush;
+  if (!stream) fail(file, std::strerror(errno));
+}
+
+void FileTransaction::commit() {
+  for (const auto& file : files_) {
+    std::error_code error;
+    std::filesystem::rename(draft_of(file), file, error);
+    if (error) fail(file, error.message());
+  }
+  files_.clear();
+}
+
+}  // namespace rotor

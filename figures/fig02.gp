@@ -1,0 +1,22 @@
+# q1, q2 and rho while the rotor runs up through its critical speed.
+set title caption(2, "Start-up: generalised coordinates and displacement of O", \
+  "M_{mot} = 0.3 N m, e_x = 0.15 mm, eigenfrequency 10 Hz")
+set multiplot layout 3,1 margins 0.09,0.97,0.11,0.86 spacing 0,0.035
+set xrange [0:6.5]
+set ylabel offset 1,0
+set format x ""
+set ytics 0.5
+stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
+
+set ylabel "q_1, mm"
+plot data using "time_s":(column("q1_m")*1e3) with lines linetype 1 notitle
+unset title
+set ylabel "q_2, mm"
+plot data using "time_s":(column("q2_m")*1e3) with lines linetype 2 notitle
+set ylabel "ρ, mm"
+set xlabel "t, s" offset 0,0.4
+set format x "%g"
+set label sprintf("largest ρ = %.2f mm at %.2f s", rho_max_y, rho_pos_max_y) \
+  at rho_pos_max_y, rho_max_y offset 2,-0.5
+set yrange [0:*]
+plot data using "time_s":(column("rho_m")*1e3) with lines linetype 3 notitle

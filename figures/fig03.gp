@@ -1,0 +1,24 @@
+# F_n for high, intermediate and low friction, one above the other.
+set title caption(3, "Radial component F_n of the impact force", \
+  "mass loss at t_1 = 29.1 s, f = 150 Hz, k_u = 3, k_t = 8×10^8 N/m")
+set multiplot layout 3,1 margins 0.1,0.97,0.11,0.87 spacing 0,0.035
+set xrange [29.1:29.35]
+set yrange [-500:0]
+set ytics -400,200,0
+set ylabel "F_n, kN" offset 1,0
+set format x ""
+force(name) = of_run(name, "normal_force_N")/1e3
+friction = "0.3 0.2 0.08"
+do for [i = 1:3] {
+  name = "mu = ".word(friction, i)
+  stats data using (force(name)) name "F" nooutput
+  set label 1 sprintf("μ = %s", word(friction, i)) at graph 0.985,0.62 right font ":Bold" boxed front
+  set label 2 sprintf("largest |F_n|: %.1f kN", -F_min) at graph 0.985,0.42 right boxed front
+  if (i == 1) { set label 3 "paper: 400–450 kN in rolling, 455 kN at most" at graph 0.985,0.22 right \
+                  textcolor rgb grey boxed front
+                set arrow 1 from graph 0,first -455 to graph 1,first -455 nohead linestyle published }
+  else { unset label 3; unset arrow 1 }
+  if (i == 2) { unset title }
+  if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
+  plot data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle
+}

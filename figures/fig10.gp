@@ -1,0 +1,91 @@
+# The velocities in rolling without slipping, drawn to the state at the onset of rolling: directions and
+# velocities are the computed ones; the clearance alone is enlarged.
+eval "set terminal ".square
+set title caption(10, "Velocities in rolling along the ring without slipping", \
+  "drawn to the computed onset of rolling, μ = 0.3; the clearance is drawn enlarged")
+r = 0.06
+
+# The state at the onset: the first row.
+stats data every ::0::0 using "time_s" name "t" nooutput
+stats data every ::0::0 using "x_a_m" name "x" nooutput
+stats data every ::0::0 using "y_a_m" name "y" nooutput
+stats data every ::0::0 using "rho_m" name "rho" nooutput
+stats data every ::0::0 using "speed_Hz" name "f" nooutput
+t = t_max; rho = rho_max; f = f_max
+f_rol = f*r/rho                                    # Eq. (26)
+
+# The whirl speed measured over the first 0.1 ms: slope of the angle of O, seen from where it starts.
+near(c) = column("time_s") <= t + 1e-4 ? c : NaN
+turned(x, y) = atan2(x_max*y - y_max*x, x_max*x + y_max*y)
+stats data using (near(column("time_s"))):(turned(column("x_a_m"), column("y_a_m"))) name "whirl" nooutput
+stats data using (near(column("speed_Hz")*r/column("rho_m"))) name "rol" nooutput
+f_whirl = -whirl_slope/(2*pi)
+
+# On the page: y_a to the right, x_a downwards. Lengths in units of the ring's radius.
+enlarged = 0.26                                    # rho as drawn
+scale = enlarged*(r + rho)/rho                     # how much the clearance is enlarged
+nx = y_max/rho; ny = -x_max/rho                    # direction O_a -> O -> K
+tx = -ny; ty = nx                                  # sense of the rotor's rotation
+Ox = enlarged*nx; Oy = enlarged*ny
+Kx = nx; Ky = ny
+radius = 1 - enlarged
+v_O = 2*pi*f_rol*rho                               # m/s, against the sense of rotation
+u = 0.55/v_O                                       # length of an arrow per m/s
+
+set size ratio -1
+set xrange [-1.25:1.25]
+set yrange [-1.55:1.12]
+unset border; unset tics; unset grid; unset key
+set style arrow 1 linecolor rgb vermilion linewidth 2.2 filled size 0.06,18
+set style arrow 2 linecolor rgb blue linewidth 2.2 filled size 0.06,18
+set style arrow 3 linecolor rgb black linewidth 1.2 filled size 0.05,18
+set style arrow 4 nohead linecolor rgb grey linewidth 1 dashtype (3,3)
+
+set object 1 circle at 0,0 size 1 fillstyle empty border linecolor rgb black linewidth 3
+set object 2 circle at Ox,Oy size radius fillcolor rgb "#eef3f8" fillstyle solid border linecolor rgb black linewidth 1.5
+set object 3 circle at 0,0 size 0.018 fillcolor rgb black fillstyle solid front
+set object 4 circle at Ox,Oy size 0.018 fillcolor rgb black fillstyle solid front
+set object 5 circle at Kx,Ky size 0.024 fillcolor rgb black fillstyle solid front
+set object 6 circle at 0,0 size enlarged fillstyle empty border linecolor rgb grey linewidth 1 dashtype (2,3) front
+Px = Ox - radius*nx; Py = Oy - radius*ny           # the rim point opposite to K
+
+# Velocities: the field of a body that turns about K at this instant.
+set arrow from Kx,Ky to Px,Py arrowstyle 4
+set arrow from Kx,Ky to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 4 front
+set arrow from Ox,Oy to Ox - v_O*u*tx,Oy - v_O*u*ty arrowstyle 1 front
+set arrow from Px,Py to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 2 front
+set label "O_a" at 0,0 right offset -0.6,0.6 front
+set label "O" at Ox,Oy offset 0.8,-0.8 front
+set label "K" at 1.09*Kx,1.09*Ky center front font ":Bold"
+set label "v_K = 0" at 1.2*Kx,1.2*Ky center front
+set label sprintf("v_O = %.1f m/s", v_O) at Ox - 1.1*v_O*u*tx,Oy - 1.1*v_O*u*ty center offset 0,0.3 \
+  textcolor rgb vermilion front boxed
+set label sprintf("%.1f m/s", 2*v_O) at Px - 2.1*v_O*u*tx,Py - 2.1*v_O*u*ty center offset 0,0.3 \
+  textcolor rgb blue front boxed
+# f turns with the sense of rotation, f_rol against it.
+arc(a, b, n, i) = a + (b - a)*i/n
+set parametric
+set trange [0:1]
+rotor_angle = atan2(-ny, -nx)
+set arrow from Ox + 0.5*radius*cos(rotor_angle + 1.08),Oy + 0.5*radius*sin(rotor_angle + 1.08) \
+  to Ox + 0.5*radius*cos(rotor_angle + 1.2),Oy + 0.5*radius*sin(rotor_angle + 1.2) \
+  linecolor rgb blue linewidth 1.6 filled size 0.06,18 front
+set label sprintf("f = %.1f Hz", f) \
+  at Ox + 0.7*radius*cos(rotor_angle + 1.0),Oy + 0.7*radius*sin(rotor_angle + 1.0) center \
+  textcolor rgb blue front boxed
+whirl_angle = atan2(ny, nx)
+set arrow from 1.1*cos(whirl_angle - 0.98),1.1*sin(whirl_angle - 0.98) \
+  to 1.1*cos(whirl_angle - 1.0),1.1*sin(whirl_angle - 1.0) \
+  linecolor rgb vermilion linewidth 1.6 filled size 0.06,18 front
+set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65) center \
+  textcolor rgb vermilion front
+
+set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz; clearance drawn %.0f times", \
+  t, 1e3*rho, f, scale) at 0,-1.2 center
+set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz    paper: 771.4 Hz", f_rol) at 0,-1.31 center
+set label sprintf("over the first 0.1 ms: whirl of O measured on its trajectory %.1f Hz, mean of f r/ρ %.1f Hz", \
+  f_whirl, rol_mean) at 0,-1.42 center
+plot Ox + 0.5*radius*cos(rotor_angle + arc(0.5, 1.18, 1, t)),Oy + 0.5*radius*sin(rotor_angle + arc(0.5, 1.18, 1, t)) \
+       with lines linecolor rgb blue linewidth 1.6, \
+     1.1*cos(whirl_angle - arc(0.25, 0.98, 1, t)),1.1*sin(whirl_angle - arc(0.25, 0.98, 1, t)) \
+       with lines linecolor rgb vermilion linewidth 1.6

@@ -1,0 +1,332 @@
+/// The command line: `rotor figure` writes the data of the paper's figures, `rotor run` runs any
+/// rotor.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "figures/csv.hpp"
+#include "figures/production.hpp"
+#include "figures/scene.hpp"
+#include "model/summary.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Largest distance between a thinned curve and the full one, in parts of the picture's height: a
+/// fifth of a pixel in a picture 1000 pixels high.
+constexpr double thinning = 2e-4;
+
+std::string describe(const Quantity& quantity, const Scenario& scenario) {
+  return fmt::format("{} = {}{}{}", quantity.name, quantity.of(scenario),
+                     quantity.unit.empty() ? "" : " ", quantity.unit);
+}
+
+/// What a run states beyond, or against, the defaults.
+std::string differences(const Scenario& scenario) {
+  std::vector<std::string> all;
+  for (const Quantity& quantity : quantities())
+    if (quantity.of(scenario) != quantity.of(Scenario{}))
+      all.push_back(describe(quantity, scenario));
+  if (!scenario.parameters.separates) all.push_back("no mass loss");
+  return all.empty() ? "the paper's parameters" : fmt::format("{}", fmt::join(all, ", "));
+}
+
+std::vector<std::string> provenance(const std::string& title, const Scene& scene) {
+  std::vector<std::string> lines = {title, "rotor " ROTOR_VERSION};
+  for (const auto& [name, scenario] : scene.runs)
+    lines.push_back(fmt::format("{}: equations {}, method {}, {}", name,
+                                name_of(scenario.equations), name_of(scenario.method),
+                                differences(scenario)));
+  for (const Column* column : scene.columns)
+    lines.push_back(fmt::format("{}: {}", column->name, column->meaning));
+  return lines;
+}
+
+/// Options that both commands have: what a scene does not state itself.
+struct CommonOptions {
+  std::string equations;
+  std::string method;
+
+  void add_to(CLI::App& app) {
+    const auto named = [](auto parse) {
+      return CLI::Validator(
+          [parse](const std::string& name) -> std::string {
+            try {
+              return parse(name), "";
+            } catch (const InputError& error) {
+              return error.what();
+            }
+          },
+          "", "");
+    };
+    app.add_option("--equations", equations,
+                   "published (as printed) or consistent (the velocity jump counted once, the "
+                   "moment of gravity balanced)")
+        ->check(named(parse_equations))
+        ->default_str(std::string(name_of(Scenario{}.equations)));
+    app.add_option("--method", method, "rk4: the paper's fixed steps")
+        ->check(named(parse_method))
+        ->default_str(std::string(name_of(Scenario{}.method)));
+  }
+
+  void apply_to(Scenario& scenario) const {
+    if (!equations.empty()) scenario.equations = parse_equations(equations);
+    if (!method.empty()) scenario.method = parse_method(method);
+  }
+};
+
+class FigureCommand {
+ public:
+  explicit FigureCommand(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("figure", "Write the data of the paper's figures as CSV");
+    command->add_option("numbers", numbers_, "figures, 2 to 17; all if none is given")
+        ->transform(CLI::Validator(
+            [](std::string& text) -> std::string {  // 05 is not octal
+              text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
+              return "";
+            },
+            ""));
+    command->add_option("--out", out_, "folder for figNN.csv")->capture_default_str();
+    command->add_option("--scenes", scenes_, "folder with the scene files figNN.toml")
+        ->capture_default_str();
+    common_.add_to(*command);
+    command->callback([this] { run(); });
+  }
+
+ private:
+  void run() const {
+    std::map<int, Scene> scenes;
+    for (const int number : numbers_.empty() ? all_figures() : numbers_)
+      scenes.emplace(number, read(number));
+
+    std::map<int, std::vector<Recorder>> recorders;
+    std::vector<Request> requests;
+    for (const auto& [number, scene] : scenes) {
+      auto& own = recorders[number];
+      own.reserve(scene.runs.size());  // the requests refer to them
+      for (const SceneRun& scene_run : scene.runs) {
+        Recorder& recorder = own.emplace_back(scene.window, scene.columns, scene_run.scenario);
+        requests.push_back({scene_run.scenario, std::ref(recorder)});
+      }
+    }
+    const ProductionReport report = produce(requests);
+
+    FileTransaction files;
+    for (const auto& [number, scene] : scenes)
+      files.write(fs::path(out_) / fmt::format("fig{:02}.csv", number),
+                  csv(number, scene, recorders.at(number)));
+    files.commit();
+    fmt::print(
+        stderr,
+        "{} figures: {} run-ups in {:.3f} s, {} runs after it in {:.3f} s, {} right-hand sides\n",
+        scenes.size(), report.run_ups, report.run_up_s, report.runs, report.rub_s,
+        report.work.right_hand_sides);
+  }
+
+  static std::vector<int> all_figures() {
+    std::vector<int> all;
+    for (int number = 2; number <= 17; ++number) all.push_back(number);
+    return all;
+  }
+
+  Scene read(int number) const {
+    const fs::path file = fs::path(scenes_) / fmt::format("fig{:02}.toml", number);
+    if (!fs::exists(file))
+      throw InputError(fmt::format("figure {}: there is no scene {}; the figures are 2 to 17",
+                                   number, file.string()));
+    Scene scene = read_scene(file);
+    for (SceneRun& run : scene.runs) common_.apply_to(run.scenario);
+    return scene;
+  }
+
+  static std::string csv(int number, const Scene& scene, const std::vector<Recorder>& recorders) {
+    std::vector<NamedTable> tables;
+    for (std::size_t i = 0; i < recorders.size(); ++i) {
+      if (recorders[i].table().rows() == 0)
+        throw InputError(fmt::format("figure {}: nothing of the run \"{}\" lies in the window",
+                                     number, scene.runs[i].name));
+      tables.push_back({scene.runs[i].name, thinned(recorders[i].table(), thinning)});
+    }
+    return to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene), scene.columns,
+                  tables);
+  }
+
+  std::vector<int> numbers_;
+  std::string out_ = "build/figures";
+  std::string scenes_ = ROTOR_SCENES;
+  CommonOptions common_;
+};
+
+nlohmann::ordered_json to_json(const Summary& summary, const Work& work, const Scenario& scenario) {
+  nlohmann::ordered_json json;
+  const auto put = [&json](const char* key, const std::optional<double>& value) {
+    if (value)
+      json[key] = *value;
+    else
+      json[key] = nullptr;
+  };
+  put("first_contact_s", summary.first_contact_s);
+  json["collisions"] = summary.collisions;
+  put("rolling_onset_s", summary.rolling_onset_s);
+  put("rolling_onset_speed_Hz", summary.rolling_onset_speed_Hz);
+  put("rolling_onset_force_N", summary.rolling_onset_force_N);
+  put("peak_normal_force_N", summary.peak_normal_force_N);
+  put("peak_time_s", summary.peak_time_s);
+  put("max_displacement_m", summary.max_displacement_m);
+  put("motor_off_s", summary.motor_off_s);
+  put("speed_at_separation_Hz", summary.speed_at_separation_Hz);
+  put("final_speed_Hz", summary.final_speed_Hz);
+  put("final_kinetic_energy_J", summary.final_kinetic_energy_J);
+  put("final_q1_m", summary.final_q1_m);
+  put("final_q2_m", summary.final_q2_m);
+  json["right_hand_sides"] = work.right_hand_sides;
+  json["contact_evaluations"] = work.contact_evaluations;
+  json["steps"] = work.steps;
+  json["equations"] = name_of(scenario.equations);
+  json["method"] = name_of(scenario.method);
+  return json;
+}
+
+class RunCommand {
+ public:
+  explicit RunCommand(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("run", "Run any rotor and mass loss");
+    command->add_option("--scene", scene_, "scene file (TOML); options override what it states");
+    command->add_option("--run", run_name_, "which [[run]] of the scene, if it has several");
+    for (const Quantity& quantity : quantities()) add_number(*command, quantity);
+    command->add_flag("--no-separation", no_separation_, "no mass is lost");
+    common_.add_to(*command);
+    command->add_option("--trace", trace_, "write every step inside the window to this CSV file");
+    command
+        ->add_option("--columns", columns_,
+                     "columns of the trace, comma-separated; all if not given")
+        ->delimiter(',');
+    command->add_option("--from", from_, "begin of the trace [0 s]")->type_name("s");
+    command->add_flag("--json", json_, "print the summary as JSON");
+    command->callback([this] { run(); });
+  }
+
+ private:
+  void add_number(CLI::App& command, const Quantity& quantity) {
+    std::string option = "--" + std::string(quantity.name);
+    std::ranges::replace(option, '_', '-');
+    command
+        .add_option_function<double>(
+            option, [this, &quantity](double value) { given_[&quantity] = value; },
+            fmt::format("{}{}{}", quantity.meaning, quantity.symbol.empty() ? "" : ", ",
+                        quantity.symbol))
+        ->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit))
+        ->default_str(fmt::format("{}", quantity.of(Scenario{})))
+        ->check(CLI::Validator(
+            [&quantity](const std::string& text) -> std::string {
+              double value = 0;
+              const bool number = CLI::detail::lexical_cast(text, value);
+              return number && quantity.allows(value)
+                         ? ""
+                         : fmt::format("must be {}, not {}", quantity.range(), text);
+            },
+            "", ""));
+  }
+
+  SceneRun scene_run() const {
+    if (scene_.empty()) return {"run", Scenario{}};
+    const Scene scene = read_scene(scene_);
+    for (const SceneRun& run : scene.runs)
+      if (run.name == run_name_ || (run_name_.empty() && scene.runs.size() == 1)) return run;
+    std::vector<std::string> names;
+    for (const SceneRun& run : scene.runs) names.push_back(run.name);
+    throw InputError(
+        fmt::format("{}: choose one of its runs with --run: {}", scene_, fmt::join(names, ", ")));
+  }
+
+  SceneRun requested_run() const {
+    SceneRun result = scene_run();
+    for (const auto& [quantity, value] : given_) quantity->in(result.scenario) = value;
+    if (no_separation_) result.scenario.parameters.separates = false;
+    common_.apply_to(result.scenario);
+    check(result.scenario);
+    return result;
+  }
+
+  void run() const {
+    const auto [name, scenario] = requested_run();
+    if (from_ < 0 || !(from_ < scenario.until))
+      throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", from_,
+                                   scenario.until));
+    Scene scene{.title = "",
+                .window = {.from_s = from_},
+                .columns = parse_columns(trace_columns()),
+                .runs = {{name, scenario}}};
+    Recorder trace(scene.window, scene.columns, scenario);
+    SummaryObserver summary(scenario);
+    Work work;
+    const auto observe = [&](const Instant& at) {
+      summary(at);
+      if (!trace_.empty()) trace(at);
+    };
+    const Instant first = start(scenario);
+    observe(first);
+    rotor::run(scenario, first, observe, work);
+
+    if (!trace_.empty()) {
+      FileTransaction files;
+      files.write(trace_, to_csv(provenance("Trace of a run", scene), scene.columns,
+                                 {{name, trace.table()}}));
+      files.commit();
+    }
+    print(to_json(summary.summary(), work, scenario));
+  }
+
+  std::vector<std::string> trace_columns() const {
+    if (!columns_.empty()) return columns_;
+    std::vector<std::string> all;
+    for (const Column& column : all_columns()) all.emplace_back(column.name);
+    return all;
+  }
+
+  void print(const nlohmann::ordered_json& summary) const {
+    if (json_) {
+      fmt::print("{}\n", summary.dump(2));
+    } else {
+      for (const auto& [key, value] : summary.items())
+        fmt::print("{:<24} {}\n", key, value.is_null() ? "-" : value.dump());
+    }
+  }
+
+  std::string scene_, run_name_, trace_;
+  std::vector<std::string> columns_;
+  std::map<const Quantity*, double> given_;
+  double from_ = 0;
+  bool no_separation_ = false, json_ = false;
+  CommonOptions common_;
+};
+
+int main(int argc, char** argv) {
+  CLI::App app("Overcritical rotor, mass loss, rub: the paper's figures, and runs of one's own.");
+  app.set_version_flag("--version", "rotor " ROTOR_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(36);
+  const FigureCommand figure(app);
+  const RunCommand run(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rotor: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace rotor
+
+int main(int argc, char** argv) { return rotor::main(argc, argv); }

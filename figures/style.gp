@@ -1,0 +1,49 @@
+# The look of all figures. The caller sets, with gnuplot's -e:
+#   data      the figure's CSV file, columns addressed by name
+#   output    the picture
+#   format    svg, pdf or png
+# The picture is wide; a script that wants it square says: eval "set terminal ".square
+
+set datafile separator comma
+set encoding utf8
+
+# Terminals. Sizes are in pixels for svg and png, and the same proportions for pdf.
+wide_svg = "size 960,560 font 'DejaVu Sans,14' background 'white' enhanced linewidth 1"
+square_svg = "size 760,800 font 'DejaVu Sans,14' background 'white' enhanced linewidth 1"
+wide_pdf = "size 16cm,9.33cm font 'DejaVu Sans,8' enhanced linewidth 0.7"
+square_pdf = "size 12.7cm,13.3cm font 'DejaVu Sans,8' enhanced linewidth 0.7"
+if (format eq "svg") { wide = "svg ".wide_svg; square = "svg ".square_svg }
+if (format eq "png") { wide = "pngcairo size 960,560 font 'DejaVu Sans,11' enhanced linewidth 1.2"
+                       square = "pngcairo size 760,800 font 'DejaVu Sans,11' enhanced linewidth 1.2" }
+if (format eq "pdf") { wide = "pdfcairo ".wide_pdf; square = "pdfcairo ".square_pdf }
+eval "set terminal ".wide
+set output output
+
+# Colours that colour-blind readers can tell apart; what is published is grey and dashed.
+set colorsequence podo
+blue = "#0072b2"; vermilion = "#d55e00"; green = "#009e73"; black = "#000000"; grey = "#707070"
+set linetype 1 linecolor rgb blue linewidth 1.3
+set linetype 2 linecolor rgb vermilion linewidth 1.3
+set linetype 3 linecolor rgb green linewidth 1.3
+set linetype 4 linecolor rgb black linewidth 1.3
+published = 11; clearance = 12; reading = 13
+set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 4)
+set style line clearance linecolor rgb black linewidth 1 dashtype (2, 3)
+set style line reading linecolor rgb grey linewidth 0.8
+
+set border linewidth 0.8
+set tics nomirror scale 0.7
+set grid linecolor rgb "#dddddd" linewidth 0.6
+set key opaque samplen 2 spacing 1.15
+set title offset 0,0.3
+set style textbox opaque noborder margins 0.4,0.4
+
+# "Fig. N" and what it shows, with the parameters on a second line.
+caption(number, what, parameters) = \
+  sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s}", number, what, parameters)
+
+# A published number beside ours, as annotations show it.
+beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ours, paper)
+
+# The column of one run, for scenes with several.
+of_run(name, c) = strcol("run") eq name ? column(c) : NaN

@@ -1,0 +1,107 @@
+/// The rotor as a rigid body in the plane: kinetic energy, loads of the supports, equations of
+/// motion. Source: Sec. 2.1, Eqs. (1)-(4).
+///
+/// Everything is written with plane vectors, so that it holds in any orthonormal basis: the paper's
+/// rotating axes O_a xy, the stator's axes O_a x_a y_a, or the radial and tangential directions of
+/// a contact. A chart such as rotating_frame.hpp says which basis the components belong to.
+#pragma once
+
+#include "model/plane.hpp"
+#include "model/scenario.hpp"
+
+namespace rotor {
+
+/// Inertia of the rotor: m, I_C, e_x before the mass loss and m_1, I_C1, e_x1 after it.
+template <class S>
+struct Body {
+  S mass;          ///< kg
+  S inertia;       ///< about the mass centre C, kg m^2
+  S eccentricity;  ///< distance of C from the geometrical centre O, m
+
+  static Body of(const Parameters& p) { return {S(p.mass), S(p.inertia), S(p.eccentricity)}; }
+};
+
+/// Position and velocity of the rotor, the vectors with their components in one common basis.
+template <class S>
+struct Motion {
+  Vector<S> displacement;  ///< of O from O_a, m
+  Vector<S> velocity;      ///< of O relative to the stator, m/s
+  Vector<S> eccentricity;  ///< of C from O, m
+  Vector<S> down;          ///< unit vector of gravity, the direction of x_a
+  S speed;                 ///< q3', rad/s
+
+  Vector<S> mass_centre() const { return displacement + eccentricity; }
+  Vector<S> mass_centre_velocity() const {
+    return velocity + speed * quarter_turn(eccentricity);  // Eq. (1)
+  }
+};
+
+/// Generalised forces: Q_1, Q_2 as a vector (N), and Q_3, the moment about O_a (N m).
+template <class S>
+struct Loads {
+  Vector<S> force;
+  S moment;
+
+  Loads& operator+=(const Loads& other) {
+    force += other.force;
+    moment += other.moment;
+    return *this;
+  }
+};
+
+template <class S>
+struct Acceleration {
+  Vector<S> mass_centre;  ///< of C relative to the stator, m/s^2
+  S angular;              ///< q3'', rad/s^2
+};
+
+/// T, J.
+template <class S>
+S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
+  return (body.mass * motion.mass_centre_velocity().squaredNorm() +
+          body.inertia * motion.speed * motion.speed) /
+         2;  // Eq. (2)
+}
+
+/// Everything that acts on the rotor while it is clear of the ring: springs and dampers of the
+/// supports, gravity, motor.
+template <class S>
+struct Supports {
+  S stiffness;               ///< k, N/m
+  S damping;                 ///< d, N s/m
+  S gravity;                 ///< g, m/s^2
+  S torque;                  ///< M_mot while the motor drives, N m
+  bool balanced_by_springs;  ///< whether the springs' preload takes its part of the gravity moment
+
+  Supports(const Parameters& p, Equations equations)
+      : stiffness(p.support_stiffness),
+        damping(p.support_damping),
+        gravity(p.gravity),
+        torque(p.torque),
+        balanced_by_springs(equations == Equations::consistent) {}
+
+  Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
+    const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;
+    return {force, -damping * cross(motion.displacement, motion.velocity) +
+                       gravity_moment(body, motion) + (motor_on ? torque : S(0))};  // Eq. (4)
+  }
+
+  /// Moment of gravity about O_a. Q_1 and Q_2 leave gravity out because the springs carry it at
+  /// equilibrium; as printed, Q_3 keeps the whole weight's moment all the same. The springs'
+  /// preload balances all of it but the part that the eccentricity makes.
+  S gravity_moment(const Body<S>& body, const Motion<S>& motion) const {
+    const Vector<S> arm = balanced_by_springs ? motion.eccentricity : motion.mass_centre();
+    return body.mass * gravity * cross(arm, motion.down);  // Eq. (4)
+  }
+};
+
+/// Solves the equations of motion for the accelerations. The mass matrix of Eq. (3) needs no
+/// general solver: force and moment balance about C are the same equations, and the moment balance
+/// stands alone.
+template <class S>
+Acceleration<S> acceleration(const Body<S>& body, const Motion<S>& motion, const Loads<S>& loads) {
+  return {loads.force / body.mass,
+          (loads.moment - cross(motion.mass_centre(), loads.force)) / body.inertia};  // Eq. (3)
+}
+
+}  // namespace rotor

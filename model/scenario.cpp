@@ -1,0 +1,94 @@
+#include "model/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "model/mass_loss.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr bool closed = true;
+constexpr bool open = false;
+
+#define OF(path) [](Scenario& s) -> double& { return s.path; }
+
+constexpr std::array all_quantities = {
+    Quantity{"mass", "m", "kg", "rotor mass", OF(parameters.mass), 0, open},
+    Quantity{"inertia", "I_C", "kg m^2", "moment of inertia about the mass centre",
+             OF(parameters.inertia), 0, open},
+    Quantity{"eccentricity", "e_x", "m", "distance of the mass centre from the geometrical centre",
+             OF(parameters.eccentricity), 0, closed},
+    Quantity{"support_stiffness", "k", "N/m", "radial stiffness of both supports",
+             OF(parameters.support_stiffness), 0, closed},
+    Quantity{"support_damping", "d", "N s/m", "radial damping of both supports",
+             OF(parameters.support_damping), 0, closed},
+    Quantity{"gravity", "g", "m/s^2", "acceleration due to gravity", OF(parameters.gravity), 0,
+             closed},
+    Quantity{"torque", "M_mot", "N m", "torque of the motor until it is switched off",
+             OF(parameters.torque), 0, closed},
+    Quantity{"motor_off_hz", "f_max", "Hz", "rotation speed at which the motor is switched off",
+             OF(parameters.motor_off_Hz), 0, closed},
+    Quantity{"contact_stiffness", "k_t", "N/m", "stiffness of the contact zone",
+             OF(parameters.contact_stiffness), 0, closed},
+    Quantity{"contact_damping", "d_t", "N s/m", "damping of the contact zone",
+             OF(parameters.contact_damping), 0, closed},
+    Quantity{"friction", "mu", "", "coefficient of Coulomb friction between rotor and ring",
+             OF(parameters.friction), 0, closed},
+    Quantity{"rotor_radius", "r", "m", "radius of the rotor", OF(parameters.rotor_radius), 0, open},
+    Quantity{"stator_radius", "r_a", "m", "radius of the stator's contact ring",
+             OF(parameters.stator_radius), 0, open},
+    Quantity{"unbalance_factor", "k_u", "", "growth of the eccentricity by the mass loss",
+             OF(parameters.unbalance_factor), 1, closed},
+    Quantity{"separation_time", "t_1", "s", "instant of the mass loss",
+             OF(parameters.separation_time), 0, closed},
+    Quantity{"until", "", "s", "end of the run", OF(until), 0, open},
+    Quantity{"step_run_up", "h", "s", "rk4: step until the mass loss or the first contact",
+             OF(step_run_up), 0, open},
+    Quantity{"step_rub", "h", "s", "rk4: step from then on", OF(step_rub), 0, open},
+};
+
+#undef OF
+
+void require(bool fulfilled, const std::string& message) {
+  if (!fulfilled) throw std::invalid_argument(message);
+}
+
+}  // namespace
+
+std::span<const Quantity> quantities() { return all_quantities; }
+
+bool Quantity::allows(double value) const {
+  return std::isfinite(value) && (least_allowed ? value >= least : value > least);
+}
+
+std::string Quantity::range() const {
+  return fmt::format("a finite number {} {}{}{}", least_allowed ? "not below" : "greater than",
+                     least, unit.empty() ? "" : " ", unit);
+}
+
+void check(const Scenario& scenario) {
+  for (const Quantity& quantity : quantities()) {
+    const double value = quantity.of(scenario);
+    require(quantity.allows(value),
+            fmt::format("{} = {}: must be {}", quantity.name, value, quantity.range()));
+  }
+  const Parameters& p = scenario.parameters;
+  require(p.stator_radius > p.rotor_radius,
+          fmt::format("stator_radius = {} m: must be larger than rotor_radius = {} m",
+                      p.stator_radius, p.rotor_radius));
+  require(p.eccentricity < p.rotor_radius,
+          fmt::format("eccentricity = {} m: must be smaller than rotor_radius = {} m",
+                      p.eccentricity, p.rotor_radius));
+  const MassLoss<double> loss(p);
+  require(
+      !scenario.loses_mass() || loss.after.inertia > 0,
+      fmt::format("unbalance_factor = {}: the moment of inertia left by the mass loss, {} kg m^2, "
+                  "must be greater than 0; lower the factor or raise inertia",
+                  p.unbalance_factor, loss.after.inertia));
+}
+
+}  // namespace rotor

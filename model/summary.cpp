@@ -1,0 +1,45 @@
+#include "model/summary.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace rotor {
+namespace {
+
+double in_Hz(double speed) { return speed / (2 * std::numbers::pi); }
+
+}  // namespace
+
+void SummaryObserver::operator()(const Instant& at) {
+  const Motion<double> motion = at.motion();
+  if (!at.motor_on && !summary_.motor_off_s) summary_.motor_off_s = at.time_s;
+  if (at.separated) {
+    if (!summary_.speed_at_separation_Hz) summary_.speed_at_separation_Hz = in_Hz(motion.speed);
+    summary_.max_displacement_m =
+        std::max(summary_.max_displacement_m.value_or(0), motion.displacement.norm());
+  }
+  if (at.contact != ContactState::free) observe_contact(at, motion);
+  touching_ = at.contact != ContactState::free;
+
+  summary_.final_speed_Hz = in_Hz(motion.speed);
+  summary_.final_kinetic_energy_J = kinetic_energy(at.body, motion);
+  summary_.final_q1_m = at.state[0];
+  summary_.final_q2_m = at.state[1];
+}
+
+void SummaryObserver::observe_contact(const Instant& at, const Motion<double>& motion) {
+  if (!touching_) ++summary_.collisions;
+  if (!summary_.first_contact_s) summary_.first_contact_s = at.time_s;
+  const double force = -ring_.normal_force(ring_.rim_point(motion));
+  if (force > summary_.peak_normal_force_N.value_or(0)) {
+    summary_.peak_normal_force_N = force;
+    summary_.peak_time_s = at.time_s;
+  }
+  if (at.contact == ContactState::rolling && !summary_.rolling_onset_s) {
+    summary_.rolling_onset_s = at.time_s;
+    summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
+    summary_.rolling_onset_force_N = force;
+  }
+}
+
+}  // namespace rotor

@@ -1,0 +1,45 @@
+/// The landmarks of a run, gathered frame by frame.
+#pragma once
+
+#include <optional>
+
+#include "model/instant.hpp"
+#include "model/scenario.hpp"
+
+namespace rotor {
+
+/// What has not happened is empty. Forces are magnitudes.
+struct Summary {
+  std::optional<double> first_contact_s;
+  long collisions = 0;  ///< touch-downs
+  std::optional<double> rolling_onset_s;
+  std::optional<double> rolling_onset_speed_Hz;
+  std::optional<double> rolling_onset_force_N;
+  std::optional<double> peak_normal_force_N;
+  std::optional<double> peak_time_s;
+  std::optional<double> max_displacement_m;  ///< of O from O_a, after the mass loss
+  std::optional<double> motor_off_s;
+  std::optional<double> speed_at_separation_Hz;
+  double final_speed_Hz = 0;
+  double final_kinetic_energy_J = 0;
+  double final_q1_m = 0;
+  double final_q2_m = 0;
+};
+
+class SummaryObserver {
+ public:
+  explicit SummaryObserver(const Scenario& scenario) : ring_(scenario.parameters) {}
+
+  /// Takes the instants of a run in order, the first one at its start.
+  void operator()(const Instant& at);
+  const Summary& summary() const { return summary_; }
+
+ private:
+  void observe_contact(const Instant& at, const Motion<double>& motion);
+
+  Ring<double> ring_;
+  bool touching_ = false;
+  Summary summary_;
+};
+
+}  // namespace rotor

@@ -1,0 +1,212 @@
+/// Scene files, and bad input to the command line.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "figures/csv.hpp"
+#include "figures/production.hpp"
+#include "figures/scene.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path figure_file(int number, std::string_view ending) {
+  return fs::path(ROTOR_SCENES) /
+         ("fig" + std::to_string(number / 10) + std::to_string(number % 10) + std::string(ending));
+}
+
+TEST(Figures, AreSixteenEachWithASceneAndAScript) {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator(ROTOR_SCENES))
+    scenes += entry.path().extension() == ".toml";
+  EXPECT_EQ(scenes, 16);
+  for (int number = 2; number <= 17; ++number) {
+    EXPECT_NO_THROW(read_scene(figure_file(number, ".toml"))) << number;
+    EXPECT_TRUE(fs::exists(figure_file(number, ".gp"))) << number;
+  }
+}
+
+TEST(Figures, ShareOneRunUpAndTheirEqualRuns) {
+  std::vector<Request> requests;
+  for (int number = 2; number <= 17; ++number)
+    for (const SceneRun& run : read_scene(figure_file(number, ".toml")).runs)
+      requests.push_back({run.scenario, [](const Instant&) {}});
+  const ProductionReport report = produce(requests);
+  EXPECT_EQ(requests.size(), 23U);
+  EXPECT_EQ(report.run_ups, 1);
+  // Four ends without mass loss or with one of its own (Figs. 2, 17 b; 12; 13), Figs. 14-16, Fig.
+  // 17 a, and at 29.1 s three frictions and two more stiffnesses.
+  EXPECT_EQ(report.runs, 11);
+}
+
+TEST(Thinning, KeepsEveryColumnWithinItsTolerance) {
+  Table full(3);
+  for (int i = 0; i <= 20000; ++i) {
+    const double t = i * 1e-4;
+    full.add(t);
+    full.add(std::sin(300 * t));
+    full.add(i % 5000 == 777 ? 1 : 0);  // impacts that last a single sample
+  }
+  constexpr double tolerance = 1e-3;
+  const Table thin = thinned(full, tolerance);
+  EXPECT_LT(thin.rows(), full.rows() / 3);
+  std::size_t next = 1;
+  for (std::size_t i = 0; i < full.rows(); ++i) {
+    while (thin.row(next)[0] < full.row(i)[0]) ++next;
+    const auto a = thin.row(next - 1), b = thin.row(next);
+    const double part = (full.row(i)[0] - a[0]) / (b[0] - a[0]);
+    for (const std::size_t column : {1, 2}) {
+      const double range = column == 1 ? 2 : 1;
+      EXPECT_NEAR(full.row(i)[column], a[column] + part * (b[column] - a[column]),
+                  1.001 * tolerance * range);
+    }
+  }
+}
+
+/// A folder of its own, removed afterwards.
+class InFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("rotor-test-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path write(std::string_view name, std::string_view content) const {
+    std::ofstream(folder_ / name) << content;
+    return folder_ / name;
+  }
+
+  fs::path folder_;
+};
+
+struct BadScene {
+  std::string_view content;
+  std::string_view message;  ///< what stands behind the file's name
+};
+
+void PrintTo(const BadScene& scene, std::ostream* out) { *out << '"' << scene.message << '"'; }
+
+class SceneWithAMistake : public InFolder, public testing::WithParamInterface<BadScene> {};
+
+TEST_P(SceneWithAMistake, IsRefusedWithLineKeyAndRemedy) {
+  const fs::path file = write("scene.toml", GetParam().content);
+  try {
+    read_scene(file);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.substr(0, file.string().size()), file.string());
+    EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SceneWithAMistake,
+    testing::Values(
+        BadScene{"colums = []", ":1: colums: unknown key; allowed here: title, columns"},
+        BadScene{"[parameters]\nmass = \"5\"",
+                 ":2: mass: must be a finite number greater than 0 kg"},
+        BadScene{"[parameters]\nmass = true",
+                 ":2: mass: must be a finite number greater than 0 kg"},
+        BadScene{"[parameters]\ninertia = 0",
+                 ":2: inertia: must be a finite number greater than 0"},
+        BadScene{"[parameters]\nfriction = -0.1",
+                 ":2: friction: must be a finite number not below 0"},
+        BadScene{"[parameters]\nfriction = nan",
+                 ":2: friction: must be a finite number not below 0"},
+        BadScene{"[parameters]\nuntil = inf",
+                 ":2: until: must be a finite number greater than 0 s"},
+        BadScene{"[parameters]\nunbalance_factor = 0.5", "must be a finite number not below 1"},
+        BadScene{"[parameters]\nstator_radius = 0.06", "must be larger than rotor_radius"},
+        BadScene{"[parameters]\ninertia = 5e-5", "moment of inertia left by the mass loss"},
+        BadScene{"[parameters]\nequations = \"best\"", "must be one of: published, consistent"},
+        BadScene{"columns = [\"time_s\", \"rho\"]",
+                 ":1: columns: there is no column \"rho\"; there are"},
+        BadScene{"columns = []", ":1: columns: must be a list"},
+        BadScene{"window = { from_s = 3, until_s = 30 }", ":1: window: must lie inside the run"},
+        BadScene{"window = { from_s = 3, until_s = 2 }", ":1: window: must lie inside the run"},
+        BadScene{"window = { from = \"impact\" }", ":1: from: must be \"rolling_onset\""},
+        BadScene{"[[run]]\nfriction = 0.1", ":1: name: every [[run]] needs a name"},
+        BadScene{"[[run]]\nname = \"a\"\n[[run]]\nname = \"a\"", ":3: name: there is a run \"a\""},
+        BadScene{"title = ", ":1: "}),
+    [](const auto& scene) { return "No" + std::to_string(scene.index); });
+
+TEST(Scene, ThatDoesNotExistIsRefused) {
+  EXPECT_THROW(read_scene("/nowhere/scene.toml"), InputError);
+}
+
+class CommandLine : public InFolder {
+ protected:
+  struct Outcome {
+    int status;
+    std::string output;
+  };
+
+  /// Runs the program in the folder. Standard error comes with the output.
+  Outcome rotor(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" ROTOR_PROGRAM "' " + arguments + " 2>&1";
+    FILE* pipe = ::popen(command.c_str(), "r");
+    std::string output;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe))
+      output.append(buffer.data(), size);
+    return {::pclose(pipe), output};
+  }
+
+  void expect_refusal(const std::string& arguments, std::string_view message) const {
+    const auto [status, output] = rotor(arguments);
+    EXPECT_NE(status, 0) << arguments;
+    EXPECT_NE(output.find(message), std::string::npos) << arguments << ": " << output;
+    EXPECT_TRUE(fs::is_empty(folder_)) << arguments;
+  }
+};
+
+TEST_F(CommandLine, RefusesBadInputAndWritesNothing) {
+  expect_refusal("run --mass 0 --trace t.csv", "--mass: must be a finite number greater than 0 kg");
+  expect_refusal("run --friction nan --trace t.csv",
+                 "--friction: must be a finite number not below 0");
+  expect_refusal("run --friction high --trace t.csv", "--friction: must be a finite number");
+  expect_refusal("run --stator-radius 0.05 --trace t.csv", "must be larger than rotor_radius");
+  expect_refusal("run --equations newton --trace t.csv", "must be one of: published, consistent");
+  expect_refusal("run --weight 5 --trace t.csv", "--weight");
+  expect_refusal("run --columns time --trace t.csv",
+                 "there is no column \"time\"; there are: time_s");
+  expect_refusal("run --until 1 --from 2 --trace t.csv", "--from 2: must lie inside the run");
+  expect_refusal("run --scene nowhere.toml", "nowhere.toml");
+  expect_refusal("run --until 0.1 --trace .", "it is a directory");
+  expect_refusal("figure 18 --out f", "the figures are 2 to 17");
+}
+
+TEST_F(CommandLine, LeavesAnExistingFileAloneWhenARunFails) {
+  write("t.csv", "precious");
+  EXPECT_NE(rotor("run --contact-stiffness 1e13 --trace t.csv").status, 0);
+  std::string content;
+  std::ifstream(folder_ / "t.csv") >> content;
+  EXPECT_EQ(content, "precious");
+}
+
+TEST_F(CommandLine, SummarisesARunAsJsonAndTracesIt) {
+  const auto [status, output] =
+      rotor("run --until 0.01 --trace t.csv --columns time_s,rho_m --json");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("\"first_contact_s\": null"), std::string::npos) << output;
+  std::ifstream trace(folder_ / "t.csv");
+  std::string line;
+  while (std::getline(trace, line) && line.starts_with("# ")) {
+  }
+  EXPECT_EQ(line, "run,time_s,rho_m");
+  int rows = 0;
+  while (std::getline(trace, line)) ++rows;
+  EXPECT_EQ(rows, 101);  // 100 steps and the start
+}
+
+}  // namespace
+}  // namespace rotor
