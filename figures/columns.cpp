@@ -70,8 +70,8 @@ Vector<double> View::displacement_in_stator_frame() {
 std::span<const Column> all_columns() { return columns; }
 
 const Column* find_column(std::string_view name) {
-  const auto found = std::ranges::find(columns, name, &Column::name);
-  return found == columns.end() ? nullptr : &*found;
+  const auto* const found = std::ranges::find(columns, name, &Column::name);
+  return found == columns.end() ? nullptr : found;
 }
 
 }  // namespace rotor

@@ -123,11 +123,11 @@ class FigureCommand {
       files.write(fs::path(out_) / fmt::format("fig{:02}.csv", number),
                   csv(number, scene, recorders.at(number)));
     files.commit();
-    fmt::print(
-        stderr,
-        "{} figures: {} run-ups in {:.3f} s, {} runs after it in {:.3f} s, {} right-hand sides\n",
-        scenes.size(), report.run_ups, report.run_up_s, report.runs, report.rub_s,
-        report.work.right_hand_sides);
+    fmt::print(stderr,
+               "data of {} figure(s): {} run-up(s) in {:.3f} s, {} run(s) after it in {:.3f} s, {} "
+               "right-hand sides\n",
+               scenes.size(), report.run_ups, report.run_up_s, report.runs, report.rub_s,
+               report.work.right_hand_sides);
   }
 
   static std::vector<int> all_figures() {

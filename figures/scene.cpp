@@ -89,7 +89,7 @@ class SceneReader {
   std::optional<T> value(const toml::table& in, std::string_view key, std::string_view kind) const {
     const toml::node* node = in.get(key);
     if (!node) return std::nullopt;
-    const std::optional<T> found = node->value<T>();
+    std::optional<T> found = node->value<T>();
     if (!found) fail(*node, key, fmt::format("must be {}", kind));
     return found;
   }

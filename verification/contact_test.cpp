@@ -93,6 +93,16 @@ TEST(MassLoss, GivesTheMassInertiaAndVelocitiesOfTheText) {
   EXPECT_NEAR(loss.velocity_jump(speed), 0.283, 0.0005);  // Delta_vy
 }
 
+TEST(MassLoss, LeavesRotorAndPieceTogetherTheirMassCentreAndInertia) {
+  const MassLoss<double> loss{Parameters{}};
+  const auto& [m, I_C, e] = loss.before;
+  const auto& [m_1, I_C1, e_1] = loss.after;
+  const double shift = e_1 - e, distance = loss.piece_distance;
+  EXPECT_NEAR(m_1 + loss.lost_mass, m, 1e-15);
+  EXPECT_NEAR(m_1 * shift, loss.lost_mass * distance, 1e-17);
+  EXPECT_NEAR(I_C1 + m_1 * shift * shift + loss.lost_mass * distance * distance, I_C, 1e-17);
+}
+
 TEST(MassLoss, RaisesTheMassCentresVelocityByDeltaVyThroughEq1Alone) {
   const MassLoss<double> loss{Parameters{}};
   const State<double> x = {-0.15e-3, 0, 0, 0, 0, 942};

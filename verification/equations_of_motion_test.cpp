@@ -12,10 +12,9 @@ namespace {
 
 namespace ad = boost::math::differentiation;
 
-/// T and its first and second derivatives with respect to q1, q2, q1', q2', q3'. T does not depend
-/// on q3, which is checked by leaving it out: RotatingFrame gives the same T for every q3.
+/// Derivatives of T, which does not depend on q3. x = q1 q2 q3 q1' q2' q3'.
 struct EnergyDerivatives {
-  std::array<double, 6> first{};                  ///< dT/dx_i, x = q1 q2 q3 q1' q2' q3'
+  std::array<double, 6> first{};                  ///< dT/dx_i
   std::array<std::array<double, 6>, 6> second{};  ///< d2T/dx_i dx_j
 };
 
