@@ -71,7 +71,7 @@ set arrow from Ox + 0.5*radius*cos(rotor_angle + 1.08),Oy + 0.5*radius*sin(rotor
   to Ox + 0.5*radius*cos(rotor_angle + 1.2),Oy + 0.5*radius*sin(rotor_angle + 1.2) \
   linecolor rgb blue linewidth 1.6 filled size 0.06,18 front
 set label sprintf("f = %.1f Hz", f) \
-  at Ox + 0.7*radius*cos(rotor_angle + 1.0),Oy + 0.7*radius*sin(rotor_angle + 1.0) center \
+  at Ox + 0.83*radius*cos(rotor_angle + 1.0),Oy + 0.83*radius*sin(rotor_angle + 1.0) center \
   textcolor rgb blue front boxed
 whirl_angle = atan2(ny, nx)
 set arrow from 1.1*cos(whirl_angle - 0.98),1.1*sin(whirl_angle - 0.98) \
