@@ -12,7 +12,7 @@ friction = "0.3 0.2 0.08"
 do for [i = 1:3] {
   name = "mu = ".word(friction, i)
   stats data using (force(name)) name "F" nooutput
-  set label 1 sprintf("μ = %s", word(friction, i)) at graph 0.985,0.62 right font ":Bold" boxed front
+  set label 1 sprintf("{/:Bold μ = %s}", word(friction, i)) at graph 0.985,0.62 right boxed front
   set label 2 sprintf("largest |F_n|: %.1f kN", -F_min) at graph 0.985,0.42 right boxed front
   if (i == 1) { set label 3 "paper: 400–450 kN in rolling, 455 kN at most" at graph 0.985,0.22 right \
                   textcolor rgb grey boxed front

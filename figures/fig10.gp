@@ -41,7 +41,6 @@ set style arrow 2 linecolor rgb blue linewidth 2.2 filled size 0.06,18
 set style arrow 3 linecolor rgb black linewidth 1.2 filled size 0.05,18
 set style arrow 4 nohead linecolor rgb grey linewidth 1 dashtype (3,3)
 
-set object 1 circle at 0,0 size 1 fillstyle empty border linecolor rgb black linewidth 3
 set object 2 circle at Ox,Oy size radius fillcolor rgb "#eef3f8" fillstyle solid border linecolor rgb black linewidth 1.5
 set object 3 circle at 0,0 size 0.018 fillcolor rgb black fillstyle solid front
 set object 4 circle at Ox,Oy size 0.018 fillcolor rgb black fillstyle solid front
@@ -56,7 +55,7 @@ set arrow from Ox,Oy to Ox - v_O*u*tx,Oy - v_O*u*ty arrowstyle 1 front
 set arrow from Px,Py to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 2 front
 set label "O_a" at 0,0 right offset -0.6,0.6 front
 set label "O" at Ox,Oy offset 0.8,-0.8 front
-set label "K" at 1.09*Kx,1.09*Ky center front font ":Bold"
+set label "{/:Bold K}" at 1.09*Kx,1.09*Ky center front
 set label "v_K = 0" at 1.2*Kx,1.2*Ky center front
 set label sprintf("v_O = %.1f m/s", v_O) at Ox - 1.1*v_O*u*tx,Oy - 1.1*v_O*u*ty center offset 0,0.3 \
   textcolor rgb vermilion front boxed
@@ -85,7 +84,8 @@ set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz; clear
 set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz    paper: 771.4 Hz", f_rol) at 0,-1.31 center
 set label sprintf("over the first 0.1 ms: whirl of O measured on its trajectory %.1f Hz, mean of f r/ρ %.1f Hz", \
   f_whirl, rol_mean) at 0,-1.42 center
-plot Ox + 0.5*radius*cos(rotor_angle + arc(0.5, 1.18, 1, t)),Oy + 0.5*radius*sin(rotor_angle + arc(0.5, 1.18, 1, t)) \
+plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb black linewidth 3, \
+     Ox + 0.5*radius*cos(rotor_angle + arc(0.5, 1.18, 1, t)),Oy + 0.5*radius*sin(rotor_angle + arc(0.5, 1.18, 1, t)) \
        with lines linecolor rgb blue linewidth 1.6, \
      1.1*cos(whirl_angle - arc(0.25, 0.98, 1, t)),1.1*sin(whirl_angle - arc(0.25, 0.98, 1, t)) \
        with lines linecolor rgb vermilion linewidth 1.6

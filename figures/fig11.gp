@@ -13,7 +13,7 @@ runs = "'k_t' '2 k_t' '0.5 k_t'"
 do for [i = 1:3] {
   name = word(runs, i)
   stats data using (force(name)) name "F" nooutput
-  set label 1 name at graph 0.02,0.62 font ":Bold" boxed front
+  set label 1 "{/:Bold ".name."}" at graph 0.02,0.62 boxed front
   if (i == 1) { set label 2 sprintf("largest |F_n|: %.1f kN", -F_min) at graph 0.02,0.4 boxed front
                 set label 3 "paper: 455 kN" at graph 0.02,0.18 textcolor rgb grey boxed front
                 set arrow 1 from graph 0,first -455 to graph 1,first -455 nohead linestyle published }
