@@ -36,7 +36,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures draw data verify clean
+.PHONY: help deps need-deps build figures draw data reference verify clean
 
 help: ## list all targets
 	@sed -n 's/^[$$(].*## \(.*\): /\1:## /; s/^\([a-z0-9. ]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -92,6 +92,10 @@ $(OUT)/fig%.$(FORMAT): figures/fig%.gp figures/style.gp $(OUT)/fig%.csv
 	@mv $@.part $@ && echo "$@"
 
 $(OUT)/fig%.csv: ;
+
+reference: need-deps ## recompute reference-data/high-precision.csv in quadruple precision (minutes)
+	@$(call configure-and-build,--target reference)
+	@$(BUILD)/reference reference-data/high-precision.csv
 
 verify: need-deps ## build and run all tests
 	@$(call configure-and-build)

@@ -22,7 +22,7 @@ constexpr std::array columns = {
     Column{"q2_rate_m_per_s", "rate of q2", [](View& v) { return v.at().state[4]; }},
     Column{"q3_rate_rad_per_s", "rate of q3", [](View& v) { return v.at().state[5]; }},
     Column{"rho_m", "distance of O from O_a",
-           [](View& v) { return v.motion().displacement.norm(); }},
+           [](View& v) { return v.motion().displacement.norm(); }, Extreme::displacement},
     Column{"x_a_m", "O along x_a (down) in the stator's frame",
            [](View& v) { return v.displacement_in_stator_frame().x(); }},
     Column{"y_a_m", "O along y_a in the stator's frame",
@@ -30,9 +30,9 @@ constexpr std::array columns = {
     Column{"speed_Hz", "rotation speed f",
            [](View& v) { return v.at().state[5] / (2 * std::numbers::pi); }},
     Column{"normal_force_N", "F_n on the rotor, negative in compression",
-           [](View& v) { return v.contact_forces().normal; }},
+           [](View& v) { return v.normal_force(); }, Extreme::normal_force},
     Column{"friction_force_N", "F_tau on the rotor, positive in the sense of q3",
-           [](View& v) { return v.contact_forces().friction; }},
+           [](View& v) { return v.friction(); }},
     Column{"slip_velocity_m_per_s", "v_Ktau of the rim relative to the ring", slip_velocity},
     Column{"kinetic_energy_J", "T of the rotor",
            [](View& v) { return kinetic_energy(v.at().body, v.motion()); }},
@@ -48,7 +48,7 @@ const Motion<double>& View::motion() {
 }
 
 const RimPoint<double>& View::rim_point() {
-  if (!rim_point_) rim_point_ = ring_.rim_point(motion());
+  if (!rim_point_) rim_point_ = context_.ring.rim_point(motion());
   return *rim_point_;
 }
 
@@ -56,11 +56,18 @@ bool View::in_contact() const {
   return at_.contact == ContactState::sliding || at_.contact == ContactState::rolling;
 }
 
-ContactForces<double> View::contact_forces() {
-  if (!in_contact()) return {0, 0};
+double View::normal_force() { return in_contact() ? context_.ring.normal_force(rim_point()) : 0; }
+
+double View::friction() {
+  if (!in_contact()) return 0;
+  const Ring<double>& ring = context_.ring;
   const auto& k = rim_point();
-  const double normal = ring_.normal_force(k);
-  return {normal, ring_.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1)};
+  if (at_.contact == ContactState::rolling && context_.rolls) {
+    auto loads = context_.supports.loads(at_.body, motion(), at_.motor_on);
+    loads += ring.loads(k, {normal_force(), 0});
+    return rolling_friction(at_.body, motion(), k, ring.rotor_radius, loads);
+  }
+  return ring.sliding_friction(normal_force(), k.slip_velocity > 0 ? 1 : -1);
 }
 
 Vector<double> View::displacement_in_stator_frame() {

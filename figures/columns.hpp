@@ -9,22 +9,35 @@
 
 namespace rotor {
 
+/// What columns need to know beside the instant.
+struct ColumnContext {
+  explicit ColumnContext(const Scenario& scenario)
+      : ring(scenario.parameters),
+        supports(scenario.parameters, scenario.equations),
+        rolls(scenario.method == Method::event) {}
+
+  Ring<double> ring;
+  Supports<double> supports;
+  bool rolls;  ///< whether the method has a state of rolling, in which friction is a constraint
+};
+
 /// One instant, looked at by columns. What several columns need is worked out once, and only if one
 /// of them asks for it.
 class View {
  public:
-  View(const Instant& at, const Ring<double>& ring) : at_(at), ring_(ring) {}
+  View(const Instant& at, const ColumnContext& context) : at_(at), context_(context) {}
 
   const Instant& at() const { return at_; }
   const Motion<double>& motion();
   const RimPoint<double>& rim_point();
   bool in_contact() const;
-  ContactForces<double> contact_forces();
+  double normal_force();  ///< F_n, N
+  double friction();      ///< F_tau, N
   Vector<double> displacement_in_stator_frame();
 
  private:
   const Instant& at_;
-  const Ring<double>& ring_;
+  const ColumnContext& context_;
   std::optional<Motion<double>> motion_;
   std::optional<RimPoint<double>> rim_point_;
 };
@@ -33,6 +46,7 @@ struct Column {
   std::string_view name;  ///< with its unit
   std::string_view meaning;
   double (*value)(View&);
+  std::optional<Extreme> extreme{};  ///< whose largest magnitude a table should contain
 };
 
 /// All columns, in the order in which a trace has them.

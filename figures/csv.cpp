@@ -20,18 +20,18 @@ std::filesystem::path draft_of(std::filesystem::path file) { return file += ".pa
 
 }  // namespace
 
-std::string to_csv(const std::vector<std::string>& provenance,
+std::string to_csv(const std::vector<std::string>& provenance, std::string_view names,
                    const std::vector<const Column*>& columns,
                    const std::vector<NamedTable>& tables) {
   std::string csv;
   const auto end = std::back_inserter(csv);
   for (const std::string& line : provenance) fmt::format_to(end, "# {}\n", line);
-  csv += "run";
+  csv += names;
   for (const Column* column : columns) fmt::format_to(end, ",{}", column->name);
   csv += '\n';
-  for (const auto& [run, table] : tables)
+  for (const auto& [name, table] : tables)
     for (std::size_t i = 0; i < table.rows(); ++i) {
-      csv += run;
+      csv += name;
       for (const double value : table.row(i)) {
         csv += ',';
         if (!std::isnan(value)) fmt::format_to(end, "{}", value);

@@ -10,15 +10,16 @@
 
 namespace rotor {
 
-/// The data of one run, named in the first column of every row.
+/// Rows that belong together, all named alike in their first column.
 struct NamedTable {
-  std::string run;
+  std::string name;
   Table table;
 };
 
-/// Header row and rows of CSV, below lines of provenance that start with "# ". Numbers are written
-/// with as many digits as it takes to read the same number back; what is not a number stays empty.
-std::string to_csv(const std::vector<std::string>& provenance,
+/// Header row and rows of CSV, below lines of provenance that start with "# ". The first column,
+/// under the heading `names`, has the names of the tables. Numbers are written with as many digits
+/// as it takes to read the same number back; what is not a number stays empty.
+std::string to_csv(const std::vector<std::string>& provenance, std::string_view names,
                    const std::vector<const Column*>& columns,
                    const std::vector<NamedTable>& tables);
 

@@ -10,6 +10,9 @@ set key at graph 0.62,0.5
 set arrow from graph 0,first 45 to graph 1,first 45 nohead linestyle published
 set label "paper: 45 Hz as rolling sets in, μ = 0.3" at graph 0.985,first 45 right offset 0,0.7 \
   textcolor rgb grey boxed front
-plot for [i = 1:3] name = word("0.3 0.2 0.08", i) \
+plot for [i = 1:3] fixed = "mu = ".word("0.3 0.2 0.08", i)." by rk4" \
+  data using (of_run(fixed, "time_s")):(of_run(fixed, "speed_Hz")) \
+  with lines linestyle fixed_steps linewidth 2.4 title i == 1 ? "published method" : "", \
+  for [i = 1:3] name = word("0.3 0.2 0.08", i) \
   data using (of_run("mu = ".name, "time_s")):(of_run("mu = ".name, "speed_Hz")) \
-  with lines linetype i linewidth 1.6 title "μ = ".name
+  with lines linetype i linewidth 1.2 title "μ = ".name

@@ -7,6 +7,9 @@ set xrange [-4:4]
 set yrange [4:-4]
 set xlabel "y_a, mm"
 set ylabel "x_a (down), mm"
-unset key
 set object 1 circle at 0,0 size 3 fillstyle empty border linecolor rgb black linewidth 1.2 dashtype (2,3)
-plot data using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype 1 linewidth 1
+set key at graph 0.98,0.98
+mm(name, c) = of_run(name, c)*1e3
+plot data using (mm("rk4", "y_a_m")):(mm("rk4", "x_a_m")) with lines linestyle fixed_steps \
+    title "published method", \
+  data using (mm("event", "y_a_m")):(mm("event", "x_a_m")) with lines linetype 1 linewidth 1 title "converged"

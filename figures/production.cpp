@@ -4,17 +4,15 @@
 #include <chrono>
 #include <utility>
 
+#include "figures/audience.hpp"
+
 namespace rotor {
 namespace {
 
 /// A run, and all who watch it.
 struct SharedRun {
   Scenario scenario;
-  std::vector<const Observer*> observers;
-
-  void show(const Instant& at) const {
-    for (const Observer* observer : observers) (*observer)(at);
-  }
+  Audience audience;
 };
 
 /// Runs with the same run-up, in the order in which they leave it.
@@ -35,10 +33,11 @@ void add(std::vector<SharedRun>& runs, const Request& request) {
     return same_but_for_the_end(run.scenario, request.scenario);
   });
   if (same == runs.end()) {
-    runs.push_back({request.scenario, {&request.observer}});
+    runs.push_back({request.scenario, {}});
+    runs.back().audience.add(request.observer);
   } else {
     same->scenario.until = std::max(same->scenario.until, request.scenario.until);
-    same->observers.push_back(&request.observer);
+    same->audience.add(request.observer);
   }
 }
 
@@ -68,21 +67,18 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void produce(const Family& family, ProductionReport& report) {
+void produce(Family& family, ProductionReport& report) {
   Stopwatch stopwatch;
   Instant at = start(family.run_up);
-  for (const SharedRun& run : family.members) run.show(at);
+  for (SharedRun& run : family.members) run.audience.see(at);
   ++report.run_ups;
 
   for (auto next = family.members.begin(); next != family.members.end(); ++next) {
-    // All who have not left the run-up yet watch it.
-    const auto show_run_up = [&](const Instant& instant) {
-      std::for_each(next, family.members.end(), [&](const SharedRun& run) { run.show(instant); });
-    };
-    at = run_up(next->scenario, at, run_up_end(next->scenario), show_run_up, report.work);
+    Audience all;  // who has not left the run-up yet watches it
+    std::for_each(next, family.members.end(), [&](const SharedRun& run) { all.add(run.audience); });
+    at = run_up(next->scenario, at, run_up_end(next->scenario), all, report.work);
     report.run_up_s += stopwatch.lap();
-    run(
-        next->scenario, at, [&](const Instant& instant) { next->show(instant); }, report.work);
+    run(next->scenario, at, next->audience, report.work);
     ++report.runs;
     report.rub_s += stopwatch.lap();
   }
@@ -92,7 +88,7 @@ void produce(const Family& family, ProductionReport& report) {
 
 ProductionReport produce(const std::vector<Request>& requests) {
   ProductionReport report;
-  for (const Family& family : families(requests)) produce(family, report);
+  for (Family& family : families(requests)) produce(family, report);
   return report;
 }
 

@@ -12,7 +12,7 @@ namespace rotor {
 /// One run that somebody wants to see.
 struct Request {
   Scenario scenario;
-  Observer observer;
+  Observer& observer;
 };
 
 struct ProductionReport {

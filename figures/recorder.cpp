@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
+#include <cmath>
 #include <utility>
 
 namespace rotor {
@@ -55,21 +56,93 @@ void mark_corners(const std::vector<double>& x, const std::vector<double>& y, do
 }  // namespace
 
 Recorder::Recorder(const Window& window, std::vector<const Column*> columns,
-                   const Scenario& scenario)
+                   const Scenario& scenario, double tolerance)
     : window_(window),
+      open_(!window.from_rolling_onset),
       columns_(std::move(columns)),
-      ring_(scenario.parameters),
-      table_(columns_.size()) {}
+      tolerance_(tolerance),
+      context_(scenario),
+      table_(columns_.size()),
+      least_(columns_.size(), std::numeric_limits<double>::infinity()),
+      greatest_(columns_.size(), -std::numeric_limits<double>::infinity()) {}
 
-void Recorder::operator()(const Instant& at) {
-  if (window_.from_rolling_onset) {
-    if (at.contact != ContactState::rolling) return;
+bool Recorder::contains(double time_s) const {
+  const double since = time_s - window_.from_s;
+  return open_ && since >= -time_rounding && since <= window_.length_s + time_rounding;
+}
+
+void Recorder::see(const Instant& at) {
+  if (!open_ && at.contact == ContactState::rolling) {
     window_ = {.from_s = at.time_s, .length_s = window_.length_s};
+    open_ = true;
   }
-  const double since = at.time_s - window_.from_s;
-  if (since < -time_rounding || since > window_.length_s + time_rounding) return;
-  View view(at, ring_);
-  for (const Column* column : columns_) table_.add(column->value(view));
+  if (!contains(at.time_s)) return;
+  add(row(at));
+  View view(at, context_);
+  for (const Column* column : columns_)
+    if (column->extreme) {
+      double& largest = largest_[static_cast<std::size_t>(*column->extreme)];
+      largest = std::max(largest, std::abs(column->value(view)));
+    }
+}
+
+bool Recorder::wants_pieces(const double& from_s, const double& until_s) const {
+  return open_ && until_s > window_.from_s && from_s < window_.from_s + window_.length_s;
+}
+
+void Recorder::see(const Piece& piece) {
+  const double window_end = window_.from_s + window_.length_s;
+  const double from = std::max(piece.from_s, window_.from_s);
+  const double until = std::min(piece.until_s, window_end);
+  if (!(until > from)) return;
+  const Row first = row(piece.at(from)), last = row(piece.at(until));
+  add(first);
+  constexpr int halvings = 6;
+  refine(piece, from, first, until, last, halvings);
+  add(last);
+}
+
+void Recorder::refine(const Piece& piece, double from_s, const Row& from, double until_s,
+                      const Row& until, int depth) {
+  const double middle_s = (from_s + until_s) / 2;
+  const Row middle = row(piece.at(middle_s));
+  constexpr int always = 4;  // a step may hide a turn of the rotor between rows in line
+  if (depth == 0 || (depth < always && is_straight(from, middle, until))) return;
+  refine(piece, from_s, from, middle_s, middle, depth - 1);
+  add(middle);
+  refine(piece, middle_s, middle, until_s, until, depth - 1);
+}
+
+bool Recorder::is_straight(const Row& from, const Row& middle, const Row& until) const {
+  for (std::size_t i = 0; i < middle.size(); ++i)
+    if (std::abs(middle[i] - (from[i] + until[i]) / 2) > tolerance_ * (greatest_[i] - least_[i]))
+      return false;
+  return true;
+}
+
+bool Recorder::wants(Extreme of, const double& bound, const double& from_s,
+                     const double& until_s) const {
+  if (!wants_pieces(from_s, until_s)) return false;
+  return std::ranges::any_of(columns_, [of](const Column* c) { return c->extreme == of; }) &&
+         bound > largest_[static_cast<std::size_t>(of)];
+}
+
+Recorder::Row Recorder::row(const Instant& at) const {
+  View view(at, context_);
+  Row values;
+  values.reserve(columns_.size());
+  for (const Column* column : columns_) values.push_back(column->value(view));
+  return values;
+}
+
+void Recorder::add(const Row& row) {
+  if (row == last_) return;  // where one piece ends and the next begins
+  last_ = row;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    least_[i] = std::min(least_[i], row[i]);
+    greatest_[i] = std::max(greatest_[i], row[i]);
+    table_.add(row[i]);
+  }
 }
 
 Table thinned(const Table& table, double tolerance) {

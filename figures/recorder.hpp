@@ -1,6 +1,7 @@
 /// Records the columns that are asked for, inside the window that is asked for.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -32,19 +33,41 @@ class Table {
   std::vector<double> values_;
 };
 
-class Recorder {
+class Recorder : public Observer {
  public:
-  Recorder(const Window& window, std::vector<const Column*> columns, const Scenario& scenario);
+  /// Between the rows, each column is within `tolerance` of the motion where that is known, in
+  /// parts of the column's range so far.
+  Recorder(const Window& window, std::vector<const Column*> columns, const Scenario& scenario,
+           double tolerance);
 
-  /// Takes the instants of a run in order.
-  void operator()(const Instant& at);
+  void see(const Instant& at) override;
+  bool wants_pieces(const double& from_s, const double& until_s) const override;
+  void see(const Piece& piece) override;
+  bool wants(Extreme of, const double& bound, const double& from_s,
+             const double& until_s) const override;
+
   const Table& table() const { return table_; }
 
  private:
+  using Row = std::vector<double>;
+
+  bool contains(double time_s) const;
+  Row row(const Instant& at) const;
+  void add(const Row& row);
+  /// Rows between two that are known, where a straight line would miss the motion.
+  void refine(const Piece& piece, double from_s, const Row& from, double until_s, const Row& until,
+              int depth);
+  bool is_straight(const Row& from, const Row& middle, const Row& until) const;
+
   Window window_;
+  bool open_;  ///< whether it is known where the window begins
   std::vector<const Column*> columns_;
-  Ring<double> ring_;
+  double tolerance_;
+  ColumnContext context_;
   Table table_;
+  Row last_;
+  Row least_, greatest_;             ///< of each column so far
+  std::array<double, 2> largest_{};  ///< of each Extreme so far
 };
 
 /// The table with only those rows that its curves need: interpolated over its first column, each of

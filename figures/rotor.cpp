@@ -8,7 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "figures/audience.hpp"
 #include "figures/csv.hpp"
+#include "figures/event_log.hpp"
 #include "figures/production.hpp"
 #include "figures/scene.hpp"
 #include "model/summary.hpp"
@@ -21,6 +23,9 @@ namespace fs = std::filesystem;
 /// Largest distance between a thinned curve and the full one, in parts of the picture's height: a
 /// fifth of a pixel in a picture 1000 pixels high.
 constexpr double thinning = 2e-4;
+
+/// As close as a recorded curve is to the motion before it is thinned, in parts of the same.
+constexpr double sampling = thinning / 2;
 
 std::string describe(const Quantity& quantity, const Scenario& scenario) {
   return fmt::format("{} = {}{}{}", quantity.name, quantity.of(scenario),
@@ -70,7 +75,8 @@ struct CommonOptions {
                    "moment of gravity balanced)")
         ->check(named(parse_equations))
         ->default_str(std::string(name_of(Scenario{}.equations)));
-    app.add_option("--method", method, "rk4: the paper's fixed steps")
+    app.add_option("--method", method,
+                   "event (located contacts, error control) or rk4 (the paper's fixed steps)")
         ->check(named(parse_method))
         ->default_str(std::string(name_of(Scenario{}.method)));
   }
@@ -112,8 +118,9 @@ class FigureCommand {
       auto& own = recorders[number];
       own.reserve(scene.runs.size());  // the requests refer to them
       for (const SceneRun& scene_run : scene.runs) {
-        Recorder& recorder = own.emplace_back(scene.window, scene.columns, scene_run.scenario);
-        requests.push_back({scene_run.scenario, std::ref(recorder)});
+        Recorder& recorder =
+            own.emplace_back(scene.window, scene.columns, scene_run.scenario, sampling);
+        requests.push_back({scene_run.scenario, recorder});
       }
     }
     const ProductionReport report = produce(requests);
@@ -154,8 +161,8 @@ class FigureCommand {
                                      number, scene.runs[i].name));
       tables.push_back({scene.runs[i].name, thinned(recorders[i].table(), thinning)});
     }
-    return to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene), scene.columns,
-                  tables);
+    return to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene), "run",
+                  scene.columns, tables);
   }
 
   std::vector<int> numbers_;
@@ -189,8 +196,13 @@ nlohmann::ordered_json to_json(const Summary& summary, const Work& work, const S
   json["right_hand_sides"] = work.right_hand_sides;
   json["contact_evaluations"] = work.contact_evaluations;
   json["steps"] = work.steps;
+  json["located_events"] = work.located_events;
   json["equations"] = name_of(scenario.equations);
   json["method"] = name_of(scenario.method);
+  if (scenario.method == Method::event)
+    json["tolerance"] = scenario.tolerance;
+  else
+    json["tolerance"] = nullptr;
   return json;
 }
 
@@ -203,12 +215,15 @@ class RunCommand {
     for (const Quantity& quantity : quantities()) add_number(*command, quantity);
     command->add_flag("--no-separation", no_separation_, "no mass is lost");
     common_.add_to(*command);
-    command->add_option("--trace", trace_, "write every step inside the window to this CSV file");
+    command->add_option("--trace", trace_, "write the motion inside the window to this CSV file");
     command
         ->add_option("--columns", columns_,
                      "columns of the trace, comma-separated; all if not given")
         ->delimiter(',');
     command->add_option("--from", from_, "begin of the trace [0 s]")->type_name("s");
+    command->add_option("--events", events_,
+                        "write time, kind, state, normal force and slip of the located events to "
+                        "this CSV file");
     command->add_flag("--json", json_, "print the summary as JSON");
     command->callback([this] { run(); });
   }
@@ -264,23 +279,28 @@ class RunCommand {
                 .window = {.from_s = from_},
                 .columns = parse_columns(trace_columns()),
                 .runs = {{name, scenario}}};
-    Recorder trace(scene.window, scene.columns, scenario);
+    Recorder trace(scene.window, scene.columns, scenario, sampling);
+    EventLog events(scenario);
     SummaryObserver summary(scenario);
+    Audience audience;
+    audience.add(summary);
+    if (!trace_.empty()) audience.add(trace);
+    if (!events_.empty()) audience.add(events);
     Work work;
-    const auto observe = [&](const Instant& at) {
-      summary(at);
-      if (!trace_.empty()) trace(at);
-    };
     const Instant first = start(scenario);
-    observe(first);
-    rotor::run(scenario, first, observe, work);
+    audience.see(first);
+    rotor::run(scenario, first, audience, work);
 
-    if (!trace_.empty()) {
-      FileTransaction files;
-      files.write(trace_, to_csv(provenance("Trace of a run", scene), scene.columns,
+    FileTransaction files;
+    if (!trace_.empty())
+      files.write(trace_, to_csv(provenance("Trace of a run", scene), "run", scene.columns,
                                  {{name, trace.table()}}));
-      files.commit();
+    if (!events_.empty()) {
+      scene.columns = events.columns();
+      files.write(events_, to_csv(provenance("Events of a run", scene), "event", scene.columns,
+                                  events.tables()));
     }
+    files.commit();
     print(to_json(summary.summary(), work, scenario));
   }
 
@@ -300,7 +320,7 @@ class RunCommand {
     }
   }
 
-  std::string scene_, run_name_, trace_;
+  std::string scene_, run_name_, trace_, events_;
   std::vector<std::string> columns_;
   std::map<const Quantity*, double> given_;
   double from_ = 0;

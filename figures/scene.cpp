@@ -25,7 +25,18 @@ struct Named {
 
 constexpr std::array equations_names = {Named{"published", Equations::published},
                                         Named{"consistent", Equations::consistent}};
-constexpr std::array method_names = {Named{"rk4", Method::rk4}};
+constexpr std::array method_names = {Named{"event", Method::event}, Named{"rk4", Method::rk4}};
+
+constexpr std::array event_names = {Named{"none", Event::none},
+                                    Named{"touch_down", Event::touch_down},
+                                    Named{"release", Event::release},
+                                    Named{"ring_clear", Event::ring_clear},
+                                    Named{"renewed_contact", Event::renewed_contact},
+                                    Named{"rolling_onset", Event::rolling_onset},
+                                    Named{"slip_reversal", Event::slip_reversal},
+                                    Named{"break_away", Event::break_away},
+                                    Named{"motor_off", Event::motor_off},
+                                    Named{"mass_loss", Event::mass_loss}};
 
 template <class Names>
 auto parse_name(const Names& names, std::string_view text) {
@@ -228,6 +239,7 @@ Equations parse_equations(std::string_view name) { return parse_name(equations_n
 Method parse_method(std::string_view name) { return parse_name(method_names, name); }
 std::string_view name_of(Equations equations) { return find_name(equations_names, equations); }
 std::string_view name_of(Method method) { return find_name(method_names, method); }
+std::string_view name_of(Event event) { return find_name(event_names, event); }
 
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names) {
   std::vector<const Column*> columns;

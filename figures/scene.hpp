@@ -36,6 +36,7 @@ Equations parse_equations(std::string_view name);  ///< throws InputError
 Method parse_method(std::string_view name);        ///< throws InputError
 std::string_view name_of(Equations equations);
 std::string_view name_of(Method method);
+std::string_view name_of(Event event);
 
 /// The columns of those names. Throws InputError, naming all columns, for one that does not exist.
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names);

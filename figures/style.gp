@@ -26,9 +26,10 @@ set linetype 1 linecolor rgb blue linewidth 1.3
 set linetype 2 linecolor rgb vermilion linewidth 1.3
 set linetype 3 linecolor rgb green linewidth 1.3
 set linetype 4 linecolor rgb black linewidth 1.3
-published = 11; clearance = 12; reading = 13
+published = 11; clearance = 12; reading = 13; fixed_steps = 14
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 4)
 set style line clearance linecolor rgb black linewidth 1 dashtype (2, 3)
+set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 0.8
 set style line reading linecolor rgb grey linewidth 0.8
 
 set border linewidth 0.8

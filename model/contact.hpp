@@ -69,11 +69,16 @@ struct Ring {
                 tangent.dot(motion.velocity) + rotor_radius * motion.speed};  // Eqs. (15)-(19)
   }
 
-  /// F_n. A ring that has not sprung back yet does not pull: the force is clamped at zero.
+  /// F_n as long as the ring is pressed, N. The ring cannot pull: a positive value is none.
+  S elastic_force(const RimPoint<S>& k) const {
+    return -stiffness * k.indentation - damping * k.normal_velocity;  // Eq. (21)
+  }
+
+  /// F_n, clamped at zero while a ring that is still indented would have to pull.
   S normal_force(const RimPoint<S>& k) const {
     if (k.indentation <= 0) return S(0);
     using std::min;
-    return min<S>(S(0), -stiffness * k.indentation - damping * k.normal_velocity);  // Eq. (21)
+    return min<S>(S(0), elastic_force(k));
   }
 
   /// F_tau against a sliding rim. `direction` is the sign of the slip velocity.
@@ -95,6 +100,24 @@ S slip_mobility(const Body<S>& body, const Motion<S>& motion, const RimPoint<S>&
                 const S& radius) {
   const S arm = radius - motion.eccentricity.dot(k.normal);  // of the friction force about C
   return 1 / body.mass + arm * arm / body.inertia;
+}
+
+/// Rate of v_Ktau, m/s^2. The tangent turns with the whirl of O.
+template <class S>
+S slip_acceleration(const Motion<S>& motion, const RimPoint<S>& k, const Acceleration<S>& a,
+                    const S& radius) {
+  const S whirl = k.tangent.dot(motion.velocity) / k.displacement;
+  return k.tangent.dot(acceleration_of_centre(a, motion)) - whirl * k.normal_velocity +
+         radius * a.angular;
+}
+
+/// F_tau in rolling: the friction that keeps v_Ktau as it is, against all other `loads`, those of
+/// F_n included.
+template <class S>
+S rolling_friction(const Body<S>& body, const Motion<S>& motion, const RimPoint<S>& k,
+                   const S& radius, const Loads<S>& loads) {
+  const Acceleration<S> a = acceleration(body, motion, loads);
+  return -slip_acceleration(motion, k, a, radius) / slip_mobility(body, motion, k, radius);
 }
 
 }  // namespace rotor

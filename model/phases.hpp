@@ -1,41 +1,55 @@
-/// The smooth phases of the motion, each in the coordinates in which it is slowest. A phase writes
-/// the vectors of rotor.hpp and contact.hpp in a basis of its own; the physics stays there.
+/// The smooth phases of the motion, each in the coordinates in which it is slowest, and the guards
+/// that end them. A phase writes the vectors of rotor.hpp and contact.hpp in a basis of its own;
+/// the physics stays there. Friction is Filippov's: set-valued at zero slip, where rolling is a
+/// phase of its own.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
-#include "model/contact.hpp"
-#include "model/rotating_frame.hpp"
+#include "model/instant.hpp"
 
 namespace rotor {
 
-/// All that acts in a phase.
+/// All that acts on the rotor.
 template <class S>
 struct Surroundings {
   Body<S> body;
   Supports<S> supports;
   Ring<S> ring;
+  S motor_off;  ///< speed at which the motor is switched off, rad/s
   bool motor_on;
 };
 
+/// How each guard of a phase is called: the phase ends where one of them becomes negative.
+enum class Guard { touch_down, release, ring_clear, renewed_contact, slip_ends, break_away, motor };
+
+/// A quantity whose maximum may be asked for. The maximum is where its rate becomes negative.
+template <class S>
+struct Maximum {
+  Extreme of;
+  S value;  ///< m or N
+  S rate;   ///< m/s or N/s
+};
+
 /// No contact force. The mass centre in the stator's frame: it hardly feels the rotation, because
-/// the supports are soft. The axes are the stator's, turned to where the rotor's axes are at the
-/// start of the phase, so that the angle stays small.
+/// the supports are soft. The axes are the stator's, turned to where the rotor's axes were not long
+/// ago, so that the angle stays small.
 template <class S>
 class Flight {
  public:
-  /// C along both axes (m), angle since the start (rad), then the rates.
+  /// C along both axes (m), angle of the rotor from them (rad), then the rates.
   using Unknowns = std::array<S, 6>;
+  static constexpr bool in_contact = false;
 
-  Flight(const Surroundings<S>& around, const State<S>& start) : around_(around), angle_(start[2]) {
-    using std::cos, std::sin;
-    down_ = Vector<S>(cos(angle_), -sin(angle_));
+  Flight(const Surroundings<S>& around, const State<S>& start) : around_(around) {
+    lay_axes(start[2]);
   }
 
-  Unknowns unknowns(const State<S>& q) const {
-    const auto motion =
-        RotatingFrame<S>::motion(around_.body, q);  // the axes coincide at the start
+  Unknowns unknowns(const State<S>& q) const {  // the axes coincide
+    const auto motion = RotatingFrame<S>::motion(around_.body, q);
     const Vector<S> c = motion.mass_centre(), v = motion.mass_centre_velocity();
     return {c.x(), c.y(), S(0), v.x(), v.y(), motion.speed};
   }
@@ -67,109 +81,436 @@ class Flight {
     rates = {x[3], x[4], x[5], a.mass_centre.x(), a.mass_centre.y(), a.angular};
   }
 
- private:
+  /// Turns the axes to where the rotor's are, if it has turned far from them; in any case, if the
+  /// run may be taken up from here as a State, for both ways to have the same bits. Returns whether
+  /// the rates have to be worked out again.
+  bool start_step(Unknowns& x, bool may_be_taken_up) {
+    constexpr double far = 32;  // rad; the angle is known to some 1e-14 rad until there
+    if (!may_be_taken_up && x[2] < far && x[2] > -far) return false;
+    const State<S> q = state(x);
+    lay_axes(q[2]);
+    x = unknowns(q);
+    return true;
+  }
+
+  /// Sizes that the errors of the unknowns are measured by. Every contact multiplies the errors
+  /// that it begins with, and a flight is cheap: its lengths are measured by a part of the
+  /// clearance.
+  Unknowns scale(const Unknowns& x) const {
+    const S length = around_.ring.clearance / 100, w = frequency(around_, x[5]);
+    return {length, length, S(1), length * w, length * w, w};
+  }
+
+  /// Fastest natural rate of change, rad/s.
+  static S frequency(const Surroundings<S>& around, const S& speed) {
+    using std::abs, std::max, std::sqrt;
+    return max({S(1), abs(speed), sqrt(around.supports.stiffness / around.body.mass)});
+  }
+
+ protected:
+  S motor_guard(const Unknowns& x) const {
+    return around_.motor_on ? around_.motor_off - x[5] : S(1);
+  }
+
   const Surroundings<S>& around_;
+
+ private:
+  void lay_axes(const S& angle) {
+    using std::cos, std::sin;
+    angle_ = angle;
+    down_ = Vector<S>(cos(angle), -sin(angle));
+  }
+
   S angle_;
   Vector<S> down_;
 };
 
-/// In contact, sliding or rolling: polar coordinates of O in the rotating axes. The basis is the
-/// normal and the tangent at K.
+/// Clear of the ring.
+template <class S>
+class FreeFlight : public Flight<S> {
+ public:
+  using Flight<S>::Flight, typename Flight<S>::Unknowns;
+
+  static constexpr std::array guard_names = {Guard::touch_down, Guard::motor};
+  using Guards = std::array<S, guard_names.size()>;
+  Guards guards(const Unknowns& x) const {
+    const S clearance = this->around_.ring.clearance;
+    return {clearance * clearance - this->motion(x).displacement.squaredNorm(),  // rho = r_a - r
+            this->motor_guard(x)};                                               // f = f_max
+  }
+
+  /// Whether no guard can end the phase within a step from x to y of length h.
+  bool passes(const Unknowns& x, const Unknowns& y, const S& h) const {
+    return reach(x, y, h) < this->around_.ring.clearance &&
+           (!this->around_.motor_on || motion_bounds(x, h)->speed < this->around_.motor_off);
+  }
+
+  /// A bound of rho within a step from x to y of length h, m.
+  S reach(const Unknowns& x, const Unknowns& y, const S& h) const {
+    using std::max, std::sqrt;
+    const auto bounds = motion_bounds(x, h);
+    if (!bounds) return std::numeric_limits<S>::infinity();
+    return sqrt(max(x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1])) +
+           bounds->acceleration * h * h / 8 + this->around_.body.eccentricity;
+  }
+
+  /// The largest second derivative that a guard can have from x on for a time h, if it can be told.
+  std::optional<S> greatest_curvature(std::size_t guard, const Unknowns& x, const S& h) const {
+    if (guard != 0) return std::nullopt;
+    const auto bounds = motion_bounds(x, h);
+    if (!bounds) return std::nullopt;
+    const S e = this->around_.body.eccentricity;
+    const S of_O =
+        bounds->acceleration + e * (bounds->speed * bounds->speed + bounds->angular_acceleration);
+    return 2 * (bounds->velocity * bounds->velocity + this->around_.ring.clearance * of_O);
+  }
+
+  static constexpr bool has_maxima = true;
+  std::array<Maximum<S>, 1> maxima(const Unknowns& x, const Unknowns& /*rates*/) const {
+    const Motion<S> m = this->motion(x);
+    const S rho = m.displacement.norm();
+    const S rate = rho > 0 ? S(m.displacement.dot(m.velocity) / rho) : S(0);
+    return {{{Extreme::displacement, rho, rate}}};
+  }
+
+  /// Into how many arcs to divide a step of length h, for each to have one maximum at most.
+  int arcs(const Unknowns& x, const S& h) const {
+    using std::ceil;
+    return static_cast<int>(ceil(h * this->frequency(this->around_, x[5])));
+  }
+
+ private:
+  struct Bounds {
+    S velocity;      ///< of O, m/s
+    S acceleration;  ///< of C, m/s^2
+    S speed;         ///< rad/s
+    S angular_acceleration;
+  };
+
+  /// Bounds that hold from x on for a time h, as long as O is inside the clearance. The velocity is
+  /// assumed to stay below a bound; if the loads that this allows cannot drive it there, it does.
+  std::optional<Bounds> motion_bounds(const Unknowns& x, const S& h) const {
+    using std::abs, std::sqrt;
+    const Body<S>& body = this->around_.body;
+    const Supports<S>& supports = this->around_.supports;
+    const S clearance = this->around_.ring.clearance, e = body.eccentricity;
+    const S velocity_of_C = sqrt(x[3] * x[3] + x[4] * x[4]), speed = abs(x[5]);
+    const S spring = supports.stiffness * clearance;
+
+    const S velocity = 2 * (velocity_of_C + speed * e + spring / body.mass * h);
+    const S force = spring + supports.damping * velocity;
+    const S moment = supports.torque + supports.damping * clearance * velocity +
+                     (clearance + e) * (body.mass * supports.gravity + force);
+    const Bounds bounds{velocity, force / body.mass, speed + moment / body.inertia * h,
+                        moment / body.inertia};
+    if (velocity_of_C + bounds.acceleration * h + bounds.speed * e > velocity) return std::nullopt;
+    return bounds;
+  }
+};
+
+/// Without force, the ring still being indented.
+template <class S>
+class IndentedFlight : public Flight<S> {
+ public:
+  using Flight<S>::Flight, typename Flight<S>::Unknowns;
+
+  static constexpr std::array guard_names = {Guard::ring_clear, Guard::renewed_contact,
+                                             Guard::motor};
+  using Guards = std::array<S, guard_names.size()>;
+  Guards guards(const Unknowns& x) const {
+    const Ring<S>& ring = this->around_.ring;
+    const RimPoint<S> k = ring.rim_point(this->motion(x));
+    return {k.indentation,          // Delta = 0
+            ring.elastic_force(k),  // k_t Delta + d_t Delta' = 0
+            this->motor_guard(x)};  // f = f_max
+  }
+
+  bool passes(const Unknowns&, const Unknowns&, const S&) const { return false; }
+  std::optional<S> greatest_curvature(std::size_t, const Unknowns&, const S&) const {
+    return std::nullopt;
+  }
+
+  static constexpr bool has_maxima = false;
+};
+
+/// In contact: polar coordinates of O in the rotating axes. The basis is the normal and the tangent
+/// at K.
 template <class S>
 class Rub {
  public:
-  /// rho (m), direction of O in the rotating axes and angle of the rotor, both since the start
-  /// (rad), then the velocity of O along normal and tangent (m/s), and the speed (rad/s).
+  /// Delta, which is known more sharply than rho (m), direction of O in the rotating axes and angle
+  /// of the rotor, both since the start of the step (rad), then the velocity of O along normal and
+  /// tangent (m/s), and the speed (rad/s).
   using Unknowns = std::array<S, 6>;
+  static constexpr bool in_contact = true;
 
-  /// `direction` is the sign of the slip velocity, or 0 for rolling.
-  Rub(const Surroundings<S>& around, const State<S>& start, int direction)
-      : around_(around), direction_(direction), q3_(start[2]) {
+  Rub(const Surroundings<S>& around, const State<S>& start) : around_(around), q3_(start[2]) {
     using std::atan2;
     alpha_ = atan2(start[1], start[0]);
   }
 
   Unknowns unknowns(const State<S>& q) const {
-    const auto k = around_.ring.rim_point(RotatingFrame<S>::motion(around_.body, q));
-    const S v_t = direction_ == 0 ? -around_.ring.rotor_radius * q[5]
-                                  : k.slip_velocity - around_.ring.rotor_radius * q[5];
-    return {k.displacement, S(0), S(0), k.normal_velocity, v_t, q[5]};
+    const Motion<S> motion = RotatingFrame<S>::motion(around_.body, q);
+    const RimPoint<S> k = around_.ring.rim_point(motion);
+    return {k.indentation, S(0), S(0), k.normal_velocity, k.tangent.dot(motion.velocity),
+            motion.speed};
   }
 
   Motion<S> motion(const Unknowns& x) const {
     using std::cos, std::sin;
-    const S e = around_.body.eccentricity;
-    const S alpha = alpha_ + x[1], beta = q3_ + x[2] + alpha;
-    return {.displacement = Vector<S>(x[0], 0),
+    const S e = around_.body.eccentricity, alpha = alpha_ + x[1];
+    Vector<S> down(S(0), S(0));
+    if (around_.supports.gravity != 0) {
+      const S beta = q3_ + x[2] + alpha;
+      down = Vector<S>(cos(beta), -sin(beta));
+    }
+    return {.displacement = Vector<S>(displacement(x), 0),
             .velocity = Vector<S>(x[3], x[4]),
             .eccentricity = Vector<S>(e * cos(alpha), -e * sin(alpha)),
-            .down = Vector<S>(cos(beta), -sin(beta)),
+            .down = down,
             .speed = x[5]};
   }
 
   State<S> state(const Unknowns& x) const {
     using std::cos, std::sin;
-    const S c = cos(alpha_ + x[1]), s = sin(alpha_ + x[1]);
-    const Vector<S> q = turned(Vector<S>(x[0], 0), c, s);
-    const Vector<S> rate = turned(Vector<S>(x[3], x[4] - x[5] * x[0]), c, s);
+    const S c = cos(alpha_ + x[1]), s = sin(alpha_ + x[1]), rho = displacement(x);
+    const Vector<S> q = turned(Vector<S>(rho, 0), c, s);
+    const Vector<S> rate = turned(Vector<S>(x[3], x[4] - x[5] * rho), c, s);
     return {q.x(), q.y(), q3_ + x[2], rate.x(), rate.y(), x[5]};
+  }
+
+  /// Counts both angles from here, so that small errors in them stay visible.
+  bool start_step(Unknowns& x, bool /*may_be_taken_up*/) {
+    alpha_ += x[1];
+    q3_ += x[2];
+    x[1] = x[2] = 0;
+    return false;
+  }
+
+  bool passes(const Unknowns&, const Unknowns&, const S&) const { return false; }
+  std::optional<S> greatest_curvature(std::size_t, const Unknowns&, const S&) const {
+    return std::nullopt;
+  }
+
+  static S frequency(const Surroundings<S>& around, const S& speed) {
+    using std::max, std::sqrt;
+    return max(Flight<S>::frequency(around, speed), sqrt(around.ring.stiffness / around.body.mass));
+  }
+
+  static constexpr bool has_maxima = true;
+  std::array<Maximum<S>, 2> maxima(const Unknowns& x, const Unknowns& rates) const {
+    const Ring<S>& ring = around_.ring;
+    return {
+        {{Extreme::displacement, displacement(x), x[3]},
+         {Extreme::normal_force, pressure(x), ring.stiffness * x[3] + ring.damping * rates[3]}}};
+  }
+  int arcs(const Unknowns&, const S&) const { return 1; }
+  S reach(const Unknowns&, const Unknowns&, const S&) const {
+    return std::numeric_limits<S>::infinity();
+  }
+
+ protected:
+  /// What acts at x, without friction.
+  struct Contact {
+    Motion<S> motion;
+    RimPoint<S> k;
+    S normal_force;
+    Loads<S> loads;
+  };
+
+  /// F_n is not clamped: a guard ends the phase where it changes sign.
+  Contact contact(const Unknowns& x) const {
+    const Motion<S> m = motion(x);
+    const RimPoint<S> k{.normal = Vector<S>(1, 0),
+                        .tangent = Vector<S>(0, 1),
+                        .displacement = m.displacement.x(),
+                        .indentation = x[0],
+                        .normal_velocity = x[3],
+                        .slip_velocity = slip_velocity(x)};
+    Loads<S> loads = around_.supports.loads(around_.body, m, around_.motor_on);
+    const S normal_force = around_.ring.elastic_force(k);
+    loads += around_.ring.loads(k, {normal_force, S(0)});
+    return {m, k, normal_force, loads};
+  }
+
+  Unknowns rates(const Unknowns& x, Contact c, const S& friction) const {
+    c.loads += around_.ring.loads(c.k, {S(0), friction});
+    const Acceleration<S> a = acceleration(around_.body, c.motion, c.loads);
+    const Vector<S> of_O = acceleration_of_centre(a, c.motion);
+    const S whirl = x[4] / c.k.displacement;  // of the basis, rad/s
+    return {x[3], whirl - x[5], x[5], of_O.x() + whirl * x[4], of_O.y() - whirl * x[3], a.angular};
+  }
+
+  S displacement(const Unknowns& x) const { return around_.ring.clearance + x[0]; }
+
+  S pressure(const Unknowns& x) const {
+    const Ring<S>& ring = around_.ring;
+    return ring.stiffness * x[0] + ring.damping * x[3];  // Eq. (21)
+  }
+
+  S slip_velocity(const Unknowns& x) const { return x[4] + around_.ring.rotor_radius * x[5]; }
+
+  S motor_guard(const Unknowns& x) const {
+    return around_.motor_on ? around_.motor_off - x[5] : S(1);
+  }
+
+  const Surroundings<S>& around_;
+
+ private:
+  S q3_, alpha_;
+};
+
+/// In contact, the rim sliding in one direction.
+template <class S>
+class Sliding : public Rub<S> {
+ public:
+  using typename Rub<S>::Unknowns;
+
+  /// `direction` is the sign of the slip velocity.
+  Sliding(const Surroundings<S>& around, const State<S>& start, int direction)
+      : Rub<S>(around, start), direction_(direction) {}
+
+  /// As small as in flight.
+  Unknowns scale(const Unknowns& x) const {
+    const S length = this->around_.ring.clearance / 100;
+    const S w = Flight<S>::frequency(this->around_, x[5]);
+    return {length, S(1), S(1), length * w, this->around_.ring.rotor_radius * w, w};
+  }
+
+  void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
+    const auto contact = this->contact(x);
+    rates = this->rates(x, contact,
+                        this->around_.ring.sliding_friction(contact.normal_force, direction_));
+  }
+
+  static constexpr std::array guard_names = {Guard::release, Guard::slip_ends, Guard::motor};
+  using Guards = std::array<S, guard_names.size()>;
+  Guards guards(const Unknowns& x) const {
+    return {this->pressure(x),                       // F_n = 0
+            S(direction_) * this->slip_velocity(x),  // v_Ktau = 0
+            this->motor_guard(x)};                   // f = f_max
+  }
+
+ private:
+  int direction_;
+};
+
+/// In contact without slip. The constraint is linear in the unknowns, v_t = -r w, so that
+/// Runge-Kutta steps keep it to rounding.
+template <class S>
+class Rolling : public Rub<S> {
+ public:
+  using typename Rub<S>::Unknowns;
+  using Rub<S>::Rub;
+
+  Unknowns unknowns(const State<S>& q) const {
+    Unknowns x = Rub<S>::unknowns(q);
+    x[4] = -this->around_.ring.rotor_radius * x[5];
+    return x;
+  }
+
+  /// The radial oscillation dies away, so that its errors do not last.
+  Unknowns scale(const Unknowns& x) const {
+    const S w = Flight<S>::frequency(this->around_, x[5]);
+    const S velocity = this->around_.ring.rotor_radius * w;
+    return {this->around_.ring.clearance, S(1), S(1), velocity, velocity, w};
   }
 
   void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     evaluate(x, rates);
   }
 
-  /// The rates, and the forces at K that go with them.
-  ContactForces<S> evaluate(const Unknowns& x, Unknowns& rates) const {
-    const Motion<S> m = motion(x);
-    const RimPoint<S> k = rim_point(x);
-    const Loads<S> free = around_.supports.loads(around_.body, m, around_.motor_on);
-    ContactForces<S> forces{pressure(x), S(0)};
-    if (direction_ != 0) {
-      forces.friction = around_.ring.sliding_friction(forces.normal, direction_);
-      rates = with(x, m, free, k, forces);
-    } else {
-      rates = with(x, m, free, k, forces);
-      const S slip_acceleration = rates[4] + around_.ring.rotor_radius * rates[5];
-      forces.friction =
-          -slip_acceleration / slip_mobility(around_.body, m, k, around_.ring.rotor_radius);
-      rates = with(x, m, free, k, forces);
-    }
-    return forces;
-  }
+  /// F_tau, N.
+  S friction(const Unknowns& x) const { return evaluate(x).friction; }
 
-  /// F_n without the clamp: a guard ends the phase where it changes sign.
-  S pressure(const Unknowns& x) const {
-    const Ring<S>& ring = around_.ring;
-    return -ring.stiffness * (x[0] - ring.clearance) - ring.damping * x[3];  // Eq. (21)
+  static constexpr std::array guard_names = {Guard::release, Guard::break_away, Guard::break_away,
+                                             Guard::motor};
+  using Guards = std::array<S, guard_names.size()>;
+  Guards guards(const Unknowns& x) const {
+    const auto [normal, friction] = evaluate(x);
+    // A friction that rounding alone asks for is there even when F_n has vanished.
+    const S rounding = 64 * std::numeric_limits<S>::epsilon() * this->around_.supports.stiffness *
+                       this->displacement(x);
+    const S limit = this->around_.ring.friction * -normal + rounding;
+    return {-normal,                                  // F_n = 0
+            limit - friction,                         // |F_tau| = mu |F_n|
+            limit + friction, this->motor_guard(x)};  // f = f_max
   }
-
-  S slip_velocity(const Unknowns& x) const { return x[4] + around_.ring.rotor_radius * x[5]; }
-  int direction() const { return direction_; }
 
  private:
-  RimPoint<S> rim_point(const Unknowns& x) const {
-    return {.normal = Vector<S>(1, 0),
-            .tangent = Vector<S>(0, 1),
-            .displacement = x[0],
-            .indentation = x[0] - around_.ring.clearance,
-            .normal_velocity = x[3],
-            .slip_velocity = slip_velocity(x)};
+  ContactForces<S> evaluate(const Unknowns& x, Unknowns& rates) const {
+    const auto c = this->contact(x);
+    const S friction = rolling_friction(this->around_.body, c.motion, c.k,
+                                        this->around_.ring.rotor_radius, c.loads);
+    rates = this->rates(x, c, friction);
+    return {c.normal_force, friction};
   }
 
-  Unknowns with(const Unknowns& x, const Motion<S>& m, Loads<S> loads, const RimPoint<S>& k,
-                const ContactForces<S>& forces) const {
-    loads += around_.ring.loads(k, forces);
-    const auto a = acceleration(around_.body, m, loads);
-    const Vector<S> of_O =
-        a.mass_centre - a.angular * quarter_turn(m.eccentricity) + x[5] * x[5] * m.eccentricity;
-    const S whirl = x[4] / x[0];  // of the basis, rad/s
-    return {x[3], whirl - x[5], x[5], of_O.x() + whirl * x[4], of_O.y() - whirl * x[3], a.angular};
+  ContactForces<S> evaluate(const Unknowns& x) const {
+    Unknowns unused;
+    return evaluate(x, unused);
   }
-
-  const Surroundings<S>& around_;
-  int direction_;
-  S q3_, alpha_;
 };
+
+/// How a phase begins.
+struct Begin {
+  Event event;
+  ContactState contact;
+  int direction = 0;  ///< of the slip, while sliding
+};
+
+/// What a rim at rest on the ring does: it rolls if friction can hold it. If not, it slides to
+/// where the friction that would be needed does not want it.
+template <class S>
+Begin leave_zero_slip(const Surroundings<S>& around, const State<S>& q) {
+  using std::abs;
+  const Rolling<S> rolling(around, q);
+  const auto [pressure, above, below, motor] = rolling.guards(rolling.unknowns(q));
+  if (above >= 0 && below >= 0) return {Event::rolling_onset, ContactState::rolling};
+  return {Event::slip_reversal, ContactState::sliding, above < 0 ? -1 : 1};
+}
+
+/// The rim meets the ring with the slip that it has.
+template <class S>
+Begin meet_ring(const Surroundings<S>& around, const State<S>& q, Event event) {
+  const S slip = around.ring.rim_point(RotatingFrame<S>::motion(around.body, q)).slip_velocity;
+  if (slip != 0) return {event, ContactState::sliding, slip > 0 ? 1 : -1};
+  const Begin begin = leave_zero_slip(around, q);
+  return {event, begin.contact, begin.direction};
+}
+
+/// What follows when a guard has ended a phase (not the motor's, which ends no contact).
+template <class S>
+Begin follow(Guard guard, const Surroundings<S>& around, const State<S>& q) {
+  switch (guard) {
+    case Guard::touch_down:
+      return meet_ring(around, q, Event::touch_down);
+    case Guard::renewed_contact:
+      return meet_ring(around, q, Event::renewed_contact);
+    case Guard::release:
+      return {Event::release, ContactState::indented};
+    case Guard::ring_clear:
+      return {Event::ring_clear, ContactState::free};
+    case Guard::slip_ends:
+      return leave_zero_slip(around, q);
+    case Guard::break_away: {
+      const Rolling<S> rolling(around, q);
+      return {Event::break_away, ContactState::sliding,
+              rolling.friction(rolling.unknowns(q)) > 0 ? -1 : 1};
+    }
+    case Guard::motor:
+      break;
+  }
+  return {};
+}
+
+/// How a motion goes on that is taken up in contact with the ring, perhaps after a jump.
+template <class S>
+Begin begin_again(const Surroundings<S>& around, const State<S>& q, ContactState contact) {
+  const auto k = around.ring.rim_point(RotatingFrame<S>::motion(around.body, q));
+  if (around.ring.elastic_force(k) > 0) return {Event::none, ContactState::indented};
+  if (contact == ContactState::rolling) return {Event::none, contact};
+  return meet_ring(around, q, Event::none);
+}
 
 }  // namespace rotor

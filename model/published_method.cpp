@@ -53,7 +53,7 @@ void require_finite(const State<double>& state, double time_s, double step) {
 
 }  // namespace
 
-PublishedMethod::PublishedMethod(const Scenario& scenario, const Observer& observer, Work& work)
+PublishedMethod::PublishedMethod(const Scenario& scenario, Observer& observer, Work& work)
     : scenario_(scenario),
       observer_(observer),
       work_(work),
@@ -61,14 +61,14 @@ PublishedMethod::PublishedMethod(const Scenario& scenario, const Observer& obser
       ring_(scenario.parameters) {}
 
 Instant PublishedMethod::run_up(Instant from, double until_s) {
-  return advance(from, until_s, scenario_.step_run_up, AtTouch::stop);
+  return advance(from, until_s, scenario_.step_run_up, Extent::whole_steps);
 }
 
 Instant PublishedMethod::rub(Instant from, double until_s) {
-  return advance(from, until_s, scenario_.step_rub, AtTouch::go_on);
+  return advance(from, until_s, scenario_.step_rub, Extent::everything);
 }
 
-Instant PublishedMethod::advance(Instant at, double until_s, double step, AtTouch at_touch) {
+Instant PublishedMethod::advance(Instant at, double until_s, double step, Extent extent) {
   boost::numeric::odeint::runge_kutta4<State<double>> stepper;
   const double motor_off = 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz;
   const double start = at.time_s;
@@ -78,10 +78,12 @@ Instant PublishedMethod::advance(Instant at, double until_s, double step, AtTouc
   const double length = (until_s - at.time_s) / step;
   const auto whole_steps = static_cast<long>(std::floor(length + rounding));
   const double remainder = std::max(0., length - static_cast<double>(whole_steps));
-  const long steps = whole_steps + (remainder > rounding ? 1 : 0);
+  const bool shortened = extent == Extent::everything && remainder > rounding;
+  const long steps = whole_steps + (shortened ? 1 : 0);
 
   for (long n = 1; n <= steps; ++n) {
-    const double time = n == steps ? until_s : start + static_cast<double>(n) * step;
+    const bool arrives = n == steps && (shortened || remainder <= rounding);
+    const double time = arrives ? until_s : start + static_cast<double>(n) * step;
     const double h = n <= whole_steps ? step : remainder * step;
     const long contacts_before = work_.contact_evaluations;
     State<double> state = at.state;
@@ -91,13 +93,13 @@ Instant PublishedMethod::advance(Instant at, double until_s, double step, AtTouc
     require_finite(state, time, step);
     const ContactState contact = contact_state(at.body, state, h);
     const bool touched = work_.contact_evaluations > contacts_before;
-    if (touched && at_touch == AtTouch::stop) break;
+    if (touched && extent == Extent::whole_steps) break;
 
     at.time_s = time;
     at.state = state;
     at.contact = contact;
     if (state[5] >= motor_off) at.motor_on = false;
-    observer_(at);
+    observer_.see(at);
   }
   return at;
 }

@@ -9,21 +9,22 @@ namespace rotor {
 
 class PublishedMethod {
  public:
-  PublishedMethod(const Scenario& scenario, const Observer& observer, Work& work);
+  PublishedMethod(const Scenario& scenario, Observer& observer, Work& work);
 
-  /// Steps with `step_run_up` until `until_s`, or until just before the step that would touch.
+  /// Whole steps of `step_run_up` that end before or at `until_s`, and before the step that
+  /// touches.
   Instant run_up(Instant from, double until_s);
-  /// Steps with `step_rub` until `until_s`, in contact or not.
+  /// Steps of `step_rub` to `until_s`, in contact or not; the last one is shortened.
   Instant rub(Instant from, double until_s);
 
  private:
-  enum class AtTouch { go_on, stop };
-  Instant advance(Instant at, double until_s, double step, AtTouch at_touch);
+  enum class Extent { everything, whole_steps };
+  Instant advance(Instant at, double until_s, double step, Extent extent);
   ContactState contact_state(const Body<double>& body, const State<double>& state,
                              double step) const;
 
   const Scenario& scenario_;
-  const Observer& observer_;
+  Observer& observer_;
   Work& work_;
   Supports<double> supports_;
   Ring<double> ring_;

@@ -104,4 +104,11 @@ Acceleration<S> acceleration(const Body<S>& body, const Motion<S>& motion, const
           (loads.moment - cross(motion.mass_centre(), loads.force)) / body.inertia};  // Eq. (3)
 }
 
+/// Acceleration of O relative to the stator, m/s^2.
+template <class S>
+Vector<S> acceleration_of_centre(const Acceleration<S>& a, const Motion<S>& motion) {
+  return a.mass_centre - a.angular * quarter_turn(motion.eccentricity) +
+         motion.speed * motion.speed * motion.eccentricity;
+}
+
 }  // namespace rotor

@@ -46,6 +46,8 @@ constexpr std::array all_quantities = {
     Quantity{"separation_time", "t_1", "s", "instant of the mass loss",
              OF(parameters.separation_time), 0, closed},
     Quantity{"until", "", "s", "end of the run", OF(until), 0, open},
+    Quantity{"tolerance", "", "", "event: error of a step, in parts of each unknown's size",
+             OF(tolerance), 0, open},
     Quantity{"step_run_up", "h", "s", "rk4: step until the mass loss or the first contact",
              OF(step_run_up), 0, open},
     Quantity{"step_rub", "h", "s", "rk4: step from then on", OF(step_rub), 0, open},

@@ -11,8 +11,9 @@ namespace rotor {
 /// added to q2', and the moment of gravity has no partner. `consistent` puts both right.
 enum class Equations { published, consistent };
 
-/// How the equations are integrated. `rk4` is the paper's: classical Runge-Kutta with fixed steps.
-enum class Method { rk4 };
+/// How the equations are integrated. `event`: phase by phase between located events, with error
+/// control. `rk4`: as in the paper, classical Runge-Kutta with fixed steps.
+enum class Method { event, rk4 };
 
 /// Parameters in SI units; the defaults are the paper's (Nomenclature).
 struct Parameters {
@@ -39,8 +40,9 @@ struct Parameters {
 struct Scenario {
   Parameters parameters{};
   Equations equations = Equations::published;
-  Method method = Method::rk4;
+  Method method = Method::event;
   double until = 29.35;       // end of the run, s
+  double tolerance = 1e-10;   // of event: error of a step in parts of each unknown's size
   double step_run_up = 1e-4;  // step of rk4 until the mass loss or the first contact, s
   double step_rub = 5e-6;     // and after it, s
 

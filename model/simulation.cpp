@@ -1,39 +1,37 @@
 #include "model/simulation.hpp"
 
-#include "model/mass_loss.hpp"
+#include <stdexcept>
+
+#include "model/event_method.hpp"
 #include "model/published_method.hpp"
 
 namespace rotor {
-namespace {
-
-Instant separate(const Scenario& scenario, Instant at) {
-  const MassLoss<double> loss(scenario.parameters);
-  at.state = loss.separate(at.state, scenario.equations);
-  at.body = loss.after;
-  at.separated = true;
-  return at;
-}
-
-}  // namespace
-
 Instant start(const Scenario& scenario) { return {.body = Body<double>::of(scenario.parameters)}; }
 
-Instant run_up(const Scenario& scenario, const Instant& from, double until_s,
-               const Observer& observer, Work& work) {
-  return PublishedMethod(scenario, observer, work).run_up(from, until_s);
+Instant run_up(const Scenario& scenario, const Instant& from, double until_s, Observer& observer,
+               Work& work) {
+  switch (scenario.method) {
+    case Method::event:
+      return EventMethod<double>(scenario, scenario.tolerance, observer, work)
+          .run_up(from, until_s);
+    case Method::rk4:
+      return PublishedMethod(scenario, observer, work).run_up(from, until_s);
+  }
+  throw std::invalid_argument("unknown method");
 }
 
-Instant run(const Scenario& scenario, const Instant& from, const Observer& observer, Work& work) {
-  PublishedMethod method(scenario, observer, work);
-  Instant at = from;
-  if (!at.separated) {
-    const double end = run_up_end(scenario);
-    at = method.rub(method.run_up(at, end), end);
-    if (!scenario.loses_mass()) return at;
-    at = separate(scenario, at);
-    observer(at);
+Instant run(const Scenario& scenario, const Instant& from, Observer& observer, Work& work) {
+  switch (scenario.method) {
+    case Method::event: {
+      EventMethod<double> method(scenario, scenario.tolerance, observer, work);
+      return run_by(method, observer, scenario, from);
+    }
+    case Method::rk4: {
+      PublishedMethod method(scenario, observer, work);
+      return run_by(method, observer, scenario, from);
+    }
   }
-  return method.rub(at, scenario.until);
+  throw std::invalid_argument("unknown method");
 }
 
 Scenario run_up_part(const Scenario& scenario) {

@@ -10,7 +10,7 @@ double in_Hz(double speed) { return speed / (2 * std::numbers::pi); }
 
 }  // namespace
 
-void SummaryObserver::operator()(const Instant& at) {
+void SummaryObserver::see(const Instant& at) {
   const Motion<double> motion = at.motion();
   if (!at.motor_on && !summary_.motor_off_s) summary_.motor_off_s = at.time_s;
   if (at.separated) {
@@ -20,11 +20,23 @@ void SummaryObserver::operator()(const Instant& at) {
   }
   if (at.contact != ContactState::free) observe_contact(at, motion);
   touching_ = at.contact != ContactState::free;
+  separated_ = at.separated;
 
   summary_.final_speed_Hz = in_Hz(motion.speed);
   summary_.final_kinetic_energy_J = kinetic_energy(at.body, motion);
   summary_.final_q1_m = at.state[0];
   summary_.final_q2_m = at.state[1];
+}
+
+bool SummaryObserver::wants(Extreme of, const double& bound, const double& /*from_s*/,
+                            const double& /*until_s*/) const {
+  switch (of) {
+    case Extreme::displacement:
+      return separated_ && bound > summary_.max_displacement_m.value_or(0);
+    case Extreme::normal_force:
+      return bound > summary_.peak_normal_force_N.value_or(0);
+  }
+  return false;
 }
 
 void SummaryObserver::observe_contact(const Instant& at, const Motion<double>& motion) {

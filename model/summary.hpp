@@ -26,19 +26,21 @@ struct Summary {
   double final_q2_m = 0;
 };
 
-class SummaryObserver {
+class SummaryObserver : public Observer {
  public:
   explicit SummaryObserver(const Scenario& scenario) : ring_(scenario.parameters) {}
 
   /// Takes the instants of a run in order, the first one at its start.
-  void operator()(const Instant& at);
+  void see(const Instant& at) override;
+  bool wants(Extreme of, const double& bound, const double& from_s,
+             const double& until_s) const override;
   const Summary& summary() const { return summary_; }
 
  private:
   void observe_contact(const Instant& at, const Motion<double>& motion);
 
   Ring<double> ring_;
-  bool touching_ = false;
+  bool touching_ = false, separated_ = false;
   Summary summary_;
 };
 
