@@ -36,7 +36,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures draw data reference verify clean
+.PHONY: help deps need-deps build figures draw data reference verify bench clean
 
 help: ## list all targets
 	@sed -n 's/^[$$(].*## \(.*\): /\1:## /; s/^\([a-z0-9. ]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -100,6 +100,10 @@ reference: need-deps ## recompute reference-data/high-precision.csv in quadruple
 verify: need-deps ## build and run all tests
 	@$(call configure-and-build)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $$(nproc)
+
+bench: need-deps ## run time against error of every method, into build/bench
+	@$(call configure-and-build,--target benchmark)
+	@$(BUILD)/benchmark $(BUILD)/bench/work-precision.csv
 
 clean: ## remove everything that was made
 	rm -rf $(BUILD)

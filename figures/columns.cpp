@@ -65,7 +65,9 @@ double View::friction() {
   if (at_.contact == ContactState::rolling && context_.rolls) {
     auto loads = context_.supports.loads(at_.body, motion(), at_.motor_on);
     loads += ring.loads(k, {normal_force(), 0});
-    return rolling_friction(at_.body, motion(), k, ring.rotor_radius, loads);
+    const auto mobility = friction_mobility(at_.body, motion(), k, ring.rotor_radius);
+    return friction_without_slip(motion(), k, acceleration(at_.body, motion(), loads), mobility,
+                                 ring.rotor_radius);
   }
   return ring.sliding_friction(normal_force(), k.slip_velocity > 0 ? 1 : -1);
 }

@@ -94,30 +94,37 @@ struct Ring {
   }
 };
 
-/// 1/m_tau: how much the slip acceleration changes per newton of friction, 1/kg.
+/// What a friction of 1 N adds to the acceleration, which is linear in the friction.
 template <class S>
-S slip_mobility(const Body<S>& body, const Motion<S>& motion, const RimPoint<S>& k,
-                const S& radius) {
+inline Acceleration<S> friction_mobility(const Body<S>& body, const Motion<S>& motion,
+                                         const RimPoint<S>& k, const S& radius) {
   const S arm = radius - motion.eccentricity.dot(k.normal);  // of the friction force about C
-  return 1 / body.mass + arm * arm / body.inertia;
+  return {k.tangent / body.mass, arm / body.inertia};
 }
 
 /// Rate of v_Ktau, m/s^2. The tangent turns with the whirl of O.
 template <class S>
-S slip_acceleration(const Motion<S>& motion, const RimPoint<S>& k, const Acceleration<S>& a,
-                    const S& radius) {
+inline S slip_acceleration(const Motion<S>& motion, const RimPoint<S>& k, const Acceleration<S>& a,
+                           const S& radius) {
   const S whirl = k.tangent.dot(motion.velocity) / k.displacement;
   return k.tangent.dot(acceleration_of_centre(a, motion)) - whirl * k.normal_velocity +
          radius * a.angular;
 }
 
-/// F_tau in rolling: the friction that keeps v_Ktau as it is, against all other `loads`, those of
-/// F_n included.
+/// 1/m_tau: how much the slip acceleration changes per newton of friction, 1/kg.
 template <class S>
-S rolling_friction(const Body<S>& body, const Motion<S>& motion, const RimPoint<S>& k,
-                   const S& radius, const Loads<S>& loads) {
-  const Acceleration<S> a = acceleration(body, motion, loads);
-  return -slip_acceleration(motion, k, a, radius) / slip_mobility(body, motion, k, radius);
+inline S slip_mobility(const Motion<S>& motion, const RimPoint<S>& k,
+                       const Acceleration<S>& mobility, const S& radius) {
+  return k.tangent.dot(mobility.mass_centre) +
+         (radius - motion.eccentricity.dot(k.normal)) * mobility.angular;
+}
+
+/// F_tau in rolling: the friction that keeps v_Ktau as it is. `a` is the acceleration without it.
+template <class S>
+inline S friction_without_slip(const Motion<S>& motion, const RimPoint<S>& k,
+                               const Acceleration<S>& a, const Acceleration<S>& mobility,
+                               const S& radius) {
+  return -slip_acceleration(motion, k, a, radius) / slip_mobility(motion, k, mobility, radius);
 }
 
 }  // namespace rotor

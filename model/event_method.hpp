@@ -84,6 +84,8 @@ class EventMethod {
     around_.body = at.body;
     around_.motor_on = at.motor_on;
     at.event = Event::none;
+    switches_since_ = at.time_s;
+    switches_ = 0;
     flight_step_ =
         at.next_step_s > 0 ? at.next_step_s : S(0.01) / Flight<S>::frequency(around_, at.state[5]);
     if (!(rub_step_ > 0)) rub_step_ = S(0.1) / Rub<S>::frequency(around_, at.state[5]);
@@ -274,7 +276,8 @@ class EventMethod {
       const auto wanted = [&](Extreme of, const S& bound, const S& from, const S& until) {
         return observer_.wants(of, bound, start.time_s + from, start.time_s + until);
       };
-      if (!wanted(Extreme::displacement, path.reach(), S(0), length)) return found;
+      const auto reach = path.reach();
+      if (reach && !wanted(Extreme::displacement, *reach, S(0), length)) return found;
       const int arcs = phase.arcs(path.start().x, length);
       Point left = path.start();
       for (int n = 1; n <= arcs; ++n) {
@@ -318,7 +321,7 @@ class EventMethod {
 
     const Phase& phase() const { return phase_; }
     const Point& start() const { return start_; }
-    S reach() const { return phase_.reach(start_.x, end_.x, end_.time); }
+    std::optional<S> reach() const { return phase_.reach(start_.x, end_.x, end_.time); }
 
     /// As accurate as the step: of its order, through two points between its ends.
     const Polynomial& polynomial() {

@@ -141,15 +141,16 @@ class FreeFlight : public Flight<S> {
 
   /// Whether no guard can end the phase within a step from x to y of length h.
   bool passes(const Unknowns& x, const Unknowns& y, const S& h) const {
-    return reach(x, y, h) < this->around_.ring.clearance &&
+    const auto farthest = reach(x, y, h);
+    return farthest && *farthest < this->around_.ring.clearance &&
            (!this->around_.motor_on || motion_bounds(x, h)->speed < this->around_.motor_off);
   }
 
-  /// A bound of rho within a step from x to y of length h, m.
-  S reach(const Unknowns& x, const Unknowns& y, const S& h) const {
+  /// A bound of rho within a step from x to y of length h, if it can be told, m.
+  std::optional<S> reach(const Unknowns& x, const Unknowns& y, const S& h) const {
     using std::max, std::sqrt;
     const auto bounds = motion_bounds(x, h);
-    if (!bounds) return std::numeric_limits<S>::infinity();
+    if (!bounds) return std::nullopt;
     return sqrt(max(x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1])) +
            bounds->acceleration * h * h / 8 + this->around_.body.eccentricity;
   }
@@ -247,6 +248,7 @@ class Rub {
   Rub(const Surroundings<S>& around, const State<S>& start) : around_(around), q3_(start[2]) {
     using std::atan2;
     alpha_ = atan2(start[1], start[0]);
+    lay_basis();
   }
 
   Unknowns unknowns(const State<S>& q) const {
@@ -258,15 +260,13 @@ class Rub {
 
   Motion<S> motion(const Unknowns& x) const {
     using std::cos, std::sin;
-    const S e = around_.body.eccentricity, alpha = alpha_ + x[1];
+    const S c = cos(x[1]), s = -sin(x[1]);
     Vector<S> down(S(0), S(0));
-    if (around_.supports.gravity != 0) {
-      const S beta = q3_ + x[2] + alpha;
-      down = Vector<S>(cos(beta), -sin(beta));
-    }
+    if (around_.supports.gravity != 0)
+      down = turned(turned(down_, c, s), S(cos(x[2])), S(-sin(x[2])));
     return {.displacement = Vector<S>(displacement(x), 0),
             .velocity = Vector<S>(x[3], x[4]),
-            .eccentricity = Vector<S>(e * cos(alpha), -e * sin(alpha)),
+            .eccentricity = turned(eccentricity_, c, s),
             .down = down,
             .speed = x[5]};
   }
@@ -279,11 +279,12 @@ class Rub {
     return {q.x(), q.y(), q3_ + x[2], rate.x(), rate.y(), x[5]};
   }
 
-  /// Counts both angles from here, so that small errors in them stay visible.
+  /// Counts both angles from here: small ones are known more sharply, and cost less.
   bool start_step(Unknowns& x, bool /*may_be_taken_up*/) {
     alpha_ += x[1];
     q3_ += x[2];
     x[1] = x[2] = 0;
+    lay_basis();
     return false;
   }
 
@@ -305,17 +306,15 @@ class Rub {
          {Extreme::normal_force, pressure(x), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
   int arcs(const Unknowns&, const S&) const { return 1; }
-  S reach(const Unknowns&, const Unknowns&, const S&) const {
-    return std::numeric_limits<S>::infinity();
-  }
+  std::optional<S> reach(const Unknowns&, const Unknowns&, const S&) const { return std::nullopt; }
 
  protected:
-  /// What acts at x, without friction.
+  /// The rotor at x, friction left out.
   struct Contact {
     Motion<S> motion;
     RimPoint<S> k;
     S normal_force;
-    Loads<S> loads;
+    Acceleration<S> acceleration;
   };
 
   /// F_n is not clamped: a guard ends the phase where it changes sign.
@@ -330,12 +329,17 @@ class Rub {
     Loads<S> loads = around_.supports.loads(around_.body, m, around_.motor_on);
     const S normal_force = around_.ring.elastic_force(k);
     loads += around_.ring.loads(k, {normal_force, S(0)});
-    return {m, k, normal_force, loads};
+    return {m, k, normal_force, acceleration(around_.body, m, loads)};
   }
 
-  Unknowns rates(const Unknowns& x, Contact c, const S& friction) const {
-    c.loads += around_.ring.loads(c.k, {S(0), friction});
-    const Acceleration<S> a = acceleration(around_.body, c.motion, c.loads);
+  /// What a friction of 1 N adds to the acceleration.
+  Acceleration<S> mobility(const Contact& c) const {
+    return friction_mobility(around_.body, c.motion, c.k, around_.ring.rotor_radius);
+  }
+
+  Unknowns rates(const Unknowns& x, const Contact& c, const S& friction,
+                 const Acceleration<S>& per_newton) const {
+    const Acceleration<S> a = c.acceleration + friction * per_newton;
     const Vector<S> of_O = acceleration_of_centre(a, c.motion);
     const S whirl = x[4] / c.k.displacement;  // of the basis, rad/s
     return {x[3], whirl - x[5], x[5], of_O.x() + whirl * x[4], of_O.y() - whirl * x[3], a.angular};
@@ -357,7 +361,15 @@ class Rub {
   const Surroundings<S>& around_;
 
  private:
-  S q3_, alpha_;
+  void lay_basis() {
+    using std::cos, std::sin;
+    const S e = around_.body.eccentricity, beta = q3_ + alpha_;
+    eccentricity_ = Vector<S>(e * cos(alpha_), -e * sin(alpha_));
+    down_ = Vector<S>(cos(beta), -sin(beta));
+  }
+
+  S q3_, alpha_;                   // at the start of the step
+  Vector<S> eccentricity_, down_;  // in the basis there
 };
 
 /// In contact, the rim sliding in one direction.
@@ -378,9 +390,9 @@ class Sliding : public Rub<S> {
   }
 
   void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
-    const auto contact = this->contact(x);
-    rates = this->rates(x, contact,
-                        this->around_.ring.sliding_friction(contact.normal_force, direction_));
+    const auto c = this->contact(x);
+    const S friction = this->around_.ring.sliding_friction(c.normal_force, direction_);
+    rates = this->rates(x, c, friction, this->mobility(c));
   }
 
   static constexpr std::array guard_names = {Guard::release, Guard::slip_ends, Guard::motor};
@@ -440,9 +452,10 @@ class Rolling : public Rub<S> {
  private:
   ContactForces<S> evaluate(const Unknowns& x, Unknowns& rates) const {
     const auto c = this->contact(x);
-    const S friction = rolling_friction(this->around_.body, c.motion, c.k,
-                                        this->around_.ring.rotor_radius, c.loads);
-    rates = this->rates(x, c, friction);
+    const Acceleration<S> mobility = this->mobility(c);
+    const S friction = friction_without_slip(c.motion, c.k, c.acceleration, mobility,
+                                             this->around_.ring.rotor_radius);
+    rates = this->rates(x, c, friction, mobility);
     return {c.normal_force, friction};
   }
 

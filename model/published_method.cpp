@@ -114,8 +114,9 @@ ContactState PublishedMethod::contact_state(const Body<double>& body, const Stat
   const auto k = ring_.rim_point(motion);
   const double normal = ring_.normal_force(k);
   if (normal == 0) return ContactState::indented;
+  const auto mobility = friction_mobility(body, motion, k, ring_.rotor_radius);
   const double slip_change =
-      ring_.friction * -normal * step * slip_mobility(body, motion, k, ring_.rotor_radius);
+      ring_.friction * -normal * step * slip_mobility(motion, k, mobility, ring_.rotor_radius);
   return std::abs(k.slip_velocity) <= slip_change ? ContactState::rolling : ContactState::sliding;
 }
 

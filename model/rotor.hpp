@@ -53,6 +53,13 @@ template <class S>
 struct Acceleration {
   Vector<S> mass_centre;  ///< of C relative to the stator, m/s^2
   S angular;              ///< q3'', rad/s^2
+
+  friend Acceleration operator+(const Acceleration& a, const Acceleration& b) {
+    return {a.mass_centre + b.mass_centre, a.angular + b.angular};
+  }
+  friend Acceleration operator*(const S& factor, const Acceleration& a) {
+    return {factor * a.mass_centre, factor * a.angular};
+  }
 };
 
 /// T, J.
@@ -99,14 +106,15 @@ struct Supports {
 /// general solver: force and moment balance about C are the same equations, and the moment balance
 /// stands alone.
 template <class S>
-Acceleration<S> acceleration(const Body<S>& body, const Motion<S>& motion, const Loads<S>& loads) {
+inline Acceleration<S> acceleration(const Body<S>& body, const Motion<S>& motion,
+                                    const Loads<S>& loads) {
   return {loads.force / body.mass,
           (loads.moment - cross(motion.mass_centre(), loads.force)) / body.inertia};  // Eq. (3)
 }
 
 /// Acceleration of O relative to the stator, m/s^2.
 template <class S>
-Vector<S> acceleration_of_centre(const Acceleration<S>& a, const Motion<S>& motion) {
+inline Vector<S> acceleration_of_centre(const Acceleration<S>& a, const Motion<S>& motion) {
   return a.mass_centre - a.angular * quarter_turn(motion.eccentricity) +
          motion.speed * motion.speed * motion.eccentricity;
 }

@@ -75,13 +75,38 @@ TEST_F(Contact, PutsFrictionAgainstTheSlipWithTheComponentsAndMomentOfEqs24And25
 TEST_F(Contact, ChangesTheSlipByItsMobilityTimesTheFriction) {
   const auto at = motion(3.1e-3, 2.2, 1);
   const auto k = ring_.rim_point(at);
-  const auto slip_acceleration = [&](double friction) {
-    const auto a = acceleration(body_, at, ring_.loads(k, {-1e5, friction}));
-    const Vector<double> of_O = a.mass_centre - a.angular * quarter_turn(at.eccentricity);
-    return of_O.dot(k.tangent) + ring_.rotor_radius * a.angular;  // up to terms without friction
+  const double r = ring_.rotor_radius;
+  const auto mobility = friction_mobility(body_, at, k, r);
+  const auto slip = [&](double friction) {  // rate of v_Ktau under F_n and friction
+    return slip_acceleration(at, k, acceleration(body_, at, ring_.loads(k, {-1e5, friction})), r);
   };
-  EXPECT_NEAR(slip_acceleration(1e4) - slip_acceleration(0),
-              1e4 * slip_mobility(body_, at, k, ring_.rotor_radius), 1e-9);  // 1e-13 of 6 km/s^2
+  EXPECT_NEAR(slip(1e4) - slip(0), 1e4 * slip_mobility(at, k, mobility, r),
+              1e-9);  // 1e-13 of 6 km/s^2
+}
+
+TEST_F(Contact, KeepsTheSlipAsItIsByTheFrictionOfRolling) {
+  const auto at = motion(3.1e-3, 2.2, 1);
+  const auto k = ring_.rim_point(at);
+  const double r = ring_.rotor_radius;
+  const auto mobility = friction_mobility(body_, at, k, r);
+  const auto without = acceleration(body_, at, ring_.loads(k, {-1e5, 0}));
+  const double friction = friction_without_slip(at, k, without, mobility, r);
+  EXPECT_NE(friction, 0);
+  // The slip velocity a little later, from positions and velocities moved on by their rates.
+  const auto a = acceleration(body_, at, ring_.loads(k, {-1e5, friction}));
+  const double dt = 1e-8;
+  Motion<double> later = at;
+  later.displacement += dt * at.velocity;
+  later.velocity += dt * acceleration_of_centre(a, at);
+  later.speed += dt * a.angular;
+  // Second order: slip'' dt^2 with slip'' of some 1e8 m/s^3.
+  EXPECT_NEAR(ring_.rim_point(later).slip_velocity, k.slip_velocity, 1e-7);
+  // The same without the friction fails by far.
+  Motion<double> free = at;
+  free.displacement += dt * at.velocity;
+  free.velocity += dt * acceleration_of_centre(without, at);
+  free.speed += dt * without.angular;
+  EXPECT_GT(std::abs(ring_.rim_point(free).slip_velocity - k.slip_velocity), 1e-6);
 }
 
 TEST(MassLoss, GivesTheMassInertiaAndVelocitiesOfTheText) {
