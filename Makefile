@@ -19,11 +19,12 @@ ROTOR := $(BUILD)/rotor
 #   libeigen3-dev             plane vectors
 #   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 #                             command line, scene files, JSON summary, messages and CSV
-#   libgtest-dev              tests
+#   libgtest-dev librapidcheck-dev
+#                             tests, and properties on random rotors
 #   gnuplot-nox fonts-dejavu-core
 #                             pictures, and the font in them
 PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
-            nlohmann-json3-dev libfmt-dev libgtest-dev gnuplot-nox fonts-dejavu-core
+            nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev gnuplot-nox fonts-dejavu-core
 missing = $(shell dpkg-query -W -f='$${db:Status-Abbrev} $${Package}\n' $(PACKAGES) 2>/dev/null | \
             awk '/^ii/ { have[$$2] = 1 } END { split("$(PACKAGES)", all); \
                  for (i = 1; i in all; ++i) if (!(all[i] in have)) printf "%s ", all[i] }')
@@ -36,7 +37,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures draw data reference verify bench clean
+.PHONY: help deps need-deps build figures draw data reference verify mutants bench clean
 
 help: ## list all targets
 	@sed -n 's/^[$$(].*## \(.*\): /\1:## /; s/^\([a-z0-9. ]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -100,6 +101,9 @@ reference: need-deps ## recompute reference-data/high-precision.csv in quadruple
 verify: need-deps ## build and run all tests
 	@$(call configure-and-build)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $$(nproc)
+
+mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (half an hour)
+	@verification/mutants.sh
 
 bench: need-deps ## run time against error of every method, into build/bench
 	@$(call configure-and-build,--target benchmark)

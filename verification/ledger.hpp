@@ -1,0 +1,114 @@
+/// The books of a run: what its energy and its angular momentum must be from the work and the
+/// moments of the loads, and what they are. Works from the outside, by quadrature along the motion;
+/// the model carries none of it.
+#pragma once
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "model/instant.hpp"
+#include "model/scenario.hpp"
+
+namespace rotor {
+
+class Ledger : public Observer {
+ public:
+  explicit Ledger(const Scenario& scenario)
+      : supports_(scenario.parameters, scenario.equations), ring_(scenario.parameters) {}
+
+  bool wants_pieces(const double& /*from_s*/, const double& /*until_s*/) const override {
+    return true;
+  }
+
+  void see(const Piece& piece) override {
+    constexpr unsigned points = 7;  // exact for the degree 13 of what the interpolated motion does
+    using Rule = boost::math::quadrature::gauss<double, points>;
+    const auto rate = [&](double Books::*of) {
+      return Rule::integrate([&](double t) { return rates(piece.at(t)).*of; }, piece.from_s,
+                             piece.until_s);
+    };
+    booked_.energy += rate(&Books::energy);
+    booked_.angular_momentum += rate(&Books::angular_momentum);
+  }
+
+  /// Opens the books at the start and after the mass loss, whose jump is not theirs.
+  void see(const Instant& at) override {
+    const Books now = contents(at);
+    if (!open_ || at.event == Event::mass_loss) {
+      booked_ = now;
+      open_ = true;
+    }
+    largest_.energy = std::max(largest_.energy, std::abs(now.energy));
+    largest_.angular_momentum = std::max(largest_.angular_momentum, std::abs(now.angular_momentum));
+    defect_.energy = std::max(defect_.energy, std::abs(now.energy - booked_.energy));
+    defect_.angular_momentum = std::max(defect_.angular_momentum,
+                                        std::abs(now.angular_momentum - booked_.angular_momentum));
+  }
+
+  /// Largest deviation at any event and at the end, in parts of the largest content.
+  double energy_defect() const { return defect_.energy / largest_.energy; }
+  double angular_momentum_defect() const {
+    return defect_.angular_momentum / largest_.angular_momentum;
+  }
+
+ private:
+  struct Books {
+    double energy = 0;            ///< J
+    double angular_momentum = 0;  ///< about O_a, N m s
+  };
+
+  bool conserves_gravity() const { return supports_.balanced_by_springs; }
+
+  /// Kinetic energy, springs of supports and contact, and gravity as far as it has a potential.
+  Books contents(const Instant& at) const {
+    const Motion<double> m = at.motion();
+    const double rho = m.displacement.norm();
+    const double indentation =
+        at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
+    double energy = kinetic_energy(at.body, m) + supports_.stiffness * rho * rho / 2 +
+                    ring_.stiffness * indentation * indentation / 2;
+    if (conserves_gravity())
+      energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);
+    return {energy, at.body.mass * cross(m.mass_centre(), m.mass_centre_velocity()) +
+                        at.body.inertia * m.speed};
+  }
+
+  /// Power and moment of everything that has no potential.
+  Books rates(const Instant& at) const {
+    const Motion<double> m = at.motion();
+    const Loads<double> supports = supports_.loads(at.body, m, at.motor_on);
+    double power = -supports_.damping * m.velocity.squaredNorm() +
+                   (at.motor_on ? supports_.torque * m.speed : 0);
+    if (!conserves_gravity()) power += supports_.gravity_moment(at.body, m) * m.speed;
+    double moment = supports.moment;
+    if (at.contact != ContactState::free) {
+      const RimPoint<double> k = ring_.rim_point(m);
+      if (at.contact == ContactState::indented) {
+        power += ring_.stiffness * k.indentation * k.normal_velocity;  // spring against dashpot
+      } else {
+        const double normal = ring_.elastic_force(k), friction = friction_at(at, m, k, normal);
+        power +=
+            -ring_.damping * k.normal_velocity * k.normal_velocity + friction * k.slip_velocity;
+        moment += friction * (k.displacement + ring_.rotor_radius);
+      }
+    }
+    return {power, moment};
+  }
+
+  double friction_at(const Instant& at, const Motion<double>& m, const RimPoint<double>& k,
+                     double normal) const {
+    if (at.contact == ContactState::sliding)
+      return ring_.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1);
+    Loads<double> loads = supports_.loads(at.body, m, at.motor_on);
+    loads += ring_.loads(k, {normal, 0});
+    const double r = ring_.rotor_radius;
+    return friction_without_slip(m, k, acceleration(at.body, m, loads),
+                                 friction_mobility(at.body, m, k, r), r);
+  }
+
+  Supports<double> supports_;
+  Ring<double> ring_;
+  bool open_ = false;
+  Books booked_, largest_, defect_;
+};
+
+}  // namespace rotor
