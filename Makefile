@@ -37,7 +37,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures draw data reference verify mutants bench clean
+.PHONY: help deps need-deps build figures draw data reference verify mutants deps-bench bench stress clean
 
 help: ## list all targets
 	@sed -n 's/^[$$(].*## \(.*\): /\1:## /; s/^\([a-z0-9. ]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -105,9 +105,21 @@ verify: need-deps ## build and run all tests
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (half an hour)
 	@verification/mutants.sh
 
-bench: need-deps ## run time against error of every method, into build/bench
+deps-bench: deps ## install the peers that the benchmark compares with (optional)
+	@sudo=$$([ $$(id -u) -eq 0 ] || echo sudo); \
+	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends libsundials-dev
+
+bench: need-deps ## run time against error of every method, with pictures, into build/bench
 	@$(call configure-and-build,--target benchmark)
+	@grep -q ROTOR_SUNDIALS $(BUILD)/build.ninja || echo "Without SUNDIALS, which make deps-bench installs."
 	@$(BUILD)/benchmark $(BUILD)/bench/work-precision.csv
+	@gnuplot -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
+	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/style.gp verification/work-precision.gp
+	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
+
+stress: need-deps ## a hundred thousand random rotors, and the stability of the published steps (minutes)
+	@$(call configure-and-build,--target stress)
+	@$(BUILD)/stress 100000 $(BUILD)/stress-results
 
 clean: ## remove everything that was made
 	rm -rf $(BUILD)

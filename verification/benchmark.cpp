@@ -15,6 +15,9 @@
 #include "figures/csv.hpp"
 #include "model/event_method.hpp"
 #include "model/published_method.hpp"
+#ifdef ROTOR_SUNDIALS
+#include "verification/sundials_method.hpp"
+#endif
 
 namespace rotor {
 namespace {
@@ -154,6 +157,18 @@ Outcome by_odeint_off_the_shelf(const Scene& scene, double tolerance) {
   return outcome;
 }
 
+#ifdef ROTOR_SUNDIALS
+Outcome by_sundials(const Scene& scene, SundialsSolver solver, double tolerance) {
+  Outcome outcome;
+  Landmarks<double> landmarks(scene.scenario.parameters);
+  SundialsMethod method(scene.scenario, solver, tolerance, landmarks, outcome.work);
+  outcome.state = method.rub(rounded(scene.start), scene.scenario.until).state;
+  outcome.touch_downs = landmarks.touch_downs;
+  outcome.peak_force = std::numeric_limits<double>::quiet_NaN();  // it is shown events alone
+  return outcome;
+}
+#endif
+
 struct Row {
   std::string scene, method, setting;
   double error_state{}, error_event_s{}, error_peak{}, time_s{}, time_median_s{};
@@ -234,9 +249,49 @@ class Benchmark {
     return text;
   }
 
-  const std::vector<Row>& rows() const { return rows_; }
+  /// How many times longer the others take for the same error of the state.
+  void print_ratios() const {
+    const std::string ours = "event Verner 8(7)";
+    fmt::print("\nTime at equal error of the state, in units of the event method's\n");
+    std::vector<std::pair<std::string, std::string>> curves;
+    for (const Row& row : rows_)
+      if (row.method != ours &&
+          std::ranges::find(curves, std::pair{row.scene, row.method}) == curves.end())
+        curves.emplace_back(row.scene, row.method);
+    fmt::print("{:<22} {:<22}", "scene", "method");
+    for (int digits = 3; digits <= 10; ++digits) fmt::print(" {:>8}", fmt::format("1e-{}", digits));
+    fmt::print("\n");
+    for (const auto& [scene, method] : curves) {
+      fmt::print("{:<22} {:<22}", scene, method);
+      for (int digits = 3; digits <= 10; ++digits) {
+        const double error = std::pow(10, -digits);
+        const double ratio = time_at(scene, method, error) / time_at(scene, ours, error);
+        fmt::print(" {:>8}", std::isnan(ratio) ? "-" : fmt::format("{:.1f}", ratio));
+      }
+      fmt::print("\n");
+    }
+  }
 
  private:
+  /// The time at which a curve reaches an error, between two of its points in logarithms; not a
+  /// number if it never does.
+  double time_at(const std::string& scene, const std::string& method, double error) const {
+    const Row* above = nullptr;
+    for (const Row& row : rows_) {
+      if (row.scene != scene || row.method != method || std::isnan(row.error_state)) continue;
+      if (row.error_state > error) {
+        above = &row;
+      } else if (above) {
+        const double part =
+            std::log(above->error_state / error) / std::log(above->error_state / row.error_state);
+        return above->time_s * std::pow(row.time_s / above->time_s, part);
+      } else {
+        return row.time_s;  // its coarsest setting is better than that
+      }
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
   double seconds_per_row_;
   std::vector<Row> rows_;
 };
@@ -303,22 +358,35 @@ int main(const std::filesystem::path& file) {
   for (const Scene& scene : scenes()) {
     const Outcome exact = by_events<Extended, Fehlberg78<Extended>>(scene, 1e-15L);
     for (int digits = 3; digits <= 12; ++digits)
-      benchmark.add(scene, exact, "event, Verner 8(7)", power(digits), [=](const Scene& s) {
+      benchmark.add(scene, exact, "event Verner 8(7)", power(digits), [=](const Scene& s) {
         return by_events<double, Verner87<std::array<double, 6>, double>>(s, std::pow(10, -digits));
       });
     for (int digits = 4; digits <= 12; digits += 2)
-      benchmark.add(scene, exact, "event, Fehlberg 7(8)", power(digits), [=](const Scene& s) {
+      benchmark.add(scene, exact, "event Fehlberg 7(8)", power(digits), [=](const Scene& s) {
         return by_events<double, Fehlberg78<double>>(s, std::pow(10, -digits));
       });
     const double published = scene.is_run_up ? 1e-4 : 5e-6;
     for (const int part : {1, 2, 4, 8, 16})
-      benchmark.add(scene, exact, "published, RK4", fmt::format("h/{}", part),
+      benchmark.add(scene, exact, "published RK4", fmt::format("h/{}", part),
                     [=](const Scene& s) { return by_fixed_steps(s, published / part); });
+#ifdef ROTOR_SUNDIALS
+    const std::pair<const char*, SundialsSolver> solvers[] = {
+        {"CVODE Adams", SundialsSolver::adams},
+        {"CVODE BDF", SundialsSolver::bdf},
+        {"ARKODE ERK 5", SundialsSolver::erk5},
+        {"ARKODE ERK 8", SundialsSolver::erk8}};
+    for (const auto& [name, solver] : solvers)
+      for (int digits = 4; digits <= 11; ++digits)
+        benchmark.add(scene, exact, name, power(digits), [=, solver = solver](const Scene& s) {
+          return by_sundials(s, solver, std::pow(10, -digits));
+        });
+#endif
     for (int digits = 3; digits <= 8; ++digits)
       benchmark.add(scene, exact, "Odeint off the shelf", power(digits), [=](const Scene& s) {
         return by_odeint_off_the_shelf(s, std::pow(10, -digits));
       });
   }
+  benchmark.print_ratios();
   FileTransaction files;
   files.write(file, benchmark.csv());
   files.commit();

@@ -45,9 +45,9 @@ class Ledger : public Observer {
   }
 
   /// Largest deviation at any event and at the end, in parts of the largest content.
-  double energy_defect() const { return defect_.energy / largest_.energy; }
+  double energy_defect() const { return part(defect_.energy, largest_.energy); }
   double angular_momentum_defect() const {
-    return defect_.angular_momentum / largest_.angular_momentum;
+    return part(defect_.angular_momentum, largest_.angular_momentum);
   }
 
  private:
@@ -55,6 +55,10 @@ class Ledger : public Observer {
     double energy = 0;            ///< J
     double angular_momentum = 0;  ///< about O_a, N m s
   };
+
+  static double part(double defect, double content) {
+    return defect == 0 ? 0 : defect / content;  // a rotor at rest has nothing to lose
+  }
 
   bool conserves_gravity() const { return supports_.balanced_by_springs; }
 

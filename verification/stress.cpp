@@ -1,0 +1,269 @@
+/// How far both methods can be pushed: random rotors through the event-located method, and the
+/// limit of stability of the published method's step. `stress COUNT FOLDER` ends with status 1 if a
+/// run went wrong without saying so.
+#include <fmt/format.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <chrono>
+#include <complex>
+#include <map>
+#include <random>
+
+#include "figures/csv.hpp"
+#include "model/event_method.hpp"
+#include "model/published_method.hpp"
+#include "verification/ledger.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double two_pi = boost::math::constants::two_pi<double>();
+
+/// Keeps the books of a run, and looks for the rim beyond the ring where the run says it is free.
+class Auditor : public Ledger {
+ public:
+  explicit Auditor(const Scenario& scenario)
+      : Ledger(scenario), clearance_(Ring<double>(scenario.parameters).clearance) {}
+
+  using Ledger::see;
+  void see(const Instant& at) override {
+    Ledger::see(at);
+    for (const double component : at.state) finite_ = finite_ && std::isfinite(component);
+    touch_downs_ += at.event == Event::touch_down;
+  }
+  void see(const Piece& piece) override {
+    Ledger::see(piece);
+    constexpr int samples = 32;
+    for (int i = 0; i <= samples; ++i) {
+      const Instant at = piece.at(piece.from_s + (piece.until_s - piece.from_s) * i / samples);
+      if (at.contact == ContactState::free)
+        intrusion_ = std::max(intrusion_, at.motion().displacement.norm() / clearance_ - 1);
+    }
+  }
+
+  bool finite() const { return finite_; }
+  long touch_downs() const { return touch_downs_; }
+  double intrusion() const { return intrusion_; }  ///< into the ring while free, in clearances
+
+ private:
+  double clearance_;
+  bool finite_ = true;
+  long touch_downs_ = 0;
+  double intrusion_ = 0;
+};
+
+/// Draws rotors and mass losses, most parameters evenly in their logarithm.
+class Lottery {
+ public:
+  explicit Lottery(unsigned seed) : random_(seed) {}
+
+  double between(double least, double greatest) {
+    return least * std::pow(greatest / least, std::uniform_real_distribution<double>()(random_));
+  }
+  bool one_in(int n) { return std::uniform_int_distribution<int>(1, n)(random_) == 1; }
+
+  Scenario scenario() {
+    Scenario scenario;
+    Parameters& p = scenario.parameters;
+    p.contact_stiffness = between(1e5, 1e13);
+    p.contact_damping = one_in(10) ? 0 : between(1, 1e7);
+    p.friction = one_in(10) ? 0 : between(1e-3, 10);
+    p.stator_radius = p.rotor_radius + between(1e-6, 1e-2);
+    p.eccentricity = one_in(10) ? 0 : between(1e-7, 1e-3);
+    p.unbalance_factor = between(1, 5);
+    p.support_stiffness = between(1e3, 1e7);
+    p.support_damping = one_in(10) ? 0 : between(1, 1e3);
+    p.gravity = one_in(4) ? 0 : 9.81;
+    p.torque = one_in(2) ? 0 : between(0.01, 10);
+    p.motor_off_Hz = between(1, 1000);
+    p.separates = false;  // the runs start just after it
+    scenario.equations = one_in(2) ? Equations::published : Equations::consistent;
+    scenario.tolerance = 1e-9;
+    return scenario;
+  }
+
+  /// Self-centred as far as the clearance lets it, just after the mass loss.
+  Instant separated(const Scenario& scenario) {
+    const MassLoss<double> loss(scenario.parameters);
+    const double clearance = Ring<double>(scenario.parameters).clearance;
+    Instant at = start(scenario);
+    at.body = loss.after;
+    at.separated = true;
+    const double speed = one_in(20) ? 0 : two_pi * between(0.1, 1000) * (one_in(10) ? -1 : 1);
+    at.motor_on = speed < two_pi * scenario.parameters.motor_off_Hz;
+    const double offset = std::min(loss.before.eccentricity, 0.9 * clearance);
+    at.state = {-offset, 0, 0, 0, loss.velocity_jump(speed), speed};
+    return at;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+struct Tally {
+  long ended = 0, refused = 0, touch_downs = 0, right_hand_sides = 0;
+  long not_finite = 0, missed = 0, off_the_books = 0;
+  double worst_books = 0, worst_intrusion = 0;
+  std::map<std::string, long> reasons;
+};
+
+std::string describe(const Scenario& s, const Instant& at) {
+  std::string text;
+  for (const Quantity& quantity : quantities())
+    text += fmt::format("{}={} ", quantity.name, quantity.of(s));
+  return text + fmt::format("speed={} equations={}", at.state[5], static_cast<int>(s.equations));
+}
+
+Tally random_rotors(long count, std::string& worst) {
+  // A flight's step may be wrong by the tolerance of a hundredth of the clearance, and there are
+  // some hundred; the books are those of an error of 1e-9 a step, multiplied by contacts.
+  constexpr double allowed_intrusion = 1e-8, allowed_defect = 1e-6;
+  constexpr double duration_s = 0.01;
+  Tally tally;
+  Lottery lottery(1);
+  const auto begin = std::chrono::steady_clock::now();
+  for (long n = 0; n < count; ++n) {
+    Scenario scenario = lottery.scenario();
+    const Instant first = lottery.separated(scenario);
+    if (MassLoss<double>(scenario.parameters).after.inertia <= 0) continue;
+    Auditor auditor(scenario);
+    auditor.see(first);
+    Work work;
+    try {
+      EventMethod<double> method(scenario, scenario.tolerance, auditor, work);
+      method.rub(first, duration_s);
+      ++tally.ended;
+      const bool not_finite = !auditor.finite();
+      const bool missed = auditor.intrusion() > allowed_intrusion;
+      const bool off = !(auditor.energy_defect() < allowed_defect);
+      tally.not_finite += not_finite;
+      tally.missed += missed;
+      tally.off_the_books += off;
+      if (not_finite || missed || off)
+        worst += fmt::format("{},{},{},{},{}\n", n, not_finite, auditor.intrusion(),
+                             auditor.energy_defect(), describe(scenario, first));
+      tally.worst_books = std::max(tally.worst_books, auditor.energy_defect());
+      tally.worst_intrusion = std::max(tally.worst_intrusion, auditor.intrusion());
+    } catch (const std::runtime_error& error) {
+      ++tally.refused;
+      const std::string reason = error.what();
+      ++tally.reasons[reason.substr(reason.find(": ") + 2, 40)];
+      worst += fmt::format("{},refused,,,{}\n", n, describe(scenario, first));
+    }
+    tally.touch_downs += auditor.touch_downs();
+    tally.right_hand_sides += work.right_hand_sides;
+    if (n % 1000 == 999)
+      fmt::print(stderr, "\r{} of {} rotors, {:.0f} s", n + 1, count,
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  fmt::print(stderr, "\n");
+  return tally;
+}
+
+/// A rotor that slides round inside the ring without friction, pressed against it by its own whirl,
+/// in steps of the published method: whether a small disturbance stays small.
+bool stays_bounded(const Parameters& p, double step) {
+  const Scenario scenario{.parameters = p, .method = Method::rk4, .step_rub = step};
+  const Ring<double> ring(p);
+  // So slight that the whirl is slow and the ring nearly straight for as long as this takes.
+  const double indentation = 1e-8 * ring.clearance;
+  const double rho = ring.clearance + indentation;
+  const double whirl = std::sqrt(p.contact_stiffness * indentation / (p.mass * rho));
+  struct : Observer {
+    void see(const Instant& at) override {
+      const double rho_now = std::hypot(at.state[0], at.state[1]);
+      largest = std::max(largest, std::abs(rho_now - rho) / disturbance);
+    }
+    using Observer::see;
+    double rho = 0, disturbance = 0, largest = 0;
+  } watch;
+  watch.rho = rho;
+  watch.disturbance = 1e-3 * indentation;
+  Instant at = start(scenario);
+  at.contact = ContactState::sliding;
+  at.state = {rho + watch.disturbance, 0, 0, 0, whirl * rho, 0};
+  Work work;
+  try {
+    PublishedMethod(scenario, watch, work).rub(at, 4000 * step);
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+  return watch.largest < 20;
+}
+
+/// Largest stable step of classical Runge-Kutta on m x'' + d x' + k x = 0.
+double linear_theory(double mass, double damping, double stiffness) {
+  using C = std::complex<double>;
+  const C root = std::sqrt(C(damping * damping - 4 * mass * stiffness));
+  const auto growth = [&](double h) {
+    double largest = 0;
+    for (const double sign : {-1., 1.}) {
+      const C z = h * (-damping + sign * root) / (2 * mass);
+      largest = std::max(largest, std::abs(1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)))));
+    }
+    return largest - 1 - 1e-12;
+  };
+  const double scale = 1 / (std::sqrt(stiffness / mass) + damping / mass);
+  double h = scale;
+  while (growth(h) < 0) h *= 1.001;
+  return h;
+}
+
+std::string stability_limits() {
+  std::string csv = "contact_stiffness_N_per_m,contact_damping_Ns_per_m,limit_s,linear_theory_s\n";
+  fmt::print("\nLargest stable step of the published method, and by linear theory\n");
+  for (const double damping : {0., 1e4, 1e6, 1e7})
+    for (double stiffness = 1e5; stiffness < 2e13; stiffness *= 10) {
+      Parameters p{.support_stiffness = 0,
+                   .support_damping = 0,
+                   .gravity = 0,
+                   .torque = 0,
+                   .contact_stiffness = stiffness,
+                   .contact_damping = damping,
+                   .friction = 0};
+      p.eccentricity = 0;
+      const double theory = linear_theory(p.mass, damping, stiffness);
+      const auto unstable = [&](double step) { return stays_bounded(p, step) ? -1. : 1.; };
+      double limit = std::numeric_limits<double>::quiet_NaN();
+      if (unstable(theory / 4) < 0 && unstable(4 * theory) > 0)
+        limit =
+            boost::math::tools::bisect(unstable, theory / 4, 4 * theory, [&](double a, double b) {
+              return b - a < 1e-3 * theory;
+            }).first;
+      fmt::print("k_t = {:.0e} N/m, d_t = {:.0e} N s/m: {}, theory {:.3e} s\n", stiffness, damping,
+                 std::isnan(limit) ? "bounded by the clamp of F_n" : fmt::format("{:.3e} s", limit),
+                 theory);
+      csv += fmt::format("{},{},{},{}\n", stiffness, damping, limit, theory);
+    }
+  return csv;
+}
+
+int main(long count, const std::filesystem::path& folder) {
+  std::string worst = "rotor,not_finite,intrusion,energy_defect,parameters\n";
+  const Tally tally = random_rotors(count, worst);
+  fmt::print("{} random rotors ended, {} refused; {} touch-downs, {} right-hand sides\n",
+             tally.ended, tally.refused, tally.touch_downs, tally.right_hand_sides);
+  for (const auto& [reason, number] : tally.reasons)
+    fmt::print("  refused {}: {}\n", number, reason);
+  fmt::print("not finite: {}; contacts missed: {} (deepest {:.1e} of the clearance)\n",
+             tally.not_finite, tally.missed, tally.worst_intrusion);
+  fmt::print("energy off the books: {} (worst {:.1e})\n", tally.off_the_books, tally.worst_books);
+  FileTransaction files;
+  files.write(folder / "conspicuous.csv", worst);
+  files.write(folder / "stability.csv", stability_limits());
+  files.commit();
+  return tally.not_finite + tally.missed + tally.off_the_books > 0;
+}
+
+}  // namespace
+}  // namespace rotor
+
+int main(int argc, char** argv) {
+  try {
+    return rotor::main(argc > 1 ? std::stol(argv[1]) : 100'000, argc > 2 ? argv[2] : "stress");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stress: {}\n", error.what());
+    return 1;
+  }
+}
