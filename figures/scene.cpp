@@ -23,6 +23,9 @@ struct Named {
   Kind kind;
 };
 
+template <class Kind>
+Named(const char*, Kind) -> Named<Kind>;  // which clang 14 does not find itself
+
 constexpr std::array equations_names = {Named{"published", Equations::published},
                                         Named{"consistent", Equations::consistent}};
 constexpr std::array method_names = {Named{"event", Method::event}, Named{"rk4", Method::rk4}};

@@ -328,9 +328,9 @@ class EventMethod {
       if (!polynomial_) {
         std::array<typename Polynomial::Node, 4> nodes;
         Point point = start_;
-        for (int i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
           nodes[i] = {point.time, point.x, point.rates};
-          if (i < 2) point = step(point, end_.time * (i + 1) / 3);
+          if (i < 2) point = step(point, end_.time * static_cast<int>(i + 1) / 3);
         }
         nodes[3] = {end_.time, end_.x, end_.rates};
         polynomial_.emplace(nodes);

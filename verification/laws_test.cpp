@@ -91,7 +91,7 @@ TEST_F(Symmetry, TurningTheRotorTurnsTheMotionWithIt) {
 
 TEST_F(Symmetry, MirroringTheRotorMirrorsTheMotion) {
   const auto mirrored = [](Instant at) {
-    for (const std::size_t i : {1, 2, 4, 5}) at.state[i] = -at.state[i];
+    for (const std::size_t i : {1U, 2U, 4U, 5U}) at.state[i] = -at.state[i];
     return at;
   };
   expect_equal(after(rub_s, mirrored(separated())).state, mirrored(after(rub_s, separated())).state,
@@ -103,7 +103,7 @@ TEST_F(Symmetry, WithoutDissipationTimeCanBeReversedThroughContacts) {
   scenario_.parameters.contact_damping = 0;
   scenario_.parameters.friction = 0;
   const auto reversed = [](Instant at) {
-    for (const std::size_t i : {3, 4, 5}) at.state[i] = -at.state[i];
+    for (const std::size_t i : {3U, 4U, 5U}) at.state[i] = -at.state[i];
     return at;
   };
   const Instant first = separated();

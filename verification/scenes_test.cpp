@@ -65,7 +65,7 @@ TEST(Thinning, KeepsEveryColumnWithinItsTolerance) {
     while (thin.row(next)[0] < full.row(i)[0]) ++next;
     const auto a = thin.row(next - 1), b = thin.row(next);
     const double part = (full.row(i)[0] - a[0]) / (b[0] - a[0]);
-    for (const std::size_t column : {1, 2}) {
+    for (const std::size_t column : {1U, 2U}) {
       const double range = column == 1 ? 2 : 1;
       EXPECT_NEAR(full.row(i)[column], a[column] + part * (b[column] - a[column]),
                   1.001 * tolerance * range);
