@@ -98,9 +98,13 @@ reference: need-deps ## recompute reference-data/high-precision.csv in quadruple
 	@$(call configure-and-build,--target reference)
 	@$(BUILD)/reference reference-data/high-precision.csv
 
-verify: need-deps ## build and run all tests
+verify: need-deps ## build, run all tests, and hold the published numbers against ours
 	@$(call configure-and-build)
-	@ctest --test-dir $(BUILD) --output-on-failure -j $$(nproc)
+	@mkdir -p $(BUILD)/report
+	@RC_PARAMS=seed=1 $(BUILD)/verification --gtest_brief=1 \
+	  --gtest_output=json:$(BUILD)/report/verification.json
+	@$(BUILD)/published-numbers reference-data/published-values.csv $(BUILD)/report/published-values.csv
+	@$(BUILD)/stress rotors 300 $(BUILD)/stress-results
 
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (half an hour)
 	@verification/mutants.sh
@@ -119,7 +123,8 @@ bench: need-deps ## run time against error of every method, with pictures, into 
 
 stress: need-deps ## a hundred thousand random rotors, and the stability of the published steps (minutes)
 	@$(call configure-and-build,--target stress)
-	@$(BUILD)/stress 100000 $(BUILD)/stress-results
+	@$(BUILD)/stress rotors 100000 $(BUILD)/stress-results
+	@$(BUILD)/stress steps $(BUILD)/stress-results
 
 clean: ## remove everything that was made
 	rm -rf $(BUILD)

@@ -1,0 +1,322 @@
+#include "verification/published_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "model/simulation.hpp"
+#include "model/summary.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double two_pi = boost::math::constants::two_pi<double>();
+
+/// A run with all its events, and O's polar angles in the first 5 ms of rolling.
+class Run : public SummaryObserver {
+ public:
+  explicit Run(const Scenario& scenario) : SummaryObserver(scenario) {
+    const Instant first = start(scenario);
+    see(first);
+    Work work;
+    last = run(scenario, first, *this, work);
+  }
+
+  void see(const Instant& at) override {
+    SummaryObserver::see(at);
+    if (at.event == Event::none) {
+      before_event_ = at;
+      return;
+    }
+    if (at.event == Event::mass_loss) before_loss = before_event_;
+    if (at.event == Event::rolling_onset && !onset) onset = at;
+    events.push_back(at);
+  }
+  bool wants_pieces(const double& from_s, const double&) const override {
+    return onset && from_s < onset->time_s + early_s;
+  }
+  void see(const Piece& piece) override {
+    constexpr int parts = 16;  // of a step of a turn at most
+    for (int i = 0; i < parts; ++i) {
+      const Instant at = piece.at(piece.from_s + (piece.until_s - piece.from_s) * i / parts);
+      const double angle = std::atan2(at.state[1], at.state[0]);
+      if (times_.size() > 0) turned_ += std::remainder(angle - angle_, two_pi);
+      angle_ = angle;
+      times_.push_back(at.time_s);
+      last_q3_ = at.state[2];
+    }
+  }
+
+  /// Mean frequency of O's turn in the rotating axes, Hz.
+  double early_frequency() const {
+    return std::abs(turned_) / (times_.back() - times_.front()) / two_pi;
+  }
+  /// Mean frequency of the whirl seen from the stator, Hz.
+  double early_whirl() const {
+    return std::abs(turned_ + last_q3_ - onset->state[2]) / (times_.back() - times_.front()) /
+           two_pi;
+  }
+
+  const Instant& last_touch_down() const {
+    return *std::find_if(events.rbegin(), events.rend(),
+                         [](const Instant& at) { return at.event == Event::touch_down; });
+  }
+
+  /// Of the separate collisions, s.
+  std::vector<double> collision_durations() const {
+    std::vector<double> durations;
+    double since = 0;
+    for (const Instant& at : events) {
+      if (at.event == Event::touch_down) since = at.time_s;
+      if (at.event == Event::release) durations.push_back(at.time_s - since);
+    }
+    return durations;
+  }
+
+  std::vector<Instant> events;
+  Instant before_loss, last;
+  std::optional<Instant> onset;  ///< of rolling
+
+ private:
+  static constexpr double early_s = 5e-3;
+
+  Instant before_event_;
+  std::vector<double> times_;
+  double angle_ = 0, turned_ = 0, last_q3_ = 0;
+};
+
+/// Runs that are computed when they are first needed, each once.
+class Runs {
+ public:
+  const Run& rub(double friction) {
+    return get(fmt::format("mu {}", friction), {.parameters = {.friction = friction}});
+  }
+  const Run& loss_at(double time_s) {
+    return get(fmt::format("t {}", time_s),
+               {.parameters = {.separation_time = time_s}, .until = time_s + 0.4});
+  }
+
+  /// Of all separate collisions at the three frictions, s.
+  std::pair<double, double> shortest_and_longest_collision() {
+    std::vector<double> all;
+    for (const double friction : {0.3, 0.2, 0.08})
+      for (const double duration : rub(friction).collision_durations()) all.push_back(duration);
+    const auto [least, greatest] = std::ranges::minmax(all);
+    return {least, greatest};
+  }
+
+ private:
+  const Run& get(const std::string& name, const Scenario& scenario) {
+    auto found = runs_.find(name);
+    if (found == runs_.end()) found = runs_.try_emplace(name, scenario).first;
+    return found->second;
+  }
+
+  std::map<std::string, Run> runs_;
+};
+
+double energy(const Instant& at) { return kinetic_energy(at.body, at.motion()); }
+
+const Parameters parameters{};
+const MassLoss<double> loss(parameters);
+const double read_off_whirl = two_pi * 770, read_off_rho = 3.5e-3;  // what Eq. (27) is fed with
+
+/// v_O in rolling: r q3'.
+double rolling_velocity(const Run& run) { return parameters.rotor_radius * run.onset->state[5]; }
+
+double rolling_rho(const Run& run) { return run.onset->motion().displacement.norm(); }
+
+/// Eq. (26), Hz.
+double rolling_frequency(const Run& run) {
+  return *run.summary().rolling_onset_speed_Hz * parameters.rotor_radius / rolling_rho(run);
+}
+
+double gain_by_separation(const Run& run) {
+  const Instant after = *std::ranges::find(run.events, Event::mass_loss, &Instant::event);
+  const auto m = run.before_loss.motion();
+  const Vector<double> piece =
+      m.velocity + m.speed * quarter_turn(Vector<double>(-parameters.rotor_radius, 0));
+  return energy(after) + loss.lost_mass * piece.squaredNorm() / 2 - energy(run.before_loss);
+}
+
+using Computation = std::function<double(Runs&)>;
+
+/// By id, in the unit of the row.
+const std::map<std::string, Computation>& computations() {
+  static const std::map<std::string, Computation> all = {
+      {"f_max_rad", [](Runs&) { return two_pi * parameters.motor_off_Hz; }},
+      {"m_u", [](Runs&) { return loss.lost_mass; }},
+      {"m_u_g", [](Runs&) { return 1e3 * loss.lost_mass; }},
+      {"m_u_share", [](Runs&) { return 100 * loss.lost_mass / parameters.mass; }},
+      {"I_C1", [](Runs&) { return loss.after.inertia; }},
+      {"I_C1_share", [](Runs&) { return 100 * (1 - loss.after.inertia / parameters.inertia); }},
+      {"v_DC", [](Runs& r) { return loss.piece_velocity(r.rub(0.3).before_loss.state[5]); }},
+      {"delta_vy", [](Runs& r) { return loss.velocity_jump(r.rub(0.3).before_loss.state[5]); }},
+      {"unbalance_before", [](Runs&) { return 1e5 * loss.before.mass * loss.before.eccentricity; }},
+      {"unbalance_after", [](Runs&) { return 1e5 * loss.after.mass * loss.after.eccentricity; }},
+      {"eigenfrequency",
+       [](Runs&) { return std::sqrt(parameters.support_stiffness / parameters.mass) / two_pi; }},
+      {"motor_off", [](Runs& r) { return *r.rub(0.3).summary().motor_off_s; }},
+      {"f_at_loss", [](Runs& r) { return *r.rub(0.3).summary().speed_at_separation_Hz; }},
+      {"c_offset",
+       [](Runs& r) { return 1e6 * r.rub(0.3).before_loss.motion().mass_centre().norm(); }},
+      {"loss_energy", [](Runs& r) { return gain_by_separation(r.rub(0.3)); }},
+      {"first_to_rolling",
+       [](Runs& r) {
+         const Summary& s = r.rub(0.3).summary();
+         return *s.rolling_onset_s - *s.first_contact_s;
+       }},
+      {"f_at_onset", [](Runs& r) { return *r.rub(0.3).summary().rolling_onset_speed_Hz; }},
+      {"speed_drop",
+       [](Runs& r) {
+         const Summary& s = r.rub(0.3).summary();
+         return *s.speed_at_separation_Hz / *s.rolling_onset_speed_Hz;
+       }},
+      {"F_n_onset_range",
+       [](Runs& r) { return *r.rub(0.3).summary().rolling_onset_force_N / 1e3; }},
+      {"F_n_onset", [](Runs& r) { return *r.rub(0.3).summary().rolling_onset_force_N / 1e3; }},
+      {"F_n_peak", [](Runs& r) { return *r.rub(0.3).summary().peak_normal_force_N / 1e3; }},
+      {"f_rol", [](Runs& r) { return r.rub(0.3).early_whirl(); }},
+      {"f_q1", [](Runs& r) { return r.rub(0.3).early_frequency(); }},
+      {"f_rol_26", [](Runs& r) { return rolling_frequency(r.rub(0.3)); }},
+      {"rho_rolling", [](Runs& r) { return 1e3 * rolling_rho(r.rub(0.3)); }},
+      {"whirl_period", [](Runs& r) { return 1 / r.rub(0.3).early_whirl(); }},
+      {"v_O", [](Runs& r) { return rolling_velocity(r.rub(0.3)); }},
+      {"T_tra",
+       [](Runs&) { return loss.after.mass * std::pow(read_off_whirl * read_off_rho, 2) / 2; }},
+      {"F_in",
+       [](Runs&) {
+         return loss.after.mass * read_off_whirl * read_off_whirl * read_off_rho / 1e3;
+       }},
+      {"T_tra_run",
+       [](Runs& r) { return loss.after.mass * std::pow(rolling_velocity(r.rub(0.3)), 2) / 2; }},
+      {"F_in_run",
+       [](Runs& r) {
+         const double whirl = two_pi * rolling_frequency(r.rub(0.3));
+         return loss.after.mass * whirl * whirl * rolling_rho(r.rub(0.3)) / 1e3;
+       }},
+      {"T_before", [](Runs& r) { return energy(r.rub(0.3).before_loss); }},
+      {"collisions_last",
+       [](Runs& r) {
+         return r.rub(0.3).last_touch_down().time_s - *r.rub(0.3).summary().first_contact_s;
+       }},
+      {"collisions_cost",
+       [](Runs& r) {
+         return energy(r.rub(0.3).before_loss) - energy(r.rub(0.3).last_touch_down());
+       }},
+      {"sliding_lasts",
+       [](Runs& r) { return r.rub(0.3).onset->time_s - r.rub(0.3).last_touch_down().time_s; }},
+      {"sliding_costs",
+       [](Runs& r) { return energy(r.rub(0.3).last_touch_down()) - energy(*r.rub(0.3).onset); }},
+      {"T_at_onset", [](Runs& r) { return energy(*r.rub(0.3).onset); }},
+      {"T_share",
+       [](Runs& r) { return 100 * energy(*r.rub(0.3).onset) / energy(r.rub(0.3).before_loss); }},
+      {"T_dissipated",
+       [](Runs& r) {
+         return 100 - 100 * energy(*r.rub(0.3).onset) / energy(r.rub(0.3).before_loss);
+       }},
+      {"bearing_elastic",
+       [](Runs& r) { return rolling_rho(r.rub(0.3)) * parameters.support_stiffness / 2; }},
+      {"bearing_damping",
+       [](Runs& r) { return rolling_velocity(r.rub(0.3)) * parameters.support_damping / 2; }},
+      {"collisions_008",
+       [](Runs& r) {
+         return r.rub(0.08).last_touch_down().time_s - *r.rub(0.08).summary().first_contact_s;
+       }},
+      {"collision_shortest", [](Runs& r) { return r.shortest_and_longest_collision().first; }},
+      {"collision_longest", [](Runs& r) { return r.shortest_and_longest_collision().second; }},
+      {"steps_shortest",
+       [](Runs& r) { return r.shortest_and_longest_collision().first / Scenario{}.step_rub; }},
+      {"steps_longest",
+       [](Runs& r) { return r.shortest_and_longest_collision().second / Scenario{}.step_rub; }},
+      {"steps_per_turn",
+       [](Runs&) { return 1 / (parameters.motor_off_Hz * Scenario{}.step_run_up); }},
+      {"F_n_100", [](Runs& r) { return *r.loss_at(19.1).summary().peak_normal_force_N / 1e3; }},
+      {"F_n_75", [](Runs& r) { return *r.loss_at(14.15).summary().peak_normal_force_N / 1e3; }},
+      {"f_19", [](Runs& r) { return *r.loss_at(19.1).summary().speed_at_separation_Hz; }},
+      {"f_14", [](Runs& r) { return *r.loss_at(14.15).summary().speed_at_separation_Hz; }},
+      {"f_9", [](Runs& r) { return *r.loss_at(9.4).summary().speed_at_separation_Hz; }},
+      {"f_2", [](Runs& r) { return *r.loss_at(2.2).summary().speed_at_separation_Hz; }},
+      {"contacts_9",
+       [](Runs& r) { return static_cast<double>(r.loss_at(9.4).summary().collisions); }},
+      {"contacts_2",
+       [](Runs& r) { return static_cast<double>(r.loss_at(2.2).summary().collisions); }},
+  };
+  return all;
+}
+
+std::string verdict(const PublishedValue& value) {
+  constexpr double close = 0.05;  // of the value printed, by the table's own rule
+  if (!value.computed) return "excused";
+  const double off =
+      std::max({value.least - *value.computed, *value.computed - value.greatest, 0.});
+  if (off == 0) return "reproduced";
+  return off <= close * std::abs(value.least + value.greatest) / 2 ? "close" : "differs";
+}
+
+}  // namespace
+
+std::vector<PublishedValue> published_values(const std::filesystem::path& table) {
+  std::ifstream file(table);
+  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", table.string()));
+  std::vector<PublishedValue> values;
+  Runs runs;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.starts_with("#") || line.starts_with("id,")) continue;
+    std::vector<std::string> cells;
+    std::istringstream stream(line + ",");
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (cells.size() != 9)
+      throw std::runtime_error(fmt::format("{}:{}: has {} columns; there must be 9", table.string(),
+                                           number, cells.size()));
+    PublishedValue value{.id = cells[0],
+                         .place = cells[1],
+                         .quantity = cells[2],
+                         .printed = cells[3],
+                         .unit = cells[4],
+                         .expected_verdict = cells[7],
+                         .reason = cells[8],
+                         .computed = {},
+                         .verdict = {}};
+    if (const auto found = computations().find(value.id); found != computations().end()) {
+      try {
+        value.least = std::stod(cells[5]);
+        value.greatest = std::stod(cells[6]);
+      } catch (const std::logic_error&) {
+        throw std::runtime_error(
+            fmt::format("{}:{}: least and greatest must be numbers", table.string(), number));
+      }
+      value.computed = found->second(runs);
+    }
+    value.verdict = verdict(value);
+    values.push_back(value);
+  }
+  return values;
+}
+
+std::vector<std::string> computed_ids() {
+  std::vector<std::string> ids;
+  for (const auto& [id, computation] : computations()) ids.push_back(id);
+  return ids;
+}
+
+std::string to_csv(const std::vector<PublishedValue>& values) {
+  std::string csv = "id,printed,unit,computed,least,greatest,verdict,reason\n";
+  for (const PublishedValue& v : values)
+    csv += v.computed
+               ? fmt::format("{},{},{},{:.6g},{},{},{},{}\n", v.id, v.printed, v.unit, *v.computed,
+                             v.least, v.greatest, v.verdict, v.reason)
+               : fmt::format("{},{},{},,,,{},{}\n", v.id, v.printed, v.unit, v.verdict, v.reason);
+  return csv;
+}
+
+}  // namespace rotor
