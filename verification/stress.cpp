@@ -1,6 +1,6 @@
 /// How far both methods can be pushed: random rotors through the event-located method, and the
-/// limit of stability of the published method's step. `stress COUNT FOLDER` ends with status 1 if a
-/// run went wrong without saying so.
+/// limit of stability of the published method's step. `stress rotors COUNT FOLDER` ends with
+/// status 1 if a run went wrong without saying so; `stress steps FOLDER` finds the limits.
 #include <fmt/format.h>
 
 #include <boost/math/constants/constants.hpp>

@@ -1,0 +1,150 @@
+/// Observed orders of convergence: of each stepper where the motion is smooth, and of both methods
+/// across contacts.
+#include <gtest/gtest.h>
+
+#include "model/event_method.hpp"
+#include "model/published_method.hpp"
+#include "model/summary.hpp"
+
+namespace rotor {
+namespace {
+
+struct Blind : Observer {
+  using Observer::see;
+  void see(const Instant&) override {}
+};
+
+/// As MFEM's tests have it: one-sided, as a method may do better than its order.
+void expect_order(double observed, double nominal) { EXPECT_GT(observed + 0.1, nominal); }
+
+double distance(const State<double>& a, const State<double>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/// The rotor just after its mass loss at 29.1 s.
+Instant separated() {
+  struct : Observer {
+    using Observer::see;
+    void see(const Instant& at) override {
+      if (at.event == Event::mass_loss) found = at;
+    }
+    Instant found;
+  } separation;
+  const Scenario scenario{.until = 29.1001, .tolerance = 1e-13};
+  Work work;
+  run(scenario, start(scenario), separation, work);
+  return separation.found;
+}
+
+State<double> by_fixed_steps(const Instant& from, double until_s, double step) {
+  const Scenario scenario{.method = Method::rk4, .step_rub = step};
+  Blind blind;
+  Work work;
+  return PublishedMethod(scenario, blind, work).rub(from, until_s).state;
+}
+
+State<double> by_events(const Instant& from, double until_s, double tolerance, Work& work) {
+  const Scenario scenario{};
+  Blind blind;
+  return EventMethod<double>(scenario, tolerance, blind, work).rub(from, until_s).state;
+}
+
+State<double> exact(const Instant& from, double until_s) {
+  Work work;
+  return by_events(from, until_s, 1e-13, work);
+}
+
+TEST(Convergence, ThePublishedMethodIsOfFourthOrderInFreeFlight) {
+  const Instant from = separated();
+  const double until_s = 29.104;  // before the first contact
+  const State<double> reference = exact(from, until_s);
+  const double coarse = distance(by_fixed_steps(from, until_s, 4e-4), reference);
+  const double fine = distance(by_fixed_steps(from, until_s, 1e-4), reference);
+  expect_order(std::log2(coarse / fine) / 2, 4);
+}
+
+TEST(Convergence, ThePublishedMethodFallsToFirstOrderAtAContact) {
+  const Instant from = separated();
+  const double until_s = 29.106;  // after the first contact
+  const State<double> reference = exact(from, until_s);
+  // Where in a step the contact begins is chance: averages over eight nearby steps, six halvings
+  // apart.
+  const auto mean_error = [&](double step) {
+    double sum = 0;
+    for (int i = 0; i < 8; ++i)
+      sum += std::log(distance(by_fixed_steps(from, until_s, step * (1 + 0.01 * i)), reference));
+    return std::exp(sum / 8);
+  };
+  const double order = std::log2(mean_error(5e-6) / mean_error(5e-6 / 64)) / 6;
+  EXPECT_GT(order, 0.7);
+  EXPECT_LT(order, 1.6);
+}
+
+TEST(Convergence, VernersPairIsOfEighthOrderInFlightAndInRolling) {
+  using S = long double;
+  const Parameters p;
+  const Surroundings<S> around{.body = MassLoss<S>(p).after,
+                               .supports = Supports<S>(p, Equations::published),
+                               .ring = Ring<S>(p),
+                               .motor_off = 1000,
+                               .motor_on = false};
+  const auto observed = [&](const auto& phase, const State<S>& q, S duration, int steps) {
+    const auto at_end = [&](int n) {
+      Verner87<std::array<S, 6>, S> stepper;
+      auto x = phase.unknowns(q);
+      for (int i = 0; i < n; ++i) stepper.do_step(std::cref(phase), x, S(0), duration / n);
+      return x;
+    };
+    const auto reference = at_end(16 * steps), coarse = at_end(steps), fine = at_end(2 * steps);
+    S error_coarse = 0, error_fine = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      error_coarse = std::max(error_coarse, std::abs(coarse[i] - reference[i]));
+      error_fine = std::max(error_fine, std::abs(fine[i] - reference[i]));
+    }
+    return static_cast<double>(std::log2(error_coarse / error_fine));
+  };
+  const State<S> flying = {1e-3L, 0, 0, 0.1L, 0.5L, 900};
+  expect_order(observed(FreeFlight<S>(around, flying), flying, 0.02L, 16), 8);
+  const State<S> rolling = {3.5e-3L, 0, 0, 0.1L, -0.06L * 280 - 280 * 3.5e-3L, 280};
+  expect_order(observed(Rolling<S>(around, rolling), rolling, 1e-3L, 16), 8);
+}
+
+TEST(Convergence, TheEventMethodKeepsAHighOrderAcrossSevenContactsAndTheOnsetOfRolling) {
+  const Instant from = separated();
+  const double until_s = 29.13;
+  const State<double> reference = exact(from, until_s);
+  Work coarse, fine;
+  const double error_coarse = distance(by_events(from, until_s, 1e-5, coarse), reference);
+  const double error_fine = distance(by_events(from, until_s, 1e-10, fine), reference);
+  // What locating the events costs depends little on the tolerance, and counts as work all the
+  // same.
+  EXPECT_GT(std::log(error_coarse / error_fine) /
+                std::log(static_cast<double>(fine.steps) / static_cast<double>(coarse.steps)),
+            7);
+}
+
+TEST(Convergence, TheDiscretisationErrorOfThePublishedLandmarksIsThatOfFirstOrder) {
+  const Instant from = separated();
+  const auto summary = [&](Method method, double step) {
+    Scenario scenario{.method = method, .tolerance = 1e-12, .step_rub = step};
+    scenario.until = 29.14;
+    SummaryObserver observer(scenario);
+    Work work;
+    observer.see(from);
+    run(scenario, from, observer, work);
+    return observer.summary();
+  };
+  const Summary exact_one = summary(Method::event, 1);
+  const Summary published = summary(Method::rk4, 5e-6), fine = summary(Method::rk4, 5e-6 / 32);
+  // At the published step the peak is off by 0.1 %, the onset by a step or two.
+  EXPECT_NEAR(*published.peak_normal_force_N / *exact_one.peak_normal_force_N, 1, 5e-3);
+  EXPECT_NEAR(*published.rolling_onset_s, *exact_one.rolling_onset_s, 5e-5);
+  EXPECT_NEAR(*published.first_contact_s, *exact_one.first_contact_s, 5e-6);
+  EXPECT_LT(std::abs(*fine.peak_normal_force_N - *exact_one.peak_normal_force_N),
+            std::abs(*published.peak_normal_force_N - *exact_one.peak_normal_force_N) / 4);
+  EXPECT_LT(std::abs(*fine.rolling_onset_s - *exact_one.rolling_onset_s),
+            std::abs(*published.rolling_onset_s - *exact_one.rolling_onset_s) / 4);
+}
+
+}  // namespace
+}  // namespace rotor
