@@ -179,7 +179,8 @@ class EventMethod {
     for (std::size_t i = 0; i < errors.size(); ++i) {
       const S allowed = scale[i] * tolerance_ + rounding * abs(b.x[i]);
       const double error = static_cast<double>(S(abs(errors[i]) / allowed));
-      if (!(error <= largest)) largest = error;  // not a number counts as large
+      if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, error);
     }
     return largest;
   }

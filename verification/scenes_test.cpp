@@ -197,6 +197,17 @@ TEST_F(CommandLine, LeavesAnExistingFileAloneWhenARunFails) {
   EXPECT_EQ(content, "precious");
 }
 
+TEST_F(CommandLine, ListsTheEventsOfARun) {
+  const auto [status, output] = rotor("run --until 29.11 --events e.csv --json");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("\"located_events\": 4"), std::string::npos) << output;
+  std::ifstream events(folder_ / "e.csv");
+  std::string kinds, line;
+  while (std::getline(events, line))
+    if (!line.starts_with("#")) kinds += line.substr(0, line.find(',')) + ' ';
+  EXPECT_EQ(kinds, "event motor_off mass_loss touch_down release ring_clear ");
+}
+
 TEST_F(CommandLine, SummarisesARunAsJsonAndTracesIt) {
   const auto [status, output] =
       rotor("run --method rk4 --until 0.01 --trace t.csv --columns time_s,rho_m --json");
