@@ -24,7 +24,7 @@ cmake --build "$work/build" --target verification >"$work/log" || { cat "$work/l
 report=$work/mutants.csv
 echo "file,change,caught_by,first_test" >"$report"
 survivors=0 count=0
-while IFS='|' read -r file from to what; do
+while IFS='@' read -r file from to what; do
   trim() { sed 's/^ *//; s/ *$//' <<<"$1"; }
   file=$(trim "$file") from=$(trim "$from") to=$(trim "$to") what=$(trim "$what")
   count=$((count + 1))
