@@ -28,17 +28,22 @@ struct Outcome {
   Events events;
 };
 
-/// From a state on, without mass loss, for some time.
-Outcome follow_motion(Scenario scenario, const State<double>& state, double duration_s,
-                      bool motor_on = false) {
+/// From an instant on, without mass loss, for some time.
+Outcome follow_motion_from(Scenario scenario, const Instant& from, double duration_s) {
   scenario.parameters.separates = false;
+  Outcome outcome;
+  Work work;
+  outcome.last = EventMethod<double>(scenario, 1e-12, outcome.events, work).rub(from, duration_s);
+  return outcome;
+}
+
+/// The same from a state clear of the ring.
+Outcome follow_motion(const Scenario& scenario, const State<double>& state, double duration_s,
+                      bool motor_on = false) {
   Instant at = start(scenario);
   at.state = state;
   at.motor_on = motor_on;
-  Outcome outcome;
-  Work work;
-  outcome.last = EventMethod<double>(scenario, 1e-12, outcome.events, work).rub(at, duration_s);
-  return outcome;
+  return follow_motion_from(scenario, at, duration_s);
 }
 
 /// A scenario without anything but the rotor and the ring.
@@ -308,16 +313,72 @@ TEST(RollingInTheRing, SlowsDownWithTheSupportsDampingAtTheClosedFormsRate) {
   at.motor_on = false;
   at.contact = ContactState::rolling;
   at.state = whirling(p, indentation, speed, 0);
-  scenario.parameters.separates = false;
-  Events events;
-  Work work;
   const double duration = 0.2;
-  const Instant last = EventMethod<double>(scenario, 1e-12, events, work).rub(at, duration);
+  const Instant last = follow_motion_from(scenario, at, duration).last;
   ASSERT_EQ(last.contact, ContactState::rolling);
   const double rate = p.support_damping / (p.mass + p.inertia / (p.rotor_radius * p.rotor_radius));
   // Exact for constant rho; it changes by Delta / rho = 1e-3 over the run, and its rate is 5e-3 /
   // s.
   EXPECT_NEAR(std::log(speed / last.state[5]) / (rate * duration), 1, 5e-3);
+}
+
+/// Dry-friction whirl: a rotor without unbalance, too heavy to turn for friction to slow it down,
+/// that slides around the ring backwards at the rate Omega, held up by the supports' damping alone.
+struct SlidingWhirl : testing::Test {
+  SlidingWhirl() {
+    Parameters& p = scenario.parameters;
+    p.support_stiffness = Parameters{}.support_stiffness;
+    p.support_damping = 2 * zeta * p.mass * w_n();
+    p.contact_stiffness = beta * p.support_stiffness;
+    p.contact_damping = 0.2 * std::sqrt(p.contact_stiffness * p.mass);  // radial motion settles
+    p.friction = 0.4;
+    p.inertia = 1e9;
+  }
+
+  double w_n() const {
+    return std::sqrt(scenario.parameters.support_stiffness / scenario.parameters.mass);
+  }
+
+  /// How a whirl at that rate and indentation ends: rolling if it has grown, released if it dies.
+  Event fate(double whirl, double indentation) const {
+    const Parameters& p = scenario.parameters;
+    const double rho = p.stator_radius - p.rotor_radius + indentation;
+    const double speed = 5 * whirl * rho / p.rotor_radius;  // far from rolling
+    Instant at = start(scenario);
+    at.motor_on = false;
+    at.contact = ContactState::sliding;
+    at.state = whirling(p, indentation, speed, p.rotor_radius * speed - whirl * rho);
+    const Outcome outcome = follow_motion_from(scenario, at, 30);
+    const auto ends = [](const Instant& i) {
+      return i.event == Event::rolling_onset || i.event == Event::release;
+    };
+    const auto end = std::ranges::find_if(outcome.events.all, ends);
+    return end == outcome.events.all.end() ? Event::none : end->event;
+  }
+
+  static constexpr double zeta = 0.1, beta = 100;
+  Scenario scenario = bare();
+};
+
+TEST_F(SlidingWhirl, GrowsAboveTheRateOfTheClosedFormAndDiesBelowIt) {
+  const Parameters& p = scenario.parameters;
+  const double whirl = w_n() * (zeta / p.friction + std::hypot(1, zeta / p.friction));
+  // Friction balances damping: mu k_t Delta = d Omega rho.
+  const double share = p.support_damping * whirl / (p.friction * p.contact_stiffness);
+  const double indentation = (p.stator_radius - p.rotor_radius) * share / (1 - share);
+  // A relative deviation of 1e-9 grows by e every 0.15 s or less, to its end within 30 s.
+  EXPECT_EQ(fate(whirl * (1 + 1e-9), indentation), Event::rolling_onset);
+  EXPECT_EQ(fate(whirl * (1 - 1e-9), indentation), Event::release);
+}
+
+TEST_F(SlidingWhirl, NeedsTheFrictionOfTheClosedFormHoweverDeepItBegins) {
+  const double whirl = w_n() * std::sqrt(1 + beta);  // of a rotor whose clearance does not count
+  const double least = 2 * zeta * std::sqrt(1 + beta) / beta, deep = 100 * 3e-3;
+  // The clearance, a hundredth of the indentation, moves the limit by about as much.
+  scenario.parameters.friction = 1.05 * least;
+  EXPECT_EQ(fate(whirl, deep), Event::rolling_onset);
+  scenario.parameters.friction = 0.95 * least;
+  EXPECT_EQ(fate(whirl, deep), Event::release);
 }
 
 }  // namespace
