@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes each change of mutants.txt in a copy of the sources, builds the tests there and runs them. A
-# change that no test notices is a hole in the tests: it is named, and the status is 1.
+# change that no test notices is a hole in the tests: it is named, and the status is 1. Which test
+# notices which change is in build/mutants/mutants.csv; tests that noticed none are listed at the end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source=$PWD
@@ -19,10 +20,12 @@ run_tests() { # names of the failed tests
 }
 
 cmake --build "$work/build" --target verification >"$work/log" || { cat "$work/log"; exit 1; }
+"$work/build/verification" --gtest_list_tests |
+  awk '/^[^ ]/ { suite = $1 } /^  / { print suite $1 }' | grep -F . | sort >"$work/idle"
 [ -z "$(run_tests)" ] || { echo "The tests fail without any change." >&2; exit 1; }
 
 report=$work/mutants.csv
-echo "file,change,caught_by,first_test" >"$report"
+echo "file,change,caught_by,tests" >"$report"
 survivors=0 count=0
 while IFS='@' read -r file from to what; do
   trim() { sed 's/^ *//; s/ *$//' <<<"$1"; }
@@ -41,8 +44,10 @@ while IFS='@' read -r file from to what; do
   number=$(grep -c . <<<"$failed" || true)
   [ "$number" -gt 0 ] || survivors=$((survivors + 1))
   printf '%-48s %s\n' "$what" "$([ "$number" -gt 0 ] && echo "caught by $number, first $(head -1 <<<"$failed")" || echo "NOT CAUGHT")"
-  echo "$file,$what,$number,$(head -1 <<<"$failed")" >>"$report"
+  echo "$file,$what,$number,$(tr '\n' ' ' <<<"$failed")" >>"$report"
+  comm -23 "$work/idle" <(sort <<<"$failed") >"$work/log" && mv "$work/log" "$work/idle"
   cp "$source/$file" "$work/tree/$file"
 done < <(grep -v '^#' verification/mutants.txt)
-echo "$count changes, $survivors not caught"
+echo "$count changes, $survivors not caught; tests that noticed none of them:"
+sed 's/^/  /' "$work/idle"
 [ "$survivors" -eq 0 ]

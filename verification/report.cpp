@@ -1,5 +1,12 @@
-/// Prints what the model makes of every published number, and writes it: `report TABLE OUT`.
+/// Prints what a reviewer wants to see: the outcome of the tests by class, and what the model makes
+/// of every published number, which it writes as well: `report TESTS TABLE OUT`, where TESTS is
+/// GoogleTest's JSON.
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "figures/csv.hpp"
 #include "verification/published_values.hpp"
@@ -7,7 +14,32 @@
 namespace rotor {
 namespace {
 
-int main(const std::filesystem::path& table, const std::filesystem::path& out) {
+/// The class of a test is the file that it stands in.
+void print_by_class(const std::filesystem::path& results) {
+  struct Outcome {
+    int tests = 0, failed = 0;
+    double time_s = 0;
+  };
+  std::map<std::string, Outcome> classes;
+  std::ifstream file(results);
+  if (!file) throw std::runtime_error(fmt::format("cannot read {}", results.string()));
+  const auto document = nlohmann::json::parse(file);
+  for (const auto& suite : document.at("testsuites"))
+    for (const auto& test : suite.at("testsuite")) {
+      const std::string stem = std::filesystem::path(test.at("file").get<std::string>()).stem();
+      std::string name = stem.substr(0, stem.rfind("_test"));
+      std::ranges::replace(name, '_', ' ');
+      Outcome& outcome = classes[name];
+      ++outcome.tests;
+      outcome.failed += test.contains("failures") ? 1 : 0;
+      outcome.time_s += std::stod(test.at("time").get<std::string>());
+    }
+  fmt::print("\n{:<24}{:>6}{:>8}{:>8}\n", "Tests by class", "tests", "failed", "s");
+  for (const auto& [name, outcome] : classes)
+    fmt::print("  {:<22}{:>6}{:>8}{:>8.1f}\n", name, outcome.tests, outcome.failed, outcome.time_s);
+}
+
+int print_and_write_numbers(const std::filesystem::path& table, const std::filesystem::path& out) {
   const auto values = published_values(table);
   bool as_expected = true;
   for (const std::string verdict : {"reproduced", "close", "differs", "excused"}) {
@@ -31,9 +63,11 @@ int main(const std::filesystem::path& table, const std::filesystem::path& out) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 3)
-      throw std::runtime_error("needs the table of published values and an output file");
-    return rotor::main(argv[1], argv[2]);
+    if (argc != 4)
+      throw std::runtime_error(
+          "needs the tests' results, the table of published values and an output file");
+    rotor::print_by_class(argv[1]);
+    return rotor::print_and_write_numbers(argv[2], argv[3]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "report: {}\n", error.what());
     return 1;
