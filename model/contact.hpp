@@ -124,7 +124,8 @@ template <class S>
 inline S friction_without_slip(const Motion<S>& motion, const RimPoint<S>& k,
                                const Acceleration<S>& a, const Acceleration<S>& mobility,
                                const S& radius) {
-  return -slip_acceleration(motion, k, a, radius) / slip_mobility(motion, k, mobility, radius);
+  const S slip_inertia = 1 / slip_mobility(motion, k, mobility, radius);  // m_tau
+  return -slip_inertia * slip_acceleration(motion, k, a, radius);
 }
 
 }  // namespace rotor

@@ -155,9 +155,15 @@ class EventMethod {
         return guard;
       }
       a = {.time = S(0), .x = b.x, .rates = b.rates};
-      if (phase.start_step(a.x, extent == Extent::whole_steps)) evaluate(phase, a);
+      if (extent == Extent::whole_steps) {  // may be taken up from here, with the same bits
+        at.state = phase.state(a.x);
+        phase.lay_axes(at.state);
+        a.x = phase.unknowns(at.state);
+        evaluate(phase, a);
+      } else if (phase.start_step(a.x)) {
+        evaluate(phase, a);
+      }
     }
-    at.state = phase.state(a.x);
     return std::nullopt;
   }
 

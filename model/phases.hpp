@@ -1,7 +1,8 @@
 /// The smooth phases of the motion, each in the coordinates in which it is slowest, and the guards
 /// that end them. A phase writes the vectors of rotor.hpp and contact.hpp in a basis of its own;
 /// the physics stays there. Friction is Filippov's: set-valued at zero slip, where rolling is a
-/// phase of its own.
+/// phase of its own. Right-hand sides are flattened, which lets the compiler see through the
+/// vectors of a basis that are constant.
 #pragma once
 
 #include <array>
@@ -34,35 +35,43 @@ struct Maximum {
   S rate;   ///< m/s or N/s
 };
 
-/// No contact force. The mass centre in the stator's frame: it hardly feels the rotation, because
-/// the supports are soft. The axes are the stator's, turned to where the rotor's axes were not long
-/// ago, so that the angle stays small.
+/// No contact force. In the stator's frame the mass centre hardly feels the rotation, because the
+/// supports are soft; what is left of it well above the critical speed is the steady response to
+/// the unbalance, and the unknowns are the deviation from that. The axes are the stator's, turned
+/// to where the rotor's axes were not long ago, so that the angle stays small.
 template <class S>
 class Flight {
  public:
-  /// C along both axes (m), angle of the rotor from them (rad), then the rates.
+  /// Deviation of C along both axes (m), angle of the rotor from them (rad), then deviation of the
+  /// velocity of C (m/s), and the speed (rad/s).
   using Unknowns = std::array<S, 6>;
   static constexpr bool in_contact = false;
 
   Flight(const Surroundings<S>& around, const State<S>& start) : around_(around) {
-    lay_axes(start[2]);
+    lay_axes(start);
+  }
+
+  /// Turns the axes to where the rotor's are.
+  void lay_axes(const State<S>& q) {
+    using std::cos, std::sin;
+    angle_ = q[2];
+    down_ = Vector<S>(cos(angle_), -sin(angle_));
+    const S critical = around_.supports.stiffness / around_.body.mass;  // speed, squared
+    subtracts_response_ = q[5] * q[5] > 4 * critical;
   }
 
   Unknowns unknowns(const State<S>& q) const {  // the axes coincide
-    const auto motion = RotatingFrame<S>::motion(around_.body, q);
-    const Vector<S> c = motion.mass_centre(), v = motion.mass_centre_velocity();
-    return {c.x(), c.y(), S(0), v.x(), v.y(), motion.speed};
+    const Motion<S> m = RotatingFrame<S>::motion(around_.body, q);
+    const Steady steady = this->steady(m.eccentricity, m.speed);
+    const Vector<S> position = m.mass_centre() - steady.displacement;
+    const Vector<S> velocity =
+        m.mass_centre_velocity() - m.speed * quarter_turn(steady.displacement);
+    return {position.x(), position.y(), S(0), velocity.x(), velocity.y(), m.speed};
   }
 
   Motion<S> motion(const Unknowns& x) const {
-    using std::cos, std::sin;
-    const S e = around_.body.eccentricity;
-    const Vector<S> eccentricity(e * cos(x[2]), e * sin(x[2]));
-    return {.displacement = Vector<S>(x[0], x[1]) - eccentricity,
-            .velocity = Vector<S>(x[3], x[4]) - x[5] * quarter_turn(eccentricity),
-            .eccentricity = eccentricity,
-            .down = down_,
-            .speed = x[5]};
+    const Vector<S> eccentricity = this->eccentricity(x);
+    return motion(x, eccentricity, steady(eccentricity, x[5]));
   }
 
   State<S> state(const Unknowns& x) const {
@@ -74,31 +83,38 @@ class Flight {
     return {q.x(), q.y(), angle_ + x[2], rate.x(), rate.y(), x[5]};
   }
 
-  void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
-    const Motion<S> m = motion(x);
+  [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
+    const Vector<S> eccentricity = this->eccentricity(x);
+    const Steady steady = this->steady(eccentricity, x[5]);
+    const Motion<S> m = motion(x, eccentricity, steady);
     const auto a =
         acceleration(around_.body, m, around_.supports.loads(around_.body, m, around_.motor_on));
-    rates = {x[3], x[4], x[5], a.mass_centre.x(), a.mass_centre.y(), a.angular};
+    // The steady response turns with the rotor and changes with its speed.
+    const S w = m.speed;
+    const Vector<S> drift = a.angular * steady.slope;
+    const Vector<S> velocity = Vector<S>(x[3], x[4]) - drift;
+    const Vector<S> rate = a.mass_centre + w * w * steady.displacement -
+                           quarter_turn<S>(a.angular * steady.displacement + w * drift);
+    rates = {velocity.x(), velocity.y(), w, rate.x(), rate.y(), a.angular};
   }
 
-  /// Turns the axes to where the rotor's are, if it has turned far from them; in any case, if the
-  /// run may be taken up from here as a State, for both ways to have the same bits. Returns whether
-  /// the rates have to be worked out again.
-  bool start_step(Unknowns& x, bool may_be_taken_up) {
+  /// Lays the axes anew if the rotor has turned far from them. Returns whether the rates have to be
+  /// worked out again.
+  bool start_step(Unknowns& x) {
     constexpr double far = 32;  // rad; the angle is known to some 1e-14 rad until there
-    if (!may_be_taken_up && x[2] < far && x[2] > -far) return false;
+    if (x[2] < far && x[2] > -far) return false;
     const State<S> q = state(x);
-    lay_axes(q[2]);
+    lay_axes(q);
     x = unknowns(q);
     return true;
   }
 
   /// Sizes that the errors of the unknowns are measured by. Every contact multiplies the errors
-  /// that it begins with, and a flight is cheap: its lengths are measured by a part of the
-  /// clearance.
+  /// that it begins with, and a flight is cheap: its lengths are measured by a small part of the
+  /// clearance. The speed hardly changes, but its ripple must not pass unnoticed under long steps.
   Unknowns scale(const Unknowns& x) const {
-    const S length = around_.ring.clearance / 100, w = frequency(around_, x[5]);
-    return {length, length, S(1), length * w, length * w, w};
+    const S length = around_.ring.clearance / 300, w = frequency(around_, x[5]);
+    return {length, length, S(1), length * w, length * w, w / 100};
   }
 
   /// Fastest natural rate of change, rad/s.
@@ -115,14 +131,37 @@ class Flight {
   const Surroundings<S>& around_;
 
  private:
-  void lay_axes(const S& angle) {
+  /// The steady response to the unbalance, O_a C.
+  struct Steady {
+    Vector<S> displacement;  ///< m
+    Vector<S> slope;         ///< its change with the speed, m s
+  };
+
+  Steady steady(const Vector<S>& eccentricity, const S& speed) const {
+    if (!subtracts_response_) return {Vector<S>(0, 0), Vector<S>(0, 0)};
+    const auto response = around_.supports.unbalance_response(around_.body.mass, speed);
+    return {complex_product(eccentricity, response.factor),
+            complex_product(eccentricity, response.slope)};
+  }
+
+  Vector<S> eccentricity(const Unknowns& x) const {
     using std::cos, std::sin;
-    angle_ = angle;
-    down_ = Vector<S>(cos(angle), -sin(angle));
+    const S e = around_.body.eccentricity;
+    return {e * cos(x[2]), e * sin(x[2])};
+  }
+
+  Motion<S> motion(const Unknowns& x, const Vector<S>& eccentricity, const Steady& steady) const {
+    const Vector<S> turning = steady.displacement - eccentricity;
+    return {.displacement = Vector<S>(x[0], x[1]) + turning,
+            .velocity = Vector<S>(x[3], x[4]) + x[5] * quarter_turn(turning),
+            .eccentricity = eccentricity,
+            .down = down_,
+            .speed = x[5]};
   }
 
   S angle_;
   Vector<S> down_;
+  bool subtracts_response_;
 };
 
 /// Clear of the ring.
@@ -151,8 +190,9 @@ class FreeFlight : public Flight<S> {
     using std::max, std::sqrt;
     const auto bounds = motion_bounds(x, h);
     if (!bounds) return std::nullopt;
-    return sqrt(max(x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1])) +
-           bounds->acceleration * h * h / 8 + this->around_.body.eccentricity;
+    const S farther = max(this->motion(x).mass_centre().squaredNorm(),
+                          this->motion(y).mass_centre().squaredNorm());
+    return sqrt(farther) + bounds->acceleration * h * h / 8 + this->around_.body.eccentricity;
   }
 
   /// The largest second derivative that a guard can have from x on for a time h, if it can be told.
@@ -195,7 +235,7 @@ class FreeFlight : public Flight<S> {
     const Body<S>& body = this->around_.body;
     const Supports<S>& supports = this->around_.supports;
     const S clearance = this->around_.ring.clearance, e = body.eccentricity;
-    const S velocity_of_C = sqrt(x[3] * x[3] + x[4] * x[4]), speed = abs(x[5]);
+    const S velocity_of_C = this->motion(x).mass_centre_velocity().norm(), speed = abs(x[5]);
     const S spring = supports.stiffness * clearance;
 
     const S velocity = 2 * (velocity_of_C + speed * e + spring / body.mass * h);
@@ -245,9 +285,12 @@ class Rub {
   using Unknowns = std::array<S, 6>;
   static constexpr bool in_contact = true;
 
-  Rub(const Surroundings<S>& around, const State<S>& start) : around_(around), q3_(start[2]) {
+  Rub(const Surroundings<S>& around, const State<S>& start) : around_(around) { lay_axes(start); }
+
+  void lay_axes(const State<S>& q) {
     using std::atan2;
-    alpha_ = atan2(start[1], start[0]);
+    q3_ = q[2];
+    alpha_ = atan2(q[1], q[0]);
     lay_basis();
   }
 
@@ -280,7 +323,7 @@ class Rub {
   }
 
   /// Counts both angles from here: small ones are known more sharply, and cost less.
-  bool start_step(Unknowns& x, bool /*may_be_taken_up*/) {
+  bool start_step(Unknowns& x) {
     alpha_ += x[1];
     q3_ += x[2];
     x[1] = x[2] = 0;
@@ -382,14 +425,15 @@ class Sliding : public Rub<S> {
   Sliding(const Surroundings<S>& around, const State<S>& start, int direction)
       : Rub<S>(around, start), direction_(direction) {}
 
-  /// As small as in flight.
+  /// Nearly as small as in flight.
   Unknowns scale(const Unknowns& x) const {
     const S length = this->around_.ring.clearance / 100;
-    const S w = Flight<S>::frequency(this->around_, x[5]);
-    return {length, S(1), S(1), length * w, this->around_.ring.rotor_radius * w, w};
+    const S w = Flight<S>::frequency(this->around_, x[5]) / 10;
+    const S radial_velocity = length * this->frequency(this->around_, x[5]);
+    return {length, S(1), S(1), radial_velocity, this->around_.ring.rotor_radius * w, w};
   }
 
-  void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
+  [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const auto c = this->contact(x);
     const S friction = this->around_.ring.sliding_friction(c.normal_force, direction_);
     rates = this->rates(x, c, friction, this->mobility(c));
@@ -421,22 +465,22 @@ class Rolling : public Rub<S> {
     return x;
   }
 
-  /// The radial oscillation dies away, so that its errors do not last.
+  /// The radial oscillation is so much faster than the whirl that its errors average out.
   Unknowns scale(const Unknowns& x) const {
+    const S length = 10 * this->around_.ring.clearance;
     const S w = Flight<S>::frequency(this->around_, x[5]);
-    const S velocity = this->around_.ring.rotor_radius * w;
-    return {this->around_.ring.clearance, S(1), S(1), velocity, velocity, w};
+    const S radial_velocity = length * this->frequency(this->around_, x[5]);
+    return {length, S(1), S(1), radial_velocity, this->around_.ring.rotor_radius * w, w};
   }
 
-  void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
+  [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     evaluate(x, rates);
   }
 
   /// F_tau, N.
   S friction(const Unknowns& x) const { return evaluate(x).friction; }
 
-  static constexpr std::array guard_names = {Guard::release, Guard::break_away, Guard::break_away,
-                                             Guard::motor};
+  static constexpr std::array guard_names = {Guard::release, Guard::break_away, Guard::motor};
   using Guards = std::array<S, guard_names.size()>;
   Guards guards(const Unknowns& x) const {
     const auto [normal, friction] = evaluate(x);
@@ -444,9 +488,9 @@ class Rolling : public Rub<S> {
     const S rounding = 64 * std::numeric_limits<S>::epsilon() * this->around_.supports.stiffness *
                        this->displacement(x);
     const S limit = this->around_.ring.friction * -normal + rounding;
-    return {-normal,                                  // F_n = 0
-            limit - friction,                         // |F_tau| = mu |F_n|
-            limit + friction, this->motor_guard(x)};  // f = f_max
+    return {-normal,                              // F_n = 0
+            limit * limit - friction * friction,  // |F_tau| = mu |F_n|
+            this->motor_guard(x)};                // f = f_max
   }
 
  private:
@@ -478,9 +522,10 @@ template <class S>
 Begin leave_zero_slip(const Surroundings<S>& around, const State<S>& q) {
   using std::abs;
   const Rolling<S> rolling(around, q);
-  const auto [pressure, above, below, motor] = rolling.guards(rolling.unknowns(q));
-  if (above >= 0 && below >= 0) return {Event::rolling_onset, ContactState::rolling};
-  return {Event::slip_reversal, ContactState::sliding, above < 0 ? -1 : 1};
+  const auto x = rolling.unknowns(q);
+  const auto [pressure, grip, motor] = rolling.guards(x);
+  if (grip >= 0) return {Event::rolling_onset, ContactState::rolling};
+  return {Event::slip_reversal, ContactState::sliding, rolling.friction(x) > 0 ? -1 : 1};
 }
 
 /// The rim meets the ring with the slip that it has.

@@ -21,10 +21,16 @@ Vector<S> quarter_turn(const Vector<S>& a) {
   return {-a.y(), a.x()};
 }
 
-/// The vector with the direction cosines `cosine`, `sine` added to its own direction.
+/// The vector turned by the angle that has these cosine and sine.
 template <class S>
 Vector<S> turned(const Vector<S>& a, const S& cosine, const S& sine) {
   return {cosine * a.x() - sine * a.y(), sine * a.x() + cosine * a.y()};
+}
+
+/// The product of two vectors as complex numbers: turns by an angle and stretches.
+template <class S>
+Vector<S> complex_product(const Vector<S>& a, const Vector<S>& b) {
+  return turned(a, b.x(), b.y());
 }
 
 }  // namespace rotor

@@ -42,7 +42,7 @@ struct Scenario {
   Equations equations = Equations::published;
   Method method = Method::event;
   double until = 29.35;       // end of the run, s
-  double tolerance = 1e-10;   // of event: error of a step in parts of each unknown's size
+  double tolerance = 1e-11;   // of event: error of a step in parts of each unknown's size
   double step_run_up = 1e-4;  // step of rk4 until the mass loss or the first contact, s
   double step_rub = 5e-6;     // and after it, s
 

@@ -33,7 +33,7 @@ Outcome follow_motion_from(Scenario scenario, const Instant& from, double durati
   scenario.parameters.separates = false;
   Outcome outcome;
   Work work;
-  outcome.last = EventMethod<double>(scenario, 1e-12, outcome.events, work).rub(from, duration_s);
+  outcome.last = EventMethod<double>(scenario, 1e-13, outcome.events, work).rub(from, duration_s);
   return outcome;
 }
 
