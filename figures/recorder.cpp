@@ -95,22 +95,29 @@ void Recorder::see(const Piece& piece) {
   const double from = std::max(piece.from_s, window_.from_s);
   const double until = std::min(piece.until_s, window_end);
   if (!(until > from)) return;
-  const Row first = row(piece.at(from)), last = row(piece.at(until));
-  add(first);
-  constexpr int halvings = 6;
-  refine(piece, from, first, until, last, halvings);
-  add(last);
+  const double arc = (piece.until_s - piece.from_s) / piece.arcs;
+  const int parts = static_cast<int>(std::ceil((until - from) / arc - time_rounding));
+  Row left = row(piece.at(from));
+  add(left);
+  for (int n = 1; n <= parts; ++n) {
+    const double left_s = from + (until - from) * (n - 1) / parts;
+    const double right_s = n == parts ? until : from + (until - from) * n / parts;
+    const Row right = row(piece.at(right_s));
+    refine(piece, left_s, left, right_s, right, 0);
+    add(right);
+    left = right;
+  }
 }
 
 void Recorder::refine(const Piece& piece, double from_s, const Row& from, double until_s,
                       const Row& until, int depth) {
+  constexpr int least_depth = 1, greatest_depth = 6;  // an arc may bend both ways
   const double middle_s = (from_s + until_s) / 2;
   const Row middle = row(piece.at(middle_s));
-  constexpr int always = 4;  // a step may hide a turn of the rotor between rows in line
-  if (depth == 0 || (depth < always && is_straight(from, middle, until))) return;
-  refine(piece, from_s, from, middle_s, middle, depth - 1);
+  if (depth == greatest_depth || (depth > least_depth && is_straight(from, middle, until))) return;
+  refine(piece, from_s, from, middle_s, middle, depth + 1);
   add(middle);
-  refine(piece, middle_s, middle, until_s, until, depth - 1);
+  refine(piece, middle_s, middle, until_s, until, depth + 1);
 }
 
 bool Recorder::is_straight(const Row& from, const Row& middle, const Row& until) const {

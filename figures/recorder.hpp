@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <limits>
 #include <span>
 #include <vector>
@@ -49,7 +50,7 @@ class Recorder : public Observer {
   const Table& table() const { return table_; }
 
  private:
-  using Row = std::vector<double>;
+  using Row = boost::container::small_vector<double, 8>;
 
   bool contains(double time_s) const;
   Row row(const Instant& at) const;

@@ -261,7 +261,8 @@ class EventMethod {
     S from_s = start.time_s;
     const auto show_piece = [&](const S& to_s) {
       if (pieces && to_s > from_s)
-        observer_.see(PieceOf<Phase>(from_s, to_s, path.phase(), start, path.polynomial()));
+        observer_.see(PieceOf<Phase>(from_s, to_s, path.phase().arcs(path.start().x, to_s - from_s),
+                                     path.phase(), start, path.polynomial()));
       from_s = to_s;
     };
     for (const Point& maximum : find_maxima(path, start, length)) {
@@ -420,9 +421,12 @@ class EventMethod {
   template <class Phase>
   class PieceOf : public BasicPiece<S> {
    public:
-    PieceOf(const S& from, const S& until, const Phase& phase, const BasicInstant<S>& start,
-            const Polynomial& polynomial)
-        : BasicPiece<S>(from, until), phase_(phase), start_(start), polynomial_(polynomial) {}
+    PieceOf(const S& from, const S& until, int arcs_in_it, const Phase& phase,
+            const BasicInstant<S>& start, const Polynomial& polynomial)
+        : BasicPiece<S>(from, until, arcs_in_it),
+          phase_(phase),
+          start_(start),
+          polynomial_(polynomial) {}
 
     BasicInstant<S> at(const S& time_s) const override {
       BasicInstant<S> instant = start_;

@@ -41,8 +41,10 @@ using Instant = BasicInstant<double>;
 template <class S>
 struct BasicPiece {
   S from_s, until_s;
+  int arcs;  ///< parts of equal length in which its curves swing by a radian at most
 
-  BasicPiece(const S& from, const S& until) : from_s(from), until_s(until) {}
+  BasicPiece(const S& from, const S& until, int arcs_in_it)
+      : from_s(from), until_s(until), arcs(arcs_in_it) {}
   virtual ~BasicPiece() = default;
   virtual BasicInstant<S> at(const S& time_s) const = 0;
 };

@@ -123,6 +123,12 @@ class Flight {
     return max({S(1), abs(speed), sqrt(around.supports.stiffness / around.body.mass)});
   }
 
+  /// Into how many arcs to divide a step of length h, for each to have one maximum at most.
+  int arcs(const Unknowns& x, const S& h) const {
+    using std::ceil;
+    return static_cast<int>(ceil(h * frequency(around_, x[5])));
+  }
+
  protected:
   S motor_guard(const Unknowns& x) const {
     return around_.motor_on ? around_.motor_off - x[5] : S(1);
@@ -212,12 +218,6 @@ class FreeFlight : public Flight<S> {
     const S rho = m.displacement.norm();
     const S rate = rho > 0 ? S(m.displacement.dot(m.velocity) / rho) : S(0);
     return {{{Extreme::displacement, rho, rate}}};
-  }
-
-  /// Into how many arcs to divide a step of length h, for each to have one maximum at most.
-  int arcs(const Unknowns& x, const S& h) const {
-    using std::ceil;
-    return static_cast<int>(ceil(h * this->frequency(this->around_, x[5])));
   }
 
  private:
