@@ -111,17 +111,25 @@ verify: need-deps ## build, run all tests, and hold the published numbers agains
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (half an hour)
 	@verification/mutants.sh
 
+# The peers: libsundials-dev and libgsl-dev in C, SciPy in Debian's Python; libbenchmark-dev times
+# single evaluations.
+PEERS := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
 deps-bench: deps ## install the peers that the benchmark compares with (optional)
 	@sudo=$$([ $$(id -u) -eq 0 ] || echo sudo); \
-	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends libsundials-dev
+	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $(PEERS)
 
+PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench: need-deps ## run time against error of every method, with pictures, into build/bench
 	@$(call configure-and-build,--target benchmark)
-	@grep -q ROTOR_SUNDIALS $(BUILD)/build.ninja || echo "Without SUNDIALS, which make deps-bench installs."
-	@$(BUILD)/benchmark $(BUILD)/bench/work-precision.csv
+	@for peer in SUNDIALS GSL; do \
+	  grep -q ROTOR_$$peer $(BUILD)/build.ninja || echo "Without $$peer, which make deps-bench installs."; done
+	@$(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/scipy_peer.py
 	@gnuplot -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/style.gp verification/work-precision.gp
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
+	@if grep -q micro_costs $(BUILD)/build.ninja; then \
+	  cmake --build $(BUILD) --target micro-costs >/dev/null && $(BUILD)/micro-costs; \
+	else echo "Without Google Benchmark, which make deps-bench installs."; fi
 
 stress: need-deps ## a hundred thousand random rotors, and the stability of the published steps (minutes)
 	@$(call configure-and-build,--target stress)

@@ -96,6 +96,7 @@ class EventMethod {
     if (guard == Guard::motor) {
       around_.motor_on = at.motor_on = false;
       at.event = Event::motor_off;
+      from_rest_ = false;
     } else {
       take_up(follow(guard, around_, at.state), at);
     }
@@ -105,6 +106,7 @@ class EventMethod {
     at.contact = begin.contact;
     at.event = begin.event;
     direction_ = begin.direction;
+    from_rest_ = begin.from_rest;
   }
 
   /// To the end of the phase, or of the extent. Says which guard ended the phase.
@@ -115,7 +117,8 @@ class EventMethod {
       case ContactState::indented:
         return integrate(IndentedFlight<S>(around_, at.state), at, until_s, extent, rub_step_);
       case ContactState::sliding:
-        return integrate(Sliding<S>(around_, at.state, direction_), at, until_s, extent, rub_step_);
+        return integrate(Sliding<S>(around_, at.state, direction_, from_rest_), at, until_s, extent,
+                         rub_step_);
       case ContactState::rolling:
         return integrate(Rolling<S>(around_, at.state), at, until_s, extent, rub_step_);
     }
@@ -490,6 +493,7 @@ class EventMethod {
   Stepper stepper_{};
   S flight_step_{0}, rub_step_{0};
   int direction_ = 0;  ///< of the slip, while sliding
+  bool from_rest_ = false;
   S switches_since_{0};
   int switches_ = 0;
 };

@@ -397,6 +397,12 @@ class Rub {
 
   S slip_velocity(const Unknowns& x) const { return x[4] + around_.ring.rotor_radius * x[5]; }
 
+  /// The same to rounding for a rim that does not slip.
+  Unknowns without_slip(Unknowns x) const {
+    x[4] = -around_.ring.rotor_radius * x[5];
+    return x;
+  }
+
   S motor_guard(const Unknowns& x) const {
     return around_.motor_on ? around_.motor_off - x[5] : S(1);
   }
@@ -421,9 +427,13 @@ class Sliding : public Rub<S> {
  public:
   using typename Rub<S>::Unknowns;
 
-  /// `direction` is the sign of the slip velocity.
-  Sliding(const Surroundings<S>& around, const State<S>& start, int direction)
-      : Rub<S>(around, start), direction_(direction) {}
+  /// `direction` is the sign of the slip velocity, or what it will be `from_rest`.
+  Sliding(const Surroundings<S>& around, const State<S>& start, int direction, bool from_rest)
+      : Rub<S>(around, start), direction_(direction), from_rest_(from_rest) {}
+
+  Unknowns unknowns(const State<S>& q) const {
+    return from_rest_ ? this->without_slip(Rub<S>::unknowns(q)) : Rub<S>::unknowns(q);
+  }
 
   /// Nearly as small as in flight.
   Unknowns scale(const Unknowns& x) const {
@@ -442,13 +452,17 @@ class Sliding : public Rub<S> {
   static constexpr std::array guard_names = {Guard::release, Guard::slip_ends, Guard::motor};
   using Guards = std::array<S, guard_names.size()>;
   Guards guards(const Unknowns& x) const {
-    return {this->pressure(x),                       // F_n = 0
-            S(direction_) * this->slip_velocity(x),  // v_Ktau = 0
-            this->motor_guard(x)};                   // f = f_max
+    using std::abs;
+    // A slip that has come from zero may be too slow to be told from rounding for a while.
+    const S rounding = 16 * std::numeric_limits<S>::epsilon() * abs(x[4]);
+    return {this->pressure(x),                                  // F_n = 0
+            S(direction_) * this->slip_velocity(x) + rounding,  // v_Ktau = 0
+            this->motor_guard(x)};                              // f = f_max
   }
 
  private:
   int direction_;
+  bool from_rest_;
 };
 
 /// In contact without slip. The constraint is linear in the unknowns, v_t = -r w, so that
@@ -459,11 +473,7 @@ class Rolling : public Rub<S> {
   using typename Rub<S>::Unknowns;
   using Rub<S>::Rub;
 
-  Unknowns unknowns(const State<S>& q) const {
-    Unknowns x = Rub<S>::unknowns(q);
-    x[4] = -this->around_.ring.rotor_radius * x[5];
-    return x;
-  }
+  Unknowns unknowns(const State<S>& q) const { return this->without_slip(Rub<S>::unknowns(q)); }
 
   /// The radial oscillation is so much faster than the whirl that its errors average out.
   Unknowns scale(const Unknowns& x) const {
@@ -513,19 +523,19 @@ class Rolling : public Rub<S> {
 struct Begin {
   Event event;
   ContactState contact;
-  int direction = 0;  ///< of the slip, while sliding
+  int direction = 0;       ///< of the slip, while sliding
+  bool from_rest = false;  ///< whether the slip is zero yet
 };
 
 /// What a rim at rest on the ring does: it rolls if friction can hold it. If not, it slides to
 /// where the friction that would be needed does not want it.
 template <class S>
 Begin leave_zero_slip(const Surroundings<S>& around, const State<S>& q) {
-  using std::abs;
   const Rolling<S> rolling(around, q);
   const auto x = rolling.unknowns(q);
   const auto [pressure, grip, motor] = rolling.guards(x);
   if (grip >= 0) return {Event::rolling_onset, ContactState::rolling};
-  return {Event::slip_reversal, ContactState::sliding, rolling.friction(x) > 0 ? -1 : 1};
+  return {Event::slip_reversal, ContactState::sliding, rolling.friction(x) > 0 ? -1 : 1, true};
 }
 
 /// The rim meets the ring with the slip that it has.
@@ -534,7 +544,7 @@ Begin meet_ring(const Surroundings<S>& around, const State<S>& q, Event event) {
   const S slip = around.ring.rim_point(RotatingFrame<S>::motion(around.body, q)).slip_velocity;
   if (slip != 0) return {event, ContactState::sliding, slip > 0 ? 1 : -1};
   const Begin begin = leave_zero_slip(around, q);
-  return {event, begin.contact, begin.direction};
+  return {event, begin.contact, begin.direction, begin.from_rest};
 }
 
 /// What follows when a guard has ended a phase (not the motor's, which ends no contact).
@@ -554,7 +564,7 @@ Begin follow(Guard guard, const Surroundings<S>& around, const State<S>& q) {
     case Guard::break_away: {
       const Rolling<S> rolling(around, q);
       return {Event::break_away, ContactState::sliding,
-              rolling.friction(rolling.unknowns(q)) > 0 ? -1 : 1};
+              rolling.friction(rolling.unknowns(q)) > 0 ? -1 : 1, true};
     }
     case Guard::motor:
       break;

@@ -1,6 +1,7 @@
 /// Run time against error: each method, over its steps or tolerances, on scenes of the paper.
-/// Writes a table and build/bench/work-precision.csv. Times are of this machine; ratios are what
-/// counts. The reference is a run in extended precision by another stepper.
+/// `benchmark FOLDER` prints tables and writes FOLDER/work-precision.csv; `benchmark FOLDER PYTHON
+/// SCRIPT` asks that script, in another process, for SciPy's rows. Times are of this machine;
+/// ratios are what counts. The reference is a run in extended precision by another stepper.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,13 +11,22 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
 
 #include "figures/csv.hpp"
 #include "model/event_method.hpp"
 #include "model/published_method.hpp"
+#include "verification/peer.hpp"
 #ifdef ROTOR_SUNDIALS
-#include "verification/sundials_method.hpp"
+#include "verification/sundials_solver.hpp"
+#endif
+#ifdef ROTOR_GSL
+#include "verification/gsl_solver.hpp"
 #endif
 
 namespace rotor {
@@ -26,8 +36,13 @@ namespace odeint = boost::numeric::odeint;
 using Extended = long double;
 
 template <class S>
+using Verner = Verner87<std::array<S, 6>, S>;
+template <class S>
 using Fehlberg78 =
     odeint::runge_kutta_fehlberg78<std::array<S, 6>, S, std::array<S, 6>, S, odeint::array_algebra>;
+template <class S>
+using CashKarp54 = odeint::runge_kutta_cash_karp54<std::array<S, 6>, S, std::array<S, 6>, S,
+                                                   odeint::array_algebra>;
 
 /// Where a scene begins, known in extended precision, and where it ends.
 struct Scene {
@@ -157,23 +172,55 @@ Outcome by_odeint_off_the_shelf(const Scene& scene, double tolerance) {
   return outcome;
 }
 
-#ifdef ROTOR_SUNDIALS
-Outcome by_sundials(const Scene& scene, SundialsSolver solver, double tolerance) {
+/// A packaged solver. Makes of a tolerance the solver that has it.
+using MakeSolver = std::function<std::unique_ptr<PeerSolver>(double tolerance)>;
+
+Outcome by_peer(const Scene& scene, PeerCoordinates coordinates, PeerSolver& solver) {
   Outcome outcome;
   Landmarks<double> landmarks(scene.scenario.parameters);
-  SundialsMethod method(scene.scenario, solver, tolerance, landmarks, outcome.work);
+  PeerMethod method(scene.scenario, coordinates, solver, landmarks, outcome.work);
   outcome.state = method.rub(rounded(scene.start), scene.scenario.until).state;
   outcome.touch_downs = landmarks.touch_downs;
   outcome.peak_force = std::numeric_limits<double>::quiet_NaN();  // it is shown events alone
   return outcome;
 }
+
+struct Peer {
+  std::string name;
+  PeerCoordinates coordinates;
+  MakeSolver make;
+};
+
+std::vector<Peer> peers() {
+  std::vector<Peer> all;
+  [[maybe_unused]] const auto add = [&](const std::string& name, const MakeSolver& make,
+                                        bool in_ours_as_well) {
+    all.push_back({name, PeerCoordinates::of_the_paper, make});
+    if (in_ours_as_well)
+      all.push_back({name + ", our coordinates", PeerCoordinates::of_the_phases, make});
+  };
+#ifdef ROTOR_SUNDIALS
+  using Kind = SundialsSolver::Kind;
+  const auto sundials = [](Kind kind) {
+    return [kind](double tolerance) { return std::make_unique<SundialsSolver>(kind, tolerance); };
+  };
+  add("CVODE Adams", sundials(Kind::adams), true);
+  add("CVODE BDF", sundials(Kind::bdf), false);
+  add("ARKODE ERK 5", sundials(Kind::erk5), false);
+  add("ARKODE ERK 8", sundials(Kind::erk8), true);
 #endif
+#ifdef ROTOR_GSL
+  add(
+      "GSL rk8pd", [](double tolerance) { return std::make_unique<GslSolver>(tolerance); }, true);
+#endif
+  return all;
+}
 
 struct Row {
   std::string scene, method, setting;
   double error_state{}, error_event_s{}, error_peak{}, time_s{}, time_median_s{};
   long right_hand_sides{}, steps{};
-  std::size_t events{};
+  long events{};
 };
 
 /// Of the position in parts of the clearance, of the velocity in parts of clearance times speed, of
@@ -196,41 +243,31 @@ double event_error(const Outcome& a, const Outcome& exact) {
   return largest;
 }
 
+const std::string ours = "event Verner 8(7)", published = "published RK4";
+
 class Benchmark {
  public:
   using Solve = std::function<Outcome(const Scene&)>;
 
   explicit Benchmark(double seconds_per_row) : seconds_per_row_(seconds_per_row) {}
 
-  void add(const Scene& scene, const Outcome& exact, const std::string& method,
-           const std::string& setting, const Solve& solve) {
-    Row row{.scene = scene.name, .method = method, .setting = setting};
-    try {
-      std::vector<double> times;
-      Outcome outcome;
-      double total = 0;
-      while (times.empty() || (total < seconds_per_row_ && times.size() < 200)) {
-        const auto begin = std::chrono::steady_clock::now();
-        outcome = solve(scene);
-        times.push_back(
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-        total += times.back();
-      }
-      std::ranges::sort(times);
-      row.error_state = state_error(scene, outcome, exact);
-      row.error_event_s = event_error(outcome, exact);
-      row.error_peak =
-          exact.peak_force > 0 ? std::abs(outcome.peak_force / exact.peak_force - 1) : 0;
-      row.time_s = times.front();
-      row.time_median_s = times[times.size() / 2];
-      row.right_hand_sides = outcome.work.right_hand_sides;
-      row.steps = outcome.work.steps;
-      row.events = static_cast<std::size_t>(outcome.work.located_events);
-    } catch (const std::runtime_error&) {
-      const double none = std::numeric_limits<double>::quiet_NaN();  // a failed solve is listed
-      row.error_state = row.error_event_s = row.error_peak = row.time_s = row.time_median_s = none;
-    }
-    fmt::print("{:<22} {:<22} {:>8} {:>9.1e} {:>9.1e} {:>9.1e} {:>10.3f} {:>9} {:>8}\n", row.scene,
+  /// A row to be measured in the next run().
+  void enter(const std::string& method, const std::string& setting, const Solve& solve) {
+    entries_.push_back({method, setting, solve, {}, {}, true});
+  }
+
+  /// Measures what has been entered, in turns, so that a slow spell of the machine hits all alike.
+  void run(const Scene& scene, const Outcome& exact) {
+    constexpr int rounds = 50;
+    for (int round = 0; round < rounds; ++round)
+      for (Entry& entry : entries_)
+        if (entry.works && entry.total_s() < seconds_per_row_) measure(entry, scene);
+    for (const Entry& entry : entries_) add(row(entry, scene, exact));
+    entries_.clear();
+  }
+
+  void add(const Row& row) {
+    fmt::print("{:<14} {:<29} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>10.3f} {:>9} {:>8}\n", row.scene,
                row.method, row.setting, row.error_state, row.error_event_s, row.error_peak,
                1e3 * row.time_s, row.right_hand_sides, row.steps);
     std::fflush(stdout);
@@ -251,28 +288,72 @@ class Benchmark {
 
   /// How many times longer the others take for the same error of the state.
   void print_ratios() const {
-    const std::string ours = "event Verner 8(7)";
     fmt::print("\nTime at equal error of the state, in units of the event method's\n");
     std::vector<std::pair<std::string, std::string>> curves;
     for (const Row& row : rows_)
       if (row.method != ours &&
           std::ranges::find(curves, std::pair{row.scene, row.method}) == curves.end())
         curves.emplace_back(row.scene, row.method);
-    fmt::print("{:<22} {:<22}", "scene", "method");
+    fmt::print("{:<14} {:<29}", "scene", "method");
     for (int digits = 3; digits <= 10; ++digits) fmt::print(" {:>8}", fmt::format("1e-{}", digits));
     fmt::print("\n");
     for (const auto& [scene, method] : curves) {
-      fmt::print("{:<22} {:<22}", scene, method);
+      fmt::print("{:<14} {:<29}", scene, method);
       for (int digits = 3; digits <= 10; ++digits) {
         const double error = std::pow(10, -digits);
-        const double ratio = time_at(scene, method, error) / time_at(scene, ours, error);
-        fmt::print(" {:>8}", std::isnan(ratio) ? "-" : fmt::format("{:.1f}", ratio));
+        const double ours_s = time_at(scene, ours, error);
+        const double ratio = time_at(scene, method, error) / ours_s;
+        const double far_ratio = extrapolated(scene, method, error) / ours_s;
+        fmt::print(" {:>8}", !std::isnan(ratio)       ? fmt::format("{:.1f}", ratio)
+                             : !std::isnan(far_ratio) ? fmt::format("({:.1e})", far_ratio)
+                                                      : "-");
       }
       fmt::print("\n");
     }
+    fmt::print("In brackets: extrapolated by the order that the published method shows there.\n");
   }
 
  private:
+  struct Entry {
+    std::string method, setting;
+    Solve solve;
+    std::vector<double> times;
+    Outcome outcome;
+    bool works;
+
+    double total_s() const { return std::accumulate(times.begin(), times.end(), 0.); }
+  };
+
+  static void measure(Entry& entry, const Scene& scene) {
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      entry.outcome = entry.solve(scene);
+    } catch (const std::runtime_error&) {
+      entry.works = false;
+    }
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    entry.times.push_back(time.count());
+  }
+
+  static Row row(const Entry& entry, const Scene& scene, const Outcome& exact) {
+    Row row{.scene = scene.name, .method = entry.method, .setting = entry.setting};
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    row.error_state = row.error_event_s = row.error_peak = row.time_s = row.time_median_s = none;
+    if (!entry.works) return row;  // a failed solve is listed
+    std::vector<double> times = entry.times;
+    std::ranges::sort(times);
+    const Outcome& outcome = entry.outcome;
+    row.error_state = state_error(scene, outcome, exact);
+    row.error_event_s = event_error(outcome, exact);
+    row.error_peak = exact.peak_force > 0 ? std::abs(outcome.peak_force / exact.peak_force - 1) : 0;
+    row.time_s = times.front();
+    row.time_median_s = times[times.size() / 2];
+    row.right_hand_sides = outcome.work.right_hand_sides;
+    row.steps = outcome.work.steps;
+    row.events = outcome.work.located_events;
+    return row;
+  }
+
   /// The time at which a curve reaches an error, between two of its points in logarithms; not a
   /// number if it never does.
   double time_at(const std::string& scene, const std::string& method, double error) const {
@@ -292,7 +373,24 @@ class Benchmark {
     return std::numeric_limits<double>::quiet_NaN();
   }
 
+  /// The same for the published method beyond its shortest step, by its order between its longest
+  /// and its shortest step.
+  double extrapolated(const std::string& scene, const std::string& method, double error) const {
+    if (method != published) return std::numeric_limits<double>::quiet_NaN();
+    std::vector<const Row*> curve;
+    for (const Row& row : rows_)
+      if (row.scene == scene && row.method == method && row.error_state > 0) curve.push_back(&row);
+    if (curve.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    const Row &coarse = *curve.front(), &fine = *curve.back();
+    const double order =
+        std::log(coarse.error_state / fine.error_state) /
+        std::log(static_cast<double>(fine.steps) / static_cast<double>(coarse.steps));
+    if (!(order > 0.5 && error < fine.error_state)) return std::numeric_limits<double>::quiet_NaN();
+    return fine.time_s * std::pow(fine.error_state / error, 1 / order);
+  }
+
   double seconds_per_row_;
+  std::vector<Entry> entries_;
   std::vector<Row> rows_;
 };
 
@@ -351,44 +449,113 @@ std::vector<Scene> scenes() {
 
 std::string power(int digits) { return fmt::format("1e-{}", digits); }
 
-int main(const std::filesystem::path& file) {
-  Benchmark benchmark(0.15);
-  fmt::print("{:<22} {:<22} {:>8} {:>9} {:>9} {:>9} {:>10} {:>9} {:>8}\n", "scene", "method",
-             "setting", "state", "event, s", "peak", "time, ms", "rhs", "steps");
-  for (const Scene& scene : scenes()) {
-    const Outcome exact = by_events<Extended, Fehlberg78<Extended>>(scene, 1e-15L);
-    for (int digits = 3; digits <= 12; ++digits)
-      benchmark.add(scene, exact, "event Verner 8(7)", power(digits), [=](const Scene& s) {
-        return by_events<double, Verner87<std::array<double, 6>, double>>(s, std::pow(10, -digits));
-      });
-    for (int digits = 4; digits <= 12; digits += 2)
-      benchmark.add(scene, exact, "event Fehlberg 7(8)", power(digits), [=](const Scene& s) {
-        return by_events<double, Fehlberg78<double>>(s, std::pow(10, -digits));
-      });
-    const double published = scene.is_run_up ? 1e-4 : 5e-6;
-    for (const int part : {1, 2, 4, 8, 16})
-      benchmark.add(scene, exact, "published RK4", fmt::format("h/{}", part),
-                    [=](const Scene& s) { return by_fixed_steps(s, published / part); });
-#ifdef ROTOR_SUNDIALS
-    const std::pair<const char*, SundialsSolver> solvers[] = {
-        {"CVODE Adams", SundialsSolver::adams},
-        {"CVODE BDF", SundialsSolver::bdf},
-        {"ARKODE ERK 5", SundialsSolver::erk5},
-        {"ARKODE ERK 8", SundialsSolver::erk8}};
-    for (const auto& [name, solver] : solvers)
-      for (int digits = 4; digits <= 11; ++digits)
-        benchmark.add(scene, exact, name, power(digits), [=, solver = solver](const Scene& s) {
-          return by_sundials(s, solver, std::pow(10, -digits));
-        });
-#endif
-    for (int digits = 3; digits <= 8; ++digits)
-      benchmark.add(scene, exact, "Odeint off the shelf", power(digits), [=](const Scene& s) {
-        return by_odeint_off_the_shelf(s, std::pow(10, -digits));
-      });
+/// What another process needs to run the scenes.
+void write_scenes(const std::vector<Scene>& scenes, const std::vector<Outcome>& exact,
+                  const std::filesystem::path& file) {
+  nlohmann::json all;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Scene& scene = scenes[i];
+    const Instant first = rounded(scene.start);
+    nlohmann::json json{{"name", scene.name},
+                        {"from_s", first.time_s},
+                        {"until_s", scene.scenario.until},
+                        {"state", first.state},
+                        {"mass", first.body.mass},
+                        {"inertia", first.body.inertia},
+                        {"eccentricity", first.body.eccentricity},
+                        {"motor_on", first.motor_on},
+                        {"rolling", first.contact == ContactState::rolling},
+                        {"exact_state", exact[i].state},
+                        {"exact_touch_downs", exact[i].touch_downs}};
+    for (const Quantity& quantity : quantities())
+      json["parameters"][std::string(quantity.name)] = quantity.of(scene.scenario);
+    all.push_back(json);
   }
+  std::ofstream(file) << all.dump(1);
+}
+
+/// Rows as Benchmark::csv writes them.
+std::vector<Row> read_rows(const std::filesystem::path& file) {
+  std::vector<Row> rows;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream fields(line);
+    const auto text = [&] {
+      std::string field;
+      std::getline(fields, field, ',');
+      return field;
+    };
+    const auto number = [&] { return std::stod(text()); };
+    Row row{.scene = text(), .method = text(), .setting = text()};
+    for (double* value :
+         {&row.error_state, &row.error_event_s, &row.error_peak, &row.time_s, &row.time_median_s})
+      *value = number();
+    row.right_hand_sides = static_cast<long>(number());
+    row.steps = static_cast<long>(number());
+    row.events = static_cast<long>(number());
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<Row> rows_of_scipy(const std::vector<Scene>& scenes, const std::vector<Outcome>& exact,
+                               const std::filesystem::path& folder, const std::string& python,
+                               const std::string& script) {
+  const auto input = folder / "scenes.json", output = folder / "scipy.csv";
+  write_scenes(scenes, exact, input);
+  const std::string command =
+      fmt::format("'{}' '{}' '{}' '{}'", python, script, input.string(), output.string());
+  if (std::system(command.c_str()) != 0) {
+    fmt::print("Without SciPy, which make deps-bench installs.\n");
+    return {};
+  }
+  return read_rows(output);
+}
+
+void enter_methods(const Scene& scene, Benchmark& benchmark) {
+  const auto sweep = [&](const std::string& method, int first, int last, const auto& solve) {
+    for (int digits = first; digits <= last; ++digits)
+      benchmark.enter(method, power(digits),
+                      [=](const Scene& s) { return solve(s, std::pow(10, -digits)); });
+  };
+  sweep(ours, 3, 12, by_events<double, Verner<double>>);
+  sweep("event Fehlberg 7(8)", 4, 11, by_events<double, Fehlberg78<double>>);
+  sweep("event Cash-Karp 5(4)", 4, 9, by_events<double, CashKarp54<double>>);
+  const double step = scene.is_run_up ? 1e-4 : 5e-6;
+  for (const int part : {1, 2, 4, 8, 16})
+    benchmark.enter(published, fmt::format("h/{}", part),
+                    [=](const Scene& s) { return by_fixed_steps(s, step / part); });
+  for (const Peer& peer : peers())
+    sweep(peer.name, 4, 11, [=](const Scene& s, double tolerance) {
+      const auto solver = peer.make(tolerance);
+      return by_peer(s, peer.coordinates, *solver);
+    });
+  sweep("Odeint off the shelf", 3, 6, by_odeint_off_the_shelf);
+}
+
+int main(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 1 && arguments.size() != 3)
+    throw std::runtime_error("needs: FOLDER [PYTHON SCRIPT]");
+  const std::filesystem::path folder = arguments[0];
+  std::filesystem::create_directories(folder);
+  const std::vector<Scene> all = scenes();
+  std::vector<Outcome> exact;
+  for (const Scene& scene : all)
+    exact.push_back(by_events<Extended, Fehlberg78<Extended>>(scene, 1e-15L));
+
+  Benchmark benchmark(0.1);
+  fmt::print("{:<14} {:<29} {:>6} {:>8} {:>8} {:>8} {:>10} {:>9} {:>8}\n", "scene", "method", "set",
+             "state", "event, s", "peak", "time, ms", "rhs", "steps");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    enter_methods(all[i], benchmark);
+    benchmark.run(all[i], exact[i]);
+  }
+  if (arguments.size() == 3)
+    for (const Row& row : rows_of_scipy(all, exact, folder, arguments[1], arguments[2]))
+      benchmark.add(row);
   benchmark.print_ratios();
   FileTransaction files;
-  files.write(file, benchmark.csv());
+  files.write(folder / "work-precision.csv", benchmark.csv());
   files.commit();
   return 0;
 }
@@ -398,7 +565,7 @@ int main(const std::filesystem::path& file) {
 
 int main(int argc, char** argv) {
   try {
-    return rotor::main(argc > 1 ? argv[1] : "work-precision.csv");
+    return rotor::main({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     fmt::print(stderr, "benchmark: {}\n", error.what());
     return 1;

@@ -8,7 +8,7 @@ set ylabel "time, ms"
 set xrange [1e-14:1] reverse
 set key outside right top Left reverse
 scenes = "'run-up' 'rub mu = 0.3' 'rub mu = 0.2' 'rub mu = 0.08' 'no contact' 'single impact' 'rolling'"
-methods = "'event Verner 8(7)' 'event Fehlberg 7(8)' 'published RK4' 'Odeint off the shelf' 'CVODE Adams' 'CVODE BDF' 'ARKODE ERK 5' 'ARKODE ERK 8'"
+methods = "'event Verner 8(7)' 'event Fehlberg 7(8)' 'event Cash-Karp 5(4)' 'published RK4' 'Odeint off the shelf' 'CVODE Adams' 'CVODE BDF' 'ARKODE ERK 5' 'ARKODE ERK 8' 'GSL rk8pd' 'GSL rk8pd, our coordinates' 'SciPy DOP853' 'SciPy LSODA'"
 of(scene, method, c) = strcol("scene") eq scene && strcol("method") eq method ? column(c) : NaN
 do for [i = 1:words(scenes)] {
   scene = word(scenes, i)
