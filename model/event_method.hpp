@@ -287,6 +287,10 @@ class EventMethod {
       const auto wanted = [&](Extreme of, const S& bound, const S& from, const S& until) {
         return observer_.wants(of, bound, start.time_s + from, start.time_s + until);
       };
+      const S anything = std::numeric_limits<S>::infinity();
+      if (!wanted(Extreme::displacement, anything, S(0), length) &&
+          !wanted(Extreme::normal_force, anything, S(0), length))
+        return found;
       const auto reach = path.reach();
       if (reach && !wanted(Extreme::displacement, *reach, S(0), length)) return found;
       const int arcs = phase.arcs(path.start().x, length);

@@ -134,6 +134,13 @@ class Flight {
     return around_.motor_on ? around_.motor_off - x[5] : S(1);
   }
 
+  /// Of C in the steady response to the unbalance, as far as that is subtracted, m.
+  S steady_amplitude(const Unknowns& x) const {
+    if (!subtracts_response_) return S(0);
+    return around_.body.eccentricity *
+           around_.supports.unbalance_response(around_.body.mass, x[5]).factor.norm();
+  }
+
   const Surroundings<S>& around_;
 
  private:
@@ -186,19 +193,15 @@ class FreeFlight : public Flight<S> {
 
   /// Whether no guard can end the phase within a step from x to y of length h.
   bool passes(const Unknowns& x, const Unknowns& y, const S& h) const {
-    const auto farthest = reach(x, y, h);
-    return farthest && *farthest < this->around_.ring.clearance &&
-           (!this->around_.motor_on || motion_bounds(x, h)->speed < this->around_.motor_off);
+    const auto bounds = motion_bounds(x, h);
+    return bounds && reach(*bounds, x, y, h) < this->around_.ring.clearance &&
+           (!this->around_.motor_on || bounds->speed < this->around_.motor_off);
   }
 
   /// A bound of rho within a step from x to y of length h, if it can be told, m.
   std::optional<S> reach(const Unknowns& x, const Unknowns& y, const S& h) const {
-    using std::max, std::sqrt;
     const auto bounds = motion_bounds(x, h);
-    if (!bounds) return std::nullopt;
-    const S farther = max(this->motion(x).mass_centre().squaredNorm(),
-                          this->motion(y).mass_centre().squaredNorm());
-    return sqrt(farther) + bounds->acceleration * h * h / 8 + this->around_.body.eccentricity;
+    return bounds ? std::optional(reach(*bounds, x, y, h)) : std::nullopt;
   }
 
   /// The largest second derivative that a guard can have from x on for a time h, if it can be told.
@@ -228,6 +231,14 @@ class FreeFlight : public Flight<S> {
     S angular_acceleration;
   };
 
+  S reach(const Bounds& bounds, const Unknowns& x, const Unknowns& y, const S& h) const {
+    using std::max, std::sqrt;
+    const S farther = max(x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1]);
+    const S of_C = sqrt(farther) + max(this->steady_amplitude(x), this->steady_amplitude(y)) +
+                   bounds.acceleration * h * h / 8;
+    return of_C + this->around_.body.eccentricity;
+  }
+
   /// Bounds that hold from x on for a time h, as long as O is inside the clearance. The velocity is
   /// assumed to stay below a bound; if the loads that this allows cannot drive it there, it does.
   std::optional<Bounds> motion_bounds(const Unknowns& x, const S& h) const {
@@ -235,7 +246,8 @@ class FreeFlight : public Flight<S> {
     const Body<S>& body = this->around_.body;
     const Supports<S>& supports = this->around_.supports;
     const S clearance = this->around_.ring.clearance, e = body.eccentricity;
-    const S velocity_of_C = this->motion(x).mass_centre_velocity().norm(), speed = abs(x[5]);
+    const S speed = abs(x[5]);
+    const S velocity_of_C = sqrt(x[3] * x[3] + x[4] * x[4]) + speed * this->steady_amplitude(x);
     const S spring = supports.stiffness * clearance;
 
     const S velocity = 2 * (velocity_of_C + speed * e + spring / body.mass * h);

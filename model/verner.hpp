@@ -126,9 +126,17 @@ using Verner87Base =
 template <class State, class S>
 class Verner87 : public Verner87Base<State, S> {
  public:
-  Verner87()
-      : Verner87Base<State, S>(verner::stages<S>(), verner::weights<S>(),
-                               verner::error_weights<S>(), verner::nodes<S>()) {}
+  Verner87() : Verner87(tableau()) {}
+
+ private:
+  explicit Verner87(const Verner87Base<State, S>& tableau) : Verner87Base<State, S>(tableau) {}
+
+  /// Read from its digits once.
+  static const Verner87Base<State, S>& tableau() {
+    static const Verner87Base<State, S> read(verner::stages<S>(), verner::weights<S>(),
+                                             verner::error_weights<S>(), verner::nodes<S>());
+    return read;
+  }
 };
 
 }  // namespace rotor
