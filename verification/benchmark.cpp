@@ -197,7 +197,7 @@ std::vector<Peer> peers() {
                                         bool in_ours_as_well) {
     all.push_back({name, PeerCoordinates::of_the_paper, make});
     if (in_ours_as_well)
-      all.push_back({name + ", our coordinates", PeerCoordinates::of_the_phases, make});
+      all.push_back({name + " in our coordinates", PeerCoordinates::of_the_phases, make});
   };
 #ifdef ROTOR_SUNDIALS
   using Kind = SundialsSolver::Kind;
@@ -220,7 +220,7 @@ struct Row {
   std::string scene, method, setting;
   double error_state{}, error_event_s{}, error_peak{}, time_s{}, time_median_s{};
   long right_hand_sides{}, steps{};
-  long events{};
+  long events{}, contact_evaluations{};
 };
 
 /// Of the position in parts of the clearance, of the velocity in parts of clearance times speed, of
@@ -243,7 +243,13 @@ double event_error(const Outcome& a, const Outcome& exact) {
   return largest;
 }
 
+double peak_error(const Outcome& a, const Outcome& exact) {
+  return exact.peak_force > 0 ? std::abs(a.peak_force / exact.peak_force - 1) : 0;
+}
+
 const std::string ours = "event Verner 8(7)", published = "published RK4";
+
+std::string power(int digits) { return fmt::format("1e-{}", digits); }
 
 class Benchmark {
  public:
@@ -267,7 +273,7 @@ class Benchmark {
   }
 
   void add(const Row& row) {
-    fmt::print("{:<14} {:<29} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>10.3f} {:>9} {:>8}\n", row.scene,
+    fmt::print("{:<14} {:<31} {:>6} {:>8.1e} {:>8.1e} {:>8.1e} {:>10.3f} {:>9} {:>8}\n", row.scene,
                row.method, row.setting, row.error_state, row.error_event_s, row.error_peak,
                1e3 * row.time_s, row.right_hand_sides, row.steps);
     std::fflush(stdout);
@@ -286,19 +292,53 @@ class Benchmark {
     return text;
   }
 
+  /// What the scene's reference is off by, as far as another stepper and tolerance can tell.
+  void add_reference(const Scene& scene, const Outcome& exact, const Outcome& other) {
+    add({.scene = scene.name,
+         .method = "reference",
+         .setting = "",
+         .error_state = std::max(1e-17, state_error(scene, other, exact)),
+         .error_event_s = event_error(other, exact),
+         .error_peak = peak_error(other, exact)});
+  }
+
+  /// Nothing that a scene does not need: what ours does at a tolerance of 1e-8.
+  void print_needs(const std::vector<Scene>& scenes, const std::vector<Outcome>& exact) const {
+    fmt::print(
+        "\nWhat a scene needs (event Verner 8(7), tolerance 1e-8). Pairs of sine and cosine: one a "
+        "right-hand side in flight, two in contact.\n");
+    fmt::print("{:<14} {:>9} {:>9} {:>9} {:>9} {:>7} {:>9} {:>12} {:>14}\n", "scene", "time, s",
+               "contacts", "rhs", "of contact", "events", "pairs", "ms of 1 s", "us a contact");
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const Scene& scene = scenes[i];
+      const auto row = std::ranges::find_if(rows_, [&](const Row& r) {
+        return r.scene == scene.name && r.method == ours && r.setting == power(8);
+      });
+      if (row == rows_.end()) continue;
+      const double duration = scene.scenario.until - static_cast<double>(scene.start.time_s);
+      const auto contacts = exact[i].touch_downs.size();
+      fmt::print("{:<14} {:>9.3f} {:>9} {:>9} {:>10} {:>7} {:>9} {:>12.2f} {:>14}\n", scene.name,
+                 duration, contacts, row->right_hand_sides, row->contact_evaluations, row->events,
+                 row->right_hand_sides + row->contact_evaluations, 1e3 * row->time_s / duration,
+                 contacts > 0
+                     ? fmt::format("{:.0f}", 1e6 * row->time_s / static_cast<double>(contacts))
+                     : "-");
+    }
+  }
+
   /// How many times longer the others take for the same error of the state.
   void print_ratios() const {
     fmt::print("\nTime at equal error of the state, in units of the event method's\n");
     std::vector<std::pair<std::string, std::string>> curves;
     for (const Row& row : rows_)
-      if (row.method != ours &&
+      if (row.method != ours && row.method != "reference" &&
           std::ranges::find(curves, std::pair{row.scene, row.method}) == curves.end())
         curves.emplace_back(row.scene, row.method);
-    fmt::print("{:<14} {:<29}", "scene", "method");
+    fmt::print("{:<14} {:<31}", "scene", "method");
     for (int digits = 3; digits <= 10; ++digits) fmt::print(" {:>8}", fmt::format("1e-{}", digits));
     fmt::print("\n");
     for (const auto& [scene, method] : curves) {
-      fmt::print("{:<14} {:<29}", scene, method);
+      fmt::print("{:<14} {:<31}", scene, method);
       for (int digits = 3; digits <= 10; ++digits) {
         const double error = std::pow(10, -digits);
         const double ours_s = time_at(scene, ours, error);
@@ -345,12 +385,13 @@ class Benchmark {
     const Outcome& outcome = entry.outcome;
     row.error_state = state_error(scene, outcome, exact);
     row.error_event_s = event_error(outcome, exact);
-    row.error_peak = exact.peak_force > 0 ? std::abs(outcome.peak_force / exact.peak_force - 1) : 0;
+    row.error_peak = peak_error(outcome, exact);
     row.time_s = times.front();
     row.time_median_s = times[times.size() / 2];
     row.right_hand_sides = outcome.work.right_hand_sides;
     row.steps = outcome.work.steps;
     row.events = outcome.work.located_events;
+    row.contact_evaluations = outcome.work.contact_evaluations;
     return row;
   }
 
@@ -447,8 +488,6 @@ std::vector<Scene> scenes() {
   return all;
 }
 
-std::string power(int digits) { return fmt::format("1e-{}", digits); }
-
 /// What another process needs to run the scenes.
 void write_scenes(const std::vector<Scene>& scenes, const std::vector<Outcome>& exact,
                   const std::filesystem::path& file) {
@@ -544,9 +583,11 @@ int main(const std::vector<std::string>& arguments) {
     exact.push_back(by_events<Extended, Fehlberg78<Extended>>(scene, 1e-15L));
 
   Benchmark benchmark(0.1);
-  fmt::print("{:<14} {:<29} {:>6} {:>8} {:>8} {:>8} {:>10} {:>9} {:>8}\n", "scene", "method", "set",
+  fmt::print("{:<14} {:<31} {:>6} {:>8} {:>8} {:>8} {:>10} {:>9} {:>8}\n", "scene", "method", "set",
              "state", "event, s", "peak", "time, ms", "rhs", "steps");
   for (std::size_t i = 0; i < all.size(); ++i) {
+    benchmark.add_reference(all[i], exact[i],
+                            by_events<Extended, Verner<Extended>>(all[i], 1e-16L));
     enter_methods(all[i], benchmark);
     benchmark.run(all[i], exact[i]);
   }
@@ -554,6 +595,7 @@ int main(const std::vector<std::string>& arguments) {
     for (const Row& row : rows_of_scipy(all, exact, folder, arguments[1], arguments[2]))
       benchmark.add(row);
   benchmark.print_ratios();
+  benchmark.print_needs(all, exact);
   FileTransaction files;
   files.write(folder / "work-precision.csv", benchmark.csv());
   files.commit();
