@@ -131,10 +131,14 @@ bench: need-deps ## run time against error of every method, with pictures, into 
 	  cmake --build $(BUILD) --target micro-costs >/dev/null && $(BUILD)/micro-costs; \
 	else echo "Without Google Benchmark, which make deps-bench installs."; fi
 
-stress: need-deps ## a hundred thousand random rotors, and the stability of the published steps (minutes)
-	@$(call configure-and-build,--target stress)
+stress: need-deps ## a hundred thousand random rotors, stability, precision: numbers and pictures (minutes)
+	@$(call configure-and-build,--target stress precision)
 	@$(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
+	@$(BUILD)/precision reference-data/high-precision.csv $(BUILD)/stress-results
+	@gnuplot -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
+	  figures/style.gp verification/stress.gp
+	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)
 
 clean: ## remove everything that was made
 	rm -rf $(BUILD)

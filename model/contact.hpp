@@ -46,11 +46,11 @@ struct Ring {
   S friction;      ///< mu
 
   explicit Ring(const Parameters& p)
-      : rotor_radius(p.rotor_radius),
+      : rotor_radius(S(p.rotor_radius)),
         clearance(S(p.stator_radius) - S(p.rotor_radius)),
-        stiffness(p.contact_stiffness),
-        damping(p.contact_damping),
-        friction(p.friction) {}
+        stiffness(S(p.contact_stiffness)),
+        damping(S(p.contact_damping)),
+        friction(S(p.friction)) {}
 
   bool is_clear_of(const Motion<S>& motion) const {
     return motion.displacement.squaredNorm() <= clearance * clearance;
@@ -83,7 +83,7 @@ struct Ring {
 
   /// F_tau against a sliding rim. `direction` is the sign of the slip velocity.
   S sliding_friction(const S& normal_force, int direction) const {
-    return direction * friction * normal_force;  // Eqs. (22)-(24): F_n < 0
+    return S(direction) * friction * normal_force;  // Eqs. (22)-(24): F_n < 0
   }
 
   /// Generalised forces of the contact. F_n passes through O_a and has no moment about it.

@@ -30,11 +30,12 @@ class EventMethod {
       : tolerance_(tolerance),
         observer_(observer),
         work_(work),
-        around_{.body = Body<S>::of(scenario.parameters),
-                .supports = Supports<S>(scenario.parameters, scenario.equations),
-                .ring = Ring<S>(scenario.parameters),
-                .motor_off = boost::math::constants::two_pi<S>() * scenario.parameters.motor_off_Hz,
-                .motor_on = true} {}
+        around_{
+            .body = Body<S>::of(scenario.parameters),
+            .supports = Supports<S>(scenario.parameters, scenario.equations),
+            .ring = Ring<S>(scenario.parameters),
+            .motor_off = boost::math::constants::two_pi<S>() * S(scenario.parameters.motor_off_Hz),
+            .motor_on = true} {}
 
   /// As many whole steps as end before `until_s`, and before the ring is touched, so that the
   /// run-up has the same steps whoever leaves it when.
@@ -138,7 +139,7 @@ class EventMethod {
       const S length = (last ? until_s : S(at.time_s + step)) - at.time_s;
       Point b{.time = length};
       const double error = take_step(phase, a, b);
-      const double factor = step_factor(error);
+      const S factor = static_cast<S>(step_factor(error));
       if (!(error <= 1)) {
         step = length * factor;
         require_progress(at, step);
@@ -296,7 +297,7 @@ class EventMethod {
       const int arcs = phase.arcs(path.start().x, length);
       Point left = path.start();
       for (int n = 1; n <= arcs; ++n) {
-        const Point right = path.interpolated(length * n / arcs);
+        const Point right = path.interpolated(length * S(n) / S(arcs));
         const auto at_left = phase.maxima(left.x, left.rates);
         const auto at_right = phase.maxima(right.x, right.rates);
         for (std::size_t i = 0; i < at_left.size(); ++i) {
@@ -345,7 +346,7 @@ class EventMethod {
         Point point = start_;
         for (std::size_t i = 0; i < 3; ++i) {
           nodes[i] = {point.time, point.x, point.rates};
-          if (i < 2) point = step(point, end_.time * static_cast<int>(i + 1) / 3);
+          if (i < 2) point = step(point, end_.time * S(i + 1) / 3);
         }
         nodes[3] = {end_.time, end_.x, end_.rates};
         polynomial_.emplace(nodes);

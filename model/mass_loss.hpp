@@ -14,7 +14,7 @@ struct MassLoss {
   S piece_distance;  ///< r + e_x, of the piece from C, m
 
   explicit MassLoss(const Parameters& p) : before(Body<S>::of(p)) {
-    const S r(p.rotor_radius), m = before.mass, e = before.eccentricity;
+    const S r = S(p.rotor_radius), m = before.mass, e = before.eccentricity;
     const S e_1 = S(p.unbalance_factor) * e;
     piece_distance = r + e;
     lost_mass = m * (e_1 - e) / (r + e_1);  // Eq. (5)

@@ -89,10 +89,10 @@ struct Supports {
   bool balanced_by_springs;  ///< whether the springs' preload takes its part of the gravity moment
 
   Supports(const Parameters& p, Equations equations)
-      : stiffness(p.support_stiffness),
-        damping(p.support_damping),
-        gravity(p.gravity),
-        torque(p.torque),
+      : stiffness(S(p.support_stiffness)),
+        damping(S(p.support_damping)),
+        gravity(S(p.gravity)),
+        torque(S(p.torque)),
         balanced_by_springs(equations == Equations::consistent) {}
 
   Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
