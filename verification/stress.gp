@@ -10,7 +10,7 @@ set format x "10^{%T}"
 set format y "10^{%T}"
 set xlabel "contact stiffness k_t, N/m"
 set ylabel "step, s"
-set key bottom left
+set key top right
 dampings = "0 10000 1000000 10000000"
 of(d, c) = column("contact_damping_Ns_per_m") == d ? column(c) : NaN
 k_t = "contact_stiffness_N_per_m"
@@ -30,10 +30,9 @@ set output file("precision")
 set title "{/:Bold Error against tolerance, by precision:} position at 29.35 s"
 set xlabel "tolerance"
 set ylabel "error in parts of the clearance"
-set xrange [1e-2:1e-18] reverse
-set xrange [1e-18:1e-2] reverse
+set xrange [1e-18:1e-2]
 set yrange [1e-16:10]
-set key top right
+set key bottom right
 in(f, p, c) = column("friction") == f && strcol("precision") eq p ? column(c) : NaN
 precisions = "single double extended"
 frictions = "0.3 0.08"
@@ -46,10 +45,11 @@ set output file("growth")
 set title "{/:Bold A disturbance of the position} at the mass loss, from contact to contact"
 unset logscale x
 set format x "%g"
-set autoscale
+set xrange [0:*]
+set yrange [*:*]
 set xlabel "contact"
 set ylabel "times its size"
-set key bottom right
+set key at graph 0.98, graph 0.3
 with(f, c) = column("friction") == f ? column(c) : NaN
 all = "0.3 0.2 0.08"
 plot for [i = 1:3] folder."/growth.csv" using (column("contact")):(with(word(all, i) + 0, "factor")) \
