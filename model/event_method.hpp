@@ -222,7 +222,6 @@ class EventMethod {
     std::optional<Guard> first;
     for (std::size_t i = 0; i < before.size(); ++i) {
       before[i].time = 0;
-      before[i].value = std::max(before[i].value, S(0));  // a phase starts with all fulfilled
       const auto guard = [&](const Unknowns& x) { return phase.guards(x)[i]; };
       const auto curvature = phase.greatest_curvature(i, start.x, end.time);
       const auto crossing = path.crossing(guard, before[i], (*guards)[i], curvature);
