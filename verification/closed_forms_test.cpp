@@ -12,8 +12,6 @@
 namespace rotor {
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
-
 struct Events : Observer {
   using Observer::see;
   void see(const Instant& at) override {
