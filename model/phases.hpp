@@ -56,7 +56,8 @@ class Flight {
     using std::cos, std::sin;
     angle_ = q[2];
     down_ = Vector<S>(cos(angle_), -sin(angle_));
-    const S critical = around_.supports.stiffness / around_.body.mass;  // speed, squared
+    // Near the critical speed the response changes too fast with the speed to be worth it.
+    const S critical = around_.supports.stiffness / around_.body.mass;  // squared
     subtracts_response_ = q[5] * q[5] > 4 * critical;
   }
 
