@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -19,6 +20,13 @@ std::filesystem::path draft_of(std::filesystem::path file) { return file += ".pa
 }
 
 }  // namespace
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line + ",");  // so that an empty last cell counts
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
 
 std::string to_csv(const std::vector<std::string>& provenance, std::string_view names,
                    const std::vector<const Column*>& columns,

@@ -23,6 +23,9 @@ std::string to_csv(const std::vector<std::string>& provenance, std::string_view 
                    const std::vector<const Column*>& columns,
                    const std::vector<NamedTable>& tables);
 
+/// The cells of a line of CSV that quotes nothing.
+std::vector<std::string> cells_of(const std::string& line);
+
 /// Files that appear together: each is written beside its place first, and moved there by commit().
 /// Without commit() nothing is left behind and nothing existing is touched.
 class FileTransaction {

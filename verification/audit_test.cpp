@@ -8,8 +8,8 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <sstream>
 
+#include "figures/csv.hpp"
 #include "model/event_method.hpp"
 #include "model/summary.hpp"
 
@@ -281,9 +281,7 @@ TEST(Assumptions, AreAllInTheRegisterWithTheSpreadThatTheyCause) {
   std::size_t rows = 0;
   for (std::string line; std::getline(file, line);) {
     if (line.starts_with("#") || line.starts_with("id,")) continue;
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    const std::vector<std::string> cells = cells_of(line);
     ASSERT_EQ(cells.size(), 7U) << line;
     ASSERT_TRUE(assumptions().contains(cells[0])) << cells[0];
     const auto [taken, other] = assumptions().at(cells[0])();

@@ -16,7 +16,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <sstream>
 
 #include "figures/csv.hpp"
 #include "model/event_method.hpp"
@@ -510,7 +509,9 @@ void write_scenes(const std::vector<Scene>& scenes, const std::vector<Outcome>& 
       json["parameters"][std::string(quantity.name)] = quantity.of(scene.scenario);
     all.push_back(json);
   }
-  std::ofstream(file) << all.dump(1);
+  FileTransaction files;
+  files.write(file, all.dump(1));
+  files.commit();
 }
 
 /// Rows as Benchmark::csv writes them.
@@ -518,20 +519,20 @@ std::vector<Row> read_rows(const std::filesystem::path& file) {
   std::vector<Row> rows;
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
-    std::istringstream fields(line);
-    const auto text = [&] {
-      std::string field;
-      std::getline(fields, field, ',');
-      return field;
-    };
-    const auto number = [&] { return std::stod(text()); };
-    Row row{.scene = text(), .method = text(), .setting = text()};
-    for (double* value :
-         {&row.error_state, &row.error_event_s, &row.error_peak, &row.time_s, &row.time_median_s})
-      *value = number();
-    row.right_hand_sides = static_cast<long>(number());
-    row.steps = static_cast<long>(number());
-    row.events = static_cast<long>(number());
+    const std::vector<std::string> cells = cells_of(line);
+    const auto number = [&](std::size_t i) { return std::stod(cells.at(i)); };
+    const auto count = [&](std::size_t i) { return std::stol(cells.at(i)); };
+    const Row row{.scene = cells.at(0),
+                  .method = cells.at(1),
+                  .setting = cells.at(2),
+                  .error_state = number(3),
+                  .error_event_s = number(4),
+                  .error_peak = number(5),
+                  .time_s = number(6),
+                  .time_median_s = number(7),
+                  .right_hand_sides = count(8),
+                  .steps = count(9),
+                  .events = count(10)};
     rows.push_back(row);
   }
   return rows;

@@ -6,8 +6,8 @@
 
 #include <fstream>
 #include <map>
-#include <sstream>
 
+#include "figures/csv.hpp"
 #include "figures/recorder.hpp"
 #include "figures/scene.hpp"
 #include "model/summary.hpp"
@@ -54,9 +54,7 @@ std::vector<Landmark> reference(const std::string& run) {
   std::ifstream file(ROTOR_REFERENCE_DATA "/high-precision.csv");
   std::vector<Landmark> landmarks;
   for (std::string line; std::getline(file, line);) {
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    const std::vector<std::string> cells = cells_of(line);
     if (cells.size() != 11 || cells[0] != run) continue;
     Landmark landmark;
     landmark.kind = cells[1];

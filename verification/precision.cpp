@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <sstream>
+#include <numbers>
 
 #include "figures/csv.hpp"
+#include "figures/scene.hpp"
 #include "model/event_method.hpp"
 
 namespace rotor {
@@ -30,35 +31,16 @@ std::vector<Landmark> reference(const std::filesystem::path& file, const std::st
   std::ifstream in(file);
   if (!in) throw std::runtime_error(fmt::format("cannot read {}", file.string()));
   for (std::string line; std::getline(in, line);) {
-    std::istringstream fields(line);
-    const auto text = [&] {
-      std::string field;
-      std::getline(fields, field, ',');
-      return field;
-    };
-    if (text() != run) continue;
-    Landmark landmark{.kind = text(), .time_s = std::stold(text()) - origin_s, .state = {}};
-    for (Extended& component : landmark.state) component = std::stold(text());
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.front() != run) continue;
+    Landmark landmark{
+        .kind = cells.at(1), .time_s = std::stold(cells.at(2)) - origin_s, .state = {}};
+    for (std::size_t i = 0; i < 6; ++i) landmark.state[i] = std::stold(cells.at(3 + i));
     if (landmark.kind == "mass_loss" || !landmarks.empty()) landmarks.push_back(landmark);
   }
   if (landmarks.empty())
     throw std::runtime_error(fmt::format("{} has no run \"{}\"", file.string(), run));
   return landmarks;
-}
-
-std::string name(Event event) {
-  switch (event) {
-    case Event::touch_down:
-      return "touch_down";
-    case Event::release:
-      return "release";
-    case Event::ring_clear:
-      return "ring_clear";
-    case Event::rolling_onset:
-      return "rolling_onset";
-    default:
-      return "other";
-  }
 }
 
 /// The same from a state just after the mass loss, with the digits of S.
@@ -68,7 +50,7 @@ std::vector<Landmark> landmarks(double friction, const State<Extended>& separate
   struct : BasicObserver<S> {
     using BasicObserver<S>::see;
     void see(const BasicInstant<S>& at) override {
-      if (at.event != Event::none) add(name(at.event), at);
+      if (at.event != Event::none) add(std::string(name_of(at.event)), at);
     }
     void add(const std::string& kind, const BasicInstant<S>& at) {
       Landmark landmark{.kind = kind, .time_s = static_cast<Extended>(at.time_s), .state = {}};
@@ -135,7 +117,6 @@ std::string growth(double friction, const State<Extended>& separated) {
   double largest = 1;
   for (std::size_t i = 0; i < common(a, b); ++i) {
     if (a[i].kind != "touch_down") continue;
-    // Both at the same time, by the velocity in the stator's frame that the states have in common.
     const double factor = distance(a[i], b[i]) / disturbance;
     const auto shift_s = static_cast<double>(std::abs(a[i].time_s - b[i].time_s));
     ++contacts;

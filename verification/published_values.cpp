@@ -8,9 +8,9 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
+#include "figures/csv.hpp"
 #include "model/simulation.hpp"
 #include "model/summary.hpp"
 
@@ -272,9 +272,7 @@ std::vector<PublishedValue> published_values(const std::filesystem::path& table)
   for (std::string line; std::getline(file, line);) {
     ++number;
     if (line.starts_with("#") || line.starts_with("id,")) continue;
-    std::vector<std::string> cells;
-    std::istringstream stream(line + ",");
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    const std::vector<std::string> cells = cells_of(line);
     if (cells.size() != 9)
       throw std::runtime_error(fmt::format("{}:{}: has {} columns; there must be 9", table.string(),
                                            number, cells.size()));
