@@ -30,12 +30,7 @@ class EventMethod {
       : tolerance_(tolerance),
         observer_(observer),
         work_(work),
-        around_{
-            .body = Body<S>::of(scenario.parameters),
-            .supports = Supports<S>(scenario.parameters, scenario.equations),
-            .ring = Ring<S>(scenario.parameters),
-            .motor_off = boost::math::constants::two_pi<S>() * S(scenario.parameters.motor_off_Hz),
-            .motor_on = true} {}
+        around_(Surroundings<S>::of(scenario)) {}
 
   /// As many whole steps as end before `until_s`, and before the ring is touched, so that the
   /// run-up has the same steps whoever leaves it when.

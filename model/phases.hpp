@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,6 +23,16 @@ struct Surroundings {
   Ring<S> ring;
   S motor_off;  ///< speed at which the motor is switched off, rad/s
   bool motor_on;
+
+  /// Before the mass loss, the motor driving.
+  static Surroundings of(const Scenario& scenario) {
+    const Parameters& p = scenario.parameters;
+    return {.body = Body<S>::of(p),
+            .supports = Supports<S>(p, scenario.equations),
+            .ring = Ring<S>(p),
+            .motor_off = boost::math::constants::two_pi<S>() * S(p.motor_off_Hz),
+            .motor_on = true};
+  }
 };
 
 /// How each guard of a phase is called: the phase ends where one of them becomes negative.
@@ -77,10 +88,11 @@ class Flight {
 
   State<S> state(const Unknowns& x) const {
     using std::cos, std::sin;
-    const Motion<S> m = motion(x);
-    const S c = cos(x[2]), s = -sin(x[2]);
-    const Vector<S> q = turned(m.displacement, c, s);
-    const Vector<S> rate = turned(m.velocity, c, s) - x[5] * quarter_turn(q);
+    const S c = cos(x[2]), s = sin(x[2]), e = around_.body.eccentricity;
+    const Vector<S> eccentricity(e * c, e * s);
+    const Motion<S> m = motion(x, eccentricity, steady(eccentricity, x[5]));
+    const Vector<S> q = turned(m.displacement, c, S(-s));
+    const Vector<S> rate = turned(m.velocity, c, S(-s)) - x[5] * quarter_turn(q);
     return {q.x(), q.y(), angle_ + x[2], rate.x(), rate.y(), x[5]};
   }
 
@@ -556,8 +568,9 @@ template <class S>
 Begin meet_ring(const Surroundings<S>& around, const State<S>& q, Event event) {
   const S slip = around.ring.rim_point(RotatingFrame<S>::motion(around.body, q)).slip_velocity;
   if (slip != 0) return {event, ContactState::sliding, slip > 0 ? 1 : -1};
-  const Begin begin = leave_zero_slip(around, q);
-  return {event, begin.contact, begin.direction, begin.from_rest};
+  Begin begin = leave_zero_slip(around, q);
+  begin.event = event;
+  return begin;
 }
 
 /// What follows when a guard has ended a phase (not the motor's, which ends no contact).

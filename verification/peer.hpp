@@ -2,7 +2,6 @@
 /// same phases, guards and resets, either in the paper's coordinates or in those of phases.hpp.
 #pragma once
 
-#include <boost/math/constants/constants.hpp>
 #include <memory>
 #include <optional>
 
@@ -140,12 +139,7 @@ class PeerMethod {
         solver_(solver),
         observer_(observer),
         work_(work),
-        around_{.body = Body<double>::of(scenario.parameters),
-                .supports = Supports<double>(scenario.parameters, scenario.equations),
-                .ring = Ring<double>(scenario.parameters),
-                .motor_off =
-                    boost::math::constants::two_pi<double>() * scenario.parameters.motor_off_Hz,
-                .motor_on = true} {}
+        around_(Surroundings<double>::of(scenario)) {}
 
   Instant rub(Instant at, double until_s) {
     around_.body = at.body;
