@@ -95,16 +95,17 @@ void Recorder::see(const Piece& piece) {
   const double from = std::max(piece.from_s, window_.from_s);
   const double until = std::min(piece.until_s, window_end);
   if (!(until > from)) return;
-  const double arc = (piece.until_s - piece.from_s) / piece.arcs;
-  const int parts = static_cast<int>(std::ceil((until - from) / arc - time_rounding));
-  Row left = row(piece.at(from));
+  const double share = (until - from) / (piece.until_s - piece.from_s);
+  const int parts = static_cast<int>(std::ceil(share * piece.arcs));
+  double left_s = from;
+  Row left = row(piece.at(left_s));
   add(left);
   for (int n = 1; n <= parts; ++n) {
-    const double left_s = from + (until - from) * (n - 1) / parts;
     const double right_s = n == parts ? until : from + (until - from) * n / parts;
     const Row right = row(piece.at(right_s));
     refine(piece, left_s, left, right_s, right, 0);
     add(right);
+    left_s = right_s;
     left = right;
   }
 }
@@ -112,9 +113,10 @@ void Recorder::see(const Piece& piece) {
 void Recorder::refine(const Piece& piece, double from_s, const Row& from, double until_s,
                       const Row& until, int depth) {
   constexpr int least_depth = 1, greatest_depth = 6;  // an arc may bend both ways
+  if (depth == greatest_depth) return;
   const double middle_s = (from_s + until_s) / 2;
   const Row middle = row(piece.at(middle_s));
-  if (depth == greatest_depth || (depth > least_depth && is_straight(from, middle, until))) return;
+  if (depth > least_depth && is_straight(from, middle, until)) return;
   refine(piece, from_s, from, middle_s, middle, depth + 1);
   add(middle);
   refine(piece, middle_s, middle, until_s, until, depth + 1);
