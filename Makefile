@@ -108,7 +108,7 @@ verify: need-deps ## build, run all tests, and hold the published numbers agains
 	  $$report/published-values.csv || failed=1; \
 	$(BUILD)/stress rotors 300 $(BUILD)/stress-results || failed=1; exit $$failed
 
-mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (half an hour)
+mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (an hour or two)
 	@verification/mutants.sh
 
 # The peers: libsundials-dev and libgsl-dev in C, SciPy in Debian's Python; libbenchmark-dev times

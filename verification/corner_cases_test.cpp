@@ -224,12 +224,13 @@ TEST_P(Costs, AreNoHigherThanTheyWere) {
   EXPECT_EQ(work.located_events, cost.events);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfScenes, Costs,
-                         testing::Values(Cost{"run-up", 0.3, 99, 29.1, 137980, 0, 1},
-                                         Cost{"rub at mu = 0.3", 0.3, 29.1, 29.2, 17977, 16923, 20},
-                                         Cost{"rub at mu = 0.2", 0.2, 29.1, 29.35, 40474, 38636, 35},
-                                         Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 26910, 19928, 121},
-                                         Cost{"no contact", 0.3, 9.4, 10.4, 5647, 0, 0}));
+INSTANTIATE_TEST_SUITE_P(
+    OfScenes, Costs,
+    testing::Values(Cost{"run-up", 0.3, 99, 29.1, 137980, 0, 1},
+                    Cost{"rub at mu = 0.3", 0.3, 29.1, 29.2, 17977, 16923, 20},
+                    Cost{"rub at mu = 0.2", 0.2, 29.1, 29.35, 40474, 38636, 35},
+                    Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 26910, 19928, 121},
+                    Cost{"no contact", 0.3, 9.4, 10.4, 5647, 0, 0}));
 
 }  // namespace
 }  // namespace rotor
