@@ -217,7 +217,7 @@ class EventMethod {
     std::optional<Guard> first;
     for (std::size_t i = 0; i < before.size(); ++i) {
       before[i].time = 0;
-      const auto guard = [&](const Unknowns& x) { return phase.guards(x)[i]; };
+      const auto guard = [&](const Unknowns& x) { return guards_at(phase, x)[i]; };
       const auto curvature = phase.greatest_curvature(i, start.x, end.time);
       const auto crossing = path.crossing(guard, before[i], (*guards)[i], curvature);
       if (crossing && (!first || crossing->time < end.time)) {
@@ -232,11 +232,17 @@ class EventMethod {
   template <class Phase>
   Guards<Phase> all_guards(const Phase& phase, const Point& point, const S& length) {
     const S ahead = look_ahead(length);
-    const auto here = phase.guards(point.x), there = phase.guards(moved(point, ahead));
+    const auto here = guards_at(phase, point.x), there = guards_at(phase, moved(point, ahead));
     Guards<Phase> all;
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i] = {point.time, here[i], (there[i] - here[i]) / ahead};
     return all;
+  }
+
+  template <class Phase>
+  typename Phase::Guards guards_at(const Phase& phase, const Unknowns& x) {
+    if constexpr (Phase::contact_in_guards) ++work_.contact_evaluations;
+    return phase.guards(x);
   }
 
   /// Over which time a slope is taken as a difference.
@@ -480,7 +486,7 @@ class EventMethod {
 
     void operator()(const Unknowns& x, Unknowns& rates, const S& time) const {
       ++work.right_hand_sides;
-      if constexpr (Phase::in_contact) ++work.contact_evaluations;
+      if constexpr (Phase::contact_in_rates) ++work.contact_evaluations;
       phase(x, rates, time);
     }
   };

@@ -56,7 +56,8 @@ class Flight {
   /// Deviation of C along both axes (m), angle of the rotor from them (rad), then deviation of the
   /// velocity of C (m/s), and the speed (rad/s).
   using Unknowns = std::array<S, 6>;
-  static constexpr bool in_contact = false;
+  /// Whether the rates take the contact into account, and whether the guards do.
+  static constexpr bool contact_in_rates = false, contact_in_guards = false;
 
   Flight(const Surroundings<S>& around, const State<S>& start) : around_(around) {
     lay_axes(start);
@@ -279,6 +280,7 @@ template <class S>
 class IndentedFlight : public Flight<S> {
  public:
   using Flight<S>::Flight, typename Flight<S>::Unknowns;
+  static constexpr bool contact_in_guards = true;
 
   static constexpr std::array guard_names = {Guard::ring_clear, Guard::renewed_contact,
                                              Guard::motor};
@@ -308,7 +310,7 @@ class Rub {
   /// of the rotor, both since the start of the step (rad), then the velocity of O along normal and
   /// tangent (m/s), and the speed (rad/s).
   using Unknowns = std::array<S, 6>;
-  static constexpr bool in_contact = true;
+  static constexpr bool contact_in_rates = true, contact_in_guards = true;
 
   Rub(const Surroundings<S>& around, const State<S>& start) : around_(around) { lay_axes(start); }
 
