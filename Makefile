@@ -120,10 +120,11 @@ deps-bench: deps ## install the peers that the benchmark compares with (optional
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench: need-deps ## run time against error of every method, with pictures, into build/bench
-	@$(call configure-and-build,--target benchmark)
+	@$(call configure-and-build,--target benchmark scene-costs)
 	@for peer in SUNDIALS GSL; do \
 	  grep -q ROTOR_$$peer $(BUILD)/build.ninja || echo "Without $$peer, which make deps-bench installs."; done
 	@$(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/scipy_peer.py
+	@echo && $(BUILD)/scene-costs figures
 	@gnuplot -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/style.gp verification/work-precision.gp
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"

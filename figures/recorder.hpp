@@ -12,6 +12,13 @@
 
 namespace rotor {
 
+/// Largest distance between a thinned curve and the full one, in parts of the picture's height: a
+/// fifth of a pixel in a picture 1000 pixels high.
+inline constexpr double thinning = 2e-4;
+
+/// As close as a recorded curve is to the motion before it is thinned, in parts of the same.
+inline constexpr double sampling = thinning / 2;
+
 /// The part of a run that is recorded: from a given time on, or from the onset of rolling on.
 struct Window {
   double from_s = 0;

@@ -20,13 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Largest distance between a thinned curve and the full one, in parts of the picture's height: a
-/// fifth of a pixel in a picture 1000 pixels high.
-constexpr double thinning = 2e-4;
-
-/// As close as a recorded curve is to the motion before it is thinned, in parts of the same.
-constexpr double sampling = thinning / 2;
-
 std::string describe(const Quantity& quantity, const Scenario& scenario) {
   return fmt::format("{} = {}{}{}", quantity.name, quantity.of(scenario),
                      quantity.unit.empty() ? "" : " ", quantity.unit);
