@@ -20,6 +20,28 @@
 
 namespace rotor {
 
+/// Tells a run that gets nowhere: one that switches between phases more often than a motion can.
+template <class S>
+class SwitchLimit {
+ public:
+  static constexpr int most = 1000;  ///< within the shortest natural period
+
+  void restart(const S& time) {
+    since_ = time;
+    switches_ = 0;
+  }
+
+  /// Whether one more switch is too many.
+  bool exceeded(const S& time, const S& period) {
+    if (time - since_ > period) restart(time);
+    return ++switches_ > most;
+  }
+
+ private:
+  S since_{0};
+  int switches_ = 0;
+};
+
 template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
 class EventMethod {
  public:
@@ -56,9 +78,7 @@ class EventMethod {
   template <class Phase>
   class Path;
 
-  // Limits that only a run in trouble meets.
-  static constexpr long most_steps = 20'000'000;
-  static constexpr int most_switches = 1000;  ///< within one period of the contact's oscillation
+  static constexpr long most_steps = 20'000'000;  ///< that only a run in trouble takes
 
   BasicInstant<S> advance(BasicInstant<S> at, const S& until_s, Extent extent) {
     start(at);
@@ -80,8 +100,7 @@ class EventMethod {
     around_.body = at.body;
     around_.motor_on = at.motor_on;
     at.event = Event::none;
-    switches_since_ = at.time_s;
-    switches_ = 0;
+    switch_limit_.restart(at.time_s);
     flight_step_ =
         at.next_step_s > 0 ? at.next_step_s : S(0.01) / Flight<S>::frequency(around_, at.state[5]);
     if (!(rub_step_ > 0)) rub_step_ = S(0.1) / Rub<S>::frequency(around_, at.state[5]);
@@ -463,14 +482,10 @@ class EventMethod {
   }
 
   void limit_switches(const BasicInstant<S>& at) {
-    const S period = boost::math::constants::two_pi<S>() / Rub<S>::frequency(around_, S(0));
-    if (at.time_s - switches_since_ > period) {
-      switches_since_ = at.time_s;
-      switches_ = 0;
-    }
-    if (++switches_ > most_switches)
+    const S period = boost::math::constants::two_pi<S>() / Rub<S>::frequency(around_, at.state[5]);
+    if (switch_limit_.exceeded(at.time_s, period))
       fail(at, fmt::format("more than {} changes between free, sliding and rolling within {} s",
-                           most_switches, static_cast<double>(period)));
+                           SwitchLimit<S>::most, static_cast<double>(period)));
   }
 
   [[noreturn]] static void fail(const BasicInstant<S>& at, const std::string& reason) {
@@ -499,8 +514,7 @@ class EventMethod {
   S flight_step_{0}, rub_step_{0};
   int direction_ = 0;  ///< of the slip, while sliding
   bool from_rest_ = false;
-  S switches_since_{0};
-  int switches_ = 0;
+  SwitchLimit<S> switch_limit_;
 };
 
 }  // namespace rotor

@@ -121,6 +121,14 @@ TEST(Speed, MayPassThroughZero) {
   EXPECT_NEAR(witness.last.state[5], -5 + rate, 1e-3 * rate);  // drag and gravity are that small
 }
 
+TEST(SwitchLimit, IsAThousandWithinAPeriod) {
+  SwitchLimit<double> limit;
+  limit.restart(3);
+  for (int n = 0; n < 1000; ++n) EXPECT_FALSE(limit.exceeded(3, 0.5)) << n;
+  EXPECT_TRUE(limit.exceeded(3.5, 0.5));
+  EXPECT_FALSE(limit.exceeded(3.75, 0.5));  // a period has passed: counted anew
+}
+
 // Found by the stress test: a slip that leaves zero too slowly to be told from rounding within a
 // step was taken for one that has ended, for ever.
 class StressedRotor : public testing::TestWithParam<int> {};
