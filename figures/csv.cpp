@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -52,13 +53,18 @@ std::string to_csv(const std::vector<std::string>& provenance, std::string_view 
 FileTransaction::~FileTransaction() {
   std::error_code ignored;
   for (const auto& file : files_) std::filesystem::remove(draft_of(file), ignored);
+  for (const auto& folder : folders_) std::filesystem::remove(folder, ignored);  // if empty
 }
 
 void FileTransaction::write(const std::filesystem::path& file, std::string_view content) {
   std::error_code error;
+  for (auto folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder);
+       folder = folder.parent_path())
+    folders_.push_back(folder);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
   if (error) fail(file, error.message());
   if (std::filesystem::is_directory(file)) fail(file, "it is a directory");
+  if (std::ranges::find(files_, file) != files_.end()) fail(file, "it is asked for twice");
   files_.push_back(file);
   std::ofstream stream(draft_of(file), std::ios::binary);
   stream << content << std::flush;
@@ -72,6 +78,7 @@ void FileTransaction::commit() {
     if (error) fail(file, error.message());
   }
   files_.clear();
+  folders_.clear();
 }
 
 }  // namespace rotor

@@ -26,8 +26,9 @@ std::string to_csv(const std::vector<std::string>& provenance, std::string_view 
 /// The cells of a line of CSV that quotes nothing.
 std::vector<std::string> cells_of(const std::string& line);
 
-/// Files that appear together: each is written beside its place first, and moved there by commit().
-/// Without commit() nothing is left behind and nothing existing is touched.
+/// Files that appear together: each is written beside its place first, and commit() moves them
+/// there, one after the other. Without commit() nothing is left behind and nothing existing is
+/// touched.
 class FileTransaction {
  public:
   FileTransaction() = default;
@@ -35,12 +36,12 @@ class FileTransaction {
   FileTransaction& operator=(const FileTransaction&) = delete;
   ~FileTransaction();
 
-  /// Throws std::runtime_error, naming the file, if it cannot be written.
+  /// Throws std::runtime_error, naming the file, if it cannot be written or has been already.
   void write(const std::filesystem::path& file, std::string_view content);
   void commit();
 
  private:
-  std::vector<std::filesystem::path> files_;
+  std::vector<std::filesystem::path> files_, folders_;  // folders that had to be created
 };
 
 }  // namespace rotor

@@ -24,14 +24,29 @@ namespace {
 /// Rounding allowed in the comparison of times with the ends of a window, s.
 constexpr double time_rounding = 1e-11;
 
-/// One column, scaled so that its values lie between 0 and 1. A constant column is all zero.
+/// One column, scaled so that its values lie between 0 and 1. A constant column is all zero; what
+/// is not a number is zero as well.
 std::vector<double> scaled(const Table& table, std::size_t column) {
-  std::vector<double> values(table.rows());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.row(i)[column];
-  const auto [least, greatest] = std::ranges::minmax(values);
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double value = table.row(i)[column];
+    if (value < least) least = value;
+    if (value > greatest) greatest = value;
+  }
   const double range = greatest > least ? greatest - least : 1;
-  for (double& value : values) value = (value - least) / range;
+  std::vector<double> values(table.rows());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = table.row(i)[column];
+    values[i] = std::isnan(value) ? 0 : (value - least) / range;
+  }
   return values;
+}
+
+/// Marks the rows before and after each gap, where the column is not a number.
+void mark_gaps(const Table& table, std::size_t column, std::vector<char>& needed) {
+  for (std::size_t i = 1; i < table.rows(); ++i)
+    if (std::isnan(table.row(i)[column]) != std::isnan(table.row(i - 1)[column]))
+      needed[i - 1] = needed[i] = true;
 }
 
 /// Marks the rows at which the curve y over x has the corners that a polyline through them needs to
@@ -161,6 +176,7 @@ Table thinned(const Table& table, double tolerance) {
   for (std::size_t column = 1; column < table.columns(); ++column) {
     const std::vector<double> y = scaled(table, column);
     mark_corners(x, y, tolerance, needed);
+    mark_gaps(table, column, needed);
     // The ends of the range are what annotations quote: they stay to the last digit.
     needed[static_cast<std::size_t>(std::ranges::min_element(y) - y.begin())] = true;
     needed[static_cast<std::size_t>(std::ranges::max_element(y) - y.begin())] = true;

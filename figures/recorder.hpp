@@ -78,9 +78,9 @@ class Recorder : public Observer {
   std::array<double, 2> largest_{};  ///< of each Extreme so far
 };
 
-/// The table with only those rows that its curves need: interpolated over its first column, each of
-/// the other columns stays within `tolerance`, in parts of its range, of its values in the full
-/// table.
+/// The table with only those rows that its curves need: interpolated over its first column, which
+/// must not fall, each of the other columns stays within `tolerance`, in parts of its range, of its
+/// values in the full table.
 Table thinned(const Table& table, double tolerance);
 
 }  // namespace rotor

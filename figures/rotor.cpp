@@ -5,8 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <ranges>
 
 #include "figures/audience.hpp"
 #include "figures/csv.hpp"
@@ -46,7 +49,7 @@ std::vector<std::string> provenance(const std::string& title, const Scene& scene
   return lines;
 }
 
-/// Options that both commands have: what a scene does not state itself.
+/// Options that both commands have.
 struct CommonOptions {
   std::string equations;
   std::string method;
@@ -85,7 +88,7 @@ class FigureCommand {
   explicit FigureCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("figure", "Write the data of the paper's figures as CSV");
-    command->add_option("numbers", numbers_, "figures, 2 to 17; all if none is given")
+    command->add_option("numbers", numbers_, "figures; all if none is given")
         ->transform(CLI::Validator(
             [](std::string& text) -> std::string {  // 05 is not octal
               text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
@@ -96,14 +99,13 @@ class FigureCommand {
     command->add_option("--scenes", scenes_, "folder with the scene files figNN.toml")
         ->capture_default_str();
     common_.add_to(*command);
+    command->footer("The scenes' own equations and methods go before these options.");
     command->callback([this] { run(); });
   }
 
  private:
   void run() const {
-    std::map<int, Scene> scenes;
-    for (const int number : numbers_.empty() ? all_figures() : numbers_)
-      scenes.emplace(number, read(number));
+    std::map<int, Scene> scenes = read_scenes();
 
     std::map<int, std::vector<Recorder>> recorders;
     std::vector<Request> requests;
@@ -130,20 +132,36 @@ class FigureCommand {
                report.work.right_hand_sides);
   }
 
-  static std::vector<int> all_figures() {
-    std::vector<int> all;
-    for (int number = 2; number <= 17; ++number) all.push_back(number);
-    return all;
+  /// Those that are asked for. A scene may state equations and methods of its own.
+  std::map<int, Scene> read_scenes() const {
+    const std::map<int, fs::path> files = scene_files();
+    Scenario defaults;
+    common_.apply_to(defaults);
+    std::map<int, Scene> scenes;
+    for (const int number : numbers_) {
+      if (!files.contains(number))
+        throw InputError(fmt::format("figure {}: there is no {}; the figures are {}", number,
+                                     (fs::path(scenes_) / "figNN.toml").string(),
+                                     fmt::join(files | std::views::keys, ", ")));
+      scenes.emplace(number, read_scene(files.at(number), defaults));
+    }
+    if (numbers_.empty())
+      for (const auto& [number, file] : files) scenes.emplace(number, read_scene(file, defaults));
+    return scenes;
   }
 
-  Scene read(int number) const {
-    const fs::path file = fs::path(scenes_) / fmt::format("fig{:02}.toml", number);
-    if (!fs::exists(file))
-      throw InputError(fmt::format("figure {}: there is no scene {}; the figures are 2 to 17",
-                                   number, file.string()));
-    Scene scene = read_scene(file);
-    for (SceneRun& run : scene.runs) common_.apply_to(run.scenario);
-    return scene;
+  std::map<int, fs::path> scene_files() const {
+    std::map<int, fs::path> files;
+    if (!fs::is_directory(scenes_))
+      throw InputError(fmt::format("--scenes {}: there is no such folder", scenes_));
+    for (const auto& entry : fs::directory_iterator(scenes_)) {
+      int number = 0;
+      const std::string name = entry.path().filename();
+      if (std::sscanf(name.c_str(), "fig%d.toml", &number) == 1 &&
+          name == fmt::format("fig{:02}.toml", number))
+        files[number] = entry.path();
+    }
+    return files;
   }
 
   static std::string csv(int number, const Scene& scene, const std::vector<Recorder>& recorders) {
@@ -203,17 +221,23 @@ class RunCommand {
  public:
   explicit RunCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("run", "Run any rotor and mass loss");
-    command->add_option("--scene", scene_, "scene file (TOML); options override what it states");
-    command->add_option("--run", run_name_, "which [[run]] of the scene, if it has several");
+    auto* scene = command->add_option("--scene", scene_,
+                                      "scene file (TOML); options override what it states");
+    command->add_option("--run", run_name_, "which [[run]] of the scene, if it has several")
+        ->needs(scene);
     for (const Quantity& quantity : quantities()) add_number(*command, quantity);
     command->add_flag("--no-separation", no_separation_, "no mass is lost");
     common_.add_to(*command);
-    command->add_option("--trace", trace_, "write the motion inside the window to this CSV file");
+    auto* trace = command->add_option("--trace", trace_,
+                                      "write the motion inside the window to this CSV file");
     command
         ->add_option("--columns", columns_,
-                     "columns of the trace, comma-separated; all if not given")
-        ->delimiter(',');
-    command->add_option("--from", from_, "begin of the trace [0 s]")->type_name("s");
+                     "columns of the trace, comma-separated; the scene's, or all, if not given")
+        ->delimiter(',')
+        ->needs(trace);
+    command->add_option("--from", from_, "begin of the trace; the scene's, or 0 s, if not given")
+        ->type_name("s")
+        ->needs(trace);
     command->add_option("--events", events_,
                         "write time, kind, state, normal force and slip of the located events to "
                         "this CSV file");
@@ -243,35 +267,45 @@ class RunCommand {
             "", ""));
   }
 
-  SceneRun scene_run() const {
-    if (scene_.empty()) return {"run", Scenario{}};
-    const Scene scene = read_scene(scene_);
+  /// The scene with the one run that is asked for.
+  Scene scene() const {
+    if (scene_.empty()) return {.title = "", .window = {}, .columns = {}, .runs = {{"run", {}}}};
+    Scene scene = read_scene(scene_);
     for (const SceneRun& run : scene.runs)
-      if (run.name == run_name_ || (run_name_.empty() && scene.runs.size() == 1)) return run;
+      if (run.name == run_name_ || (run_name_.empty() && scene.runs.size() == 1)) {
+        scene.runs = {SceneRun(run)};
+        return scene;
+      }
     std::vector<std::string> names;
     for (const SceneRun& run : scene.runs) names.push_back(run.name);
     throw InputError(
         fmt::format("{}: choose one of its runs with --run: {}", scene_, fmt::join(names, ", ")));
   }
 
-  SceneRun requested_run() const {
-    SceneRun result = scene_run();
-    for (const auto& [quantity, value] : given_) quantity->in(result.scenario) = value;
-    if (no_separation_) result.scenario.parameters.separates = false;
-    common_.apply_to(result.scenario);
-    check(result.scenario);
+  Scene requested_scene() const {
+    Scene result = scene();
+    Scenario& scenario = result.runs.front().scenario;
+    for (const auto& [quantity, value] : given_) quantity->in(scenario) = value;
+    if (no_separation_) scenario.parameters.separates = false;
+    common_.apply_to(scenario);
+    check(scenario);
+    if (!events_.empty() && scenario.method == Method::rk4)
+      throw InputError("--events: only --method event locates events");
+    if (!columns_.empty()) result.columns = parse_columns(columns_);
+    if (result.columns.empty())
+      for (const Column& column : all_columns()) result.columns.push_back(&column);
+    if (from_) {
+      if (!(*from_ >= 0 && *from_ < scenario.until))
+        throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", *from_,
+                                     scenario.until));
+      result.window = {.from_s = *from_};
+    }
     return result;
   }
 
   void run() const {
-    const auto [name, scenario] = requested_run();
-    if (from_ < 0 || !(from_ < scenario.until))
-      throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", from_,
-                                   scenario.until));
-    Scene scene{.title = "",
-                .window = {.from_s = from_},
-                .columns = parse_columns(trace_columns()),
-                .runs = {{name, scenario}}};
+    Scene scene = requested_scene();
+    const auto& [name, scenario] = scene.runs.front();
     Recorder trace(scene.window, scene.columns, scenario, sampling);
     EventLog events(scenario);
     SummaryObserver summary(scenario);
@@ -285,6 +319,8 @@ class RunCommand {
     rotor::run(scenario, first, audience, work);
 
     FileTransaction files;
+    if (!trace_.empty() && trace.table().rows() == 0)
+      throw InputError(fmt::format("--trace {}: nothing of the run lies in the window", trace_));
     if (!trace_.empty())
       files.write(trace_, to_csv(provenance("Trace of a run", scene), "run", scene.columns,
                                  {{name, trace.table()}}));
@@ -295,13 +331,6 @@ class RunCommand {
     }
     files.commit();
     print(to_json(summary.summary(), work, scenario));
-  }
-
-  std::vector<std::string> trace_columns() const {
-    if (!columns_.empty()) return columns_;
-    std::vector<std::string> all;
-    for (const Column& column : all_columns()) all.emplace_back(column.name);
-    return all;
   }
 
   void print(const nlohmann::ordered_json& summary) const {
@@ -316,7 +345,7 @@ class RunCommand {
   std::string scene_, run_name_, trace_, events_;
   std::vector<std::string> columns_;
   std::map<const Quantity*, double> given_;
-  double from_ = 0;
+  std::optional<double> from_;
   bool no_separation_ = false, json_ = false;
   CommonOptions common_;
 };

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fmt/std.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <optional>
-#include <set>
 
 namespace rotor {
 namespace {
@@ -67,6 +65,8 @@ class SceneReader {
     expect_keys(root, {"title", "columns", "window", "parameters", "run"});
     Scene scene;
     scene.title = text(root, "title").value_or("");
+    if (scene.title.find('\n') != std::string::npos)
+      fail(*root.get("title"), "title", "must be a single line");
     scene.columns = columns(root);
     const Scenario base = scenario(table(root, "parameters"), defaults_, {});
     scene.runs = runs(root, base);
@@ -112,7 +112,7 @@ class SceneReader {
     return value<std::string>(in, key, "a string in quotes");
   }
 
-  /// A number that is finite and not below `least`.
+  /// A time, if it is stated: finite and not below zero.
   std::optional<double> time(const toml::table& in, std::string_view key) const {
     const auto found = value<double>(in, key, "a number (s)");
     if (found && !(std::isfinite(*found) && *found >= 0))
@@ -146,6 +146,8 @@ class SceneReader {
     if (const toml::array* array = node->as_array())
       for (const toml::node& item : *array) names.push_back(item.value_or<std::string>(""));
     if (names.empty()) fail(*node, "columns", "must be a list of names of columns, in quotes");
+    if (names.front() != "time_s" || names.size() == 1)
+      fail(*node, "columns", "must begin with \"time_s\" and have another column");
     return at(*node, "columns", [&] { return parse_columns(names); });
   }
 
@@ -187,15 +189,18 @@ class SceneReader {
 
   std::vector<SceneRun> runs(const toml::table& root, const Scenario& base) const {
     const toml::node* node = root.get("run");
-    if (!node) return {{"run", checked(root, "parameters", base)}};
+    const toml::node* parameters = root.get("parameters");
+    if (!node) return {{"run", checked(parameters ? *parameters : root, "parameters", base)}};
     const toml::array* array = node->as_array();
     if (!array || !array->is_array_of_tables()) fail(*node, "run", "must be given as [[run]]");
     std::vector<SceneRun> all;
     for (const toml::node& item : *array) {
       const toml::table& table = *item.as_table();
       const auto name = text(table, "name");
-      if (!name || name->empty() || name->find_first_of(",\"\n") != std::string::npos)
-        fail(item, "name", "every [[run]] needs a name, without commas, quotes and line breaks");
+      if (!name || name->empty() || name->starts_with('#') ||
+          name->find_first_of(",\"\n") != std::string::npos)
+        fail(item, "name",
+             "every [[run]] needs a name, without commas, quotes, line breaks and # in front");
       if (std::ranges::find(all, *name, &SceneRun::name) != all.end())
         fail(item, "name", fmt::format("there is a run \"{}\" already", *name));
       all.push_back({*name, checked(item, "run", scenario(table, base, {"name"}))});

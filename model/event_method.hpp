@@ -47,7 +47,7 @@ class EventMethod {
  public:
   using Unknowns = std::array<S, 6>;
 
-  /// `tolerance` is the error allowed in a step, in parts of each unknown's size.
+  /// `tolerance` is the error allowed in a step, in the units of the phases' scale().
   EventMethod(const Scenario& scenario, const S& tolerance, BasicObserver<S>& observer, Work& work)
       : tolerance_(tolerance),
         observer_(observer),
@@ -100,6 +100,7 @@ class EventMethod {
     around_.body = at.body;
     around_.motor_on = at.motor_on;
     at.event = Event::none;
+    steps_ = 0;
     switch_limit_.restart(at.time_s);
     flight_step_ =
         at.next_step_s > 0 ? at.next_step_s : S(0.01) / Flight<S>::frequency(around_, at.state[5]);
@@ -220,8 +221,8 @@ class EventMethod {
   template <class Phase>
   using Guards = std::array<Ordinate<S>, Phase::guard_names.size()>;
 
-  /// The guard that becomes negative first on a path, if any. Moves its end there, and takes the
-  /// guards on to the end.
+  /// The guard that becomes negative first on a path, if any. Moves `end`, which is the path's at
+  /// first, there, and takes the guards on to it.
   template <class Phase>
   std::optional<Guard> first_guard(Path<Phase>& path, std::optional<Guards<Phase>>& guards,
                                    Point& end) {
@@ -441,7 +442,8 @@ class EventMethod {
 
     EventMethod& method_;
     const Phase& phase_;
-    const Point &start_, end_;
+    const Point& start_;
+    const Point end_;  ///< a copy: the end of what is kept of the step may be moved back
     std::optional<Polynomial> polynomial_;
   };
 
@@ -469,7 +471,8 @@ class EventMethod {
   };
 
   void count_step(const BasicInstant<S>& at) {
-    if (++work_.steps > most_steps)
+    ++work_.steps;
+    if (++steps_ > most_steps)
       fail(at, fmt::format("{} steps have been taken, which is more than any run should need",
                            most_steps));
   }
@@ -514,6 +517,7 @@ class EventMethod {
   S flight_step_{0}, rub_step_{0};
   int direction_ = 0;  ///< of the slip, while sliding
   bool from_rest_ = false;
+  long steps_ = 0;  ///< since the method was last called
   SwitchLimit<S> switch_limit_;
 };
 

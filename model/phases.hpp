@@ -375,7 +375,10 @@ class Rub {
         {{Extreme::displacement, displacement(x), x[3]},
          {Extreme::normal_force, pressure(x), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
-  int arcs(const Unknowns&, const S&) const { return 1; }
+  int arcs(const Unknowns& x, const S& h) const {
+    using std::ceil;
+    return static_cast<int>(ceil(h * frequency(around_, x[5])));
+  }
   std::optional<S> reach(const Unknowns&, const Unknowns&, const S&) const { return std::nullopt; }
 
  protected:

@@ -70,6 +70,7 @@ Instant PublishedMethod::rub(Instant from, double until_s) {
 
 Instant PublishedMethod::advance(Instant at, double until_s, double step, Extent extent) {
   boost::numeric::odeint::runge_kutta4<State<double>> stepper;
+  at.event = Event::none;  // fixed steps locate none
   const double motor_off = 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz;
   const double start = at.time_s;
   // The last step is shortened to end at until_s. A remainder that differs from a step by rounding

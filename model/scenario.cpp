@@ -33,7 +33,7 @@ constexpr std::array all_quantities = {
     Quantity{"motor_off_hz", "f_max", "Hz", "rotation speed at which the motor is switched off",
              OF(parameters.motor_off_Hz), 0, closed},
     Quantity{"contact_stiffness", "k_t", "N/m", "stiffness of the contact zone",
-             OF(parameters.contact_stiffness), 0, closed},
+             OF(parameters.contact_stiffness), 0, open},
     Quantity{"contact_damping", "d_t", "N s/m", "damping of the contact zone",
              OF(parameters.contact_damping), 0, closed},
     Quantity{"friction", "mu", "", "coefficient of Coulomb friction between rotor and ring",
@@ -46,8 +46,8 @@ constexpr std::array all_quantities = {
     Quantity{"separation_time", "t_1", "s", "instant of the mass loss",
              OF(parameters.separation_time), 0, closed},
     Quantity{"until", "", "s", "end of the run", OF(until), 0, open},
-    Quantity{"tolerance", "", "", "event: error of a step, in parts of each unknown's size",
-             OF(tolerance), 0, open},
+    Quantity{"tolerance", "", "", "event: error of a step, in parts of the clearance and more",
+             OF(tolerance), 0, open, 1e-3},
     Quantity{"step_run_up", "h", "s", "rk4: step until the mass loss or the first contact",
              OF(step_run_up), 0, open},
     Quantity{"step_rub", "h", "s", "rk4: step from then on", OF(step_rub), 0, open},
@@ -64,12 +64,15 @@ void require(bool fulfilled, const std::string& message) {
 std::span<const Quantity> quantities() { return all_quantities; }
 
 bool Quantity::allows(double value) const {
-  return std::isfinite(value) && (least_allowed ? value >= least : value > least);
+  return std::isfinite(value) && (least_allowed ? value >= least : value > least) &&
+         value <= greatest;
 }
 
 std::string Quantity::range() const {
-  return fmt::format("a finite number {} {}{}{}", least_allowed ? "not below" : "greater than",
-                     least, unit.empty() ? "" : " ", unit);
+  return fmt::format("a finite number {} {}{}{}{}", least_allowed ? "not below" : "greater than",
+                     least,
+                     std::isfinite(greatest) ? fmt::format(" and not above {}", greatest) : "",
+                     unit.empty() ? "" : " ", unit);
 }
 
 void check(const Scenario& scenario) {
@@ -85,6 +88,16 @@ void check(const Scenario& scenario) {
   require(p.eccentricity < p.rotor_radius,
           fmt::format("eccentricity = {} m: must be smaller than rotor_radius = {} m",
                       p.eccentricity, p.rotor_radius));
+  if (scenario.method == Method::rk4) {
+    constexpr double most_steps = 1e10;
+    const auto require_few = [&](std::string_view name, double step) {
+      require(scenario.until / step <= most_steps,
+              fmt::format("{} = {} s: must be long enough for {} s to be {} steps at most", name,
+                          step, scenario.until, most_steps));
+    };
+    require_few("step_run_up", scenario.step_run_up);
+    require_few("step_rub", scenario.step_rub);
+  }
   const MassLoss<double> loss(p);
   require(
       !scenario.loses_mass() || loss.after.inertia > 0,

@@ -1,6 +1,7 @@
 /// What is simulated: the parameters of the Nomenclature, which equations, for how long, and how.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,7 +43,7 @@ struct Scenario {
   Equations equations = Equations::published;
   Method method = Method::event;
   double until = 29.35;       // end of the run, s
-  double tolerance = 1e-11;   // of event: error of a step in parts of each unknown's size
+  double tolerance = 1e-11;   // of event: error of a step, in the units of Phase::scale
   double step_run_up = 1e-4;  // step of rk4 until the mass loss or the first contact, s
   double step_rub = 5e-6;     // and after it, s
 
@@ -61,6 +62,7 @@ struct Quantity {
   double& (*in)(Scenario&);  ///< the number itself
   double least;              ///< smallest allowed value
   bool least_allowed;        ///< whether the value may be the least itself
+  double greatest = std::numeric_limits<double>::infinity();  ///< greatest allowed value
 
   double of(Scenario scenario) const { return in(scenario); }
   bool allows(double value) const;

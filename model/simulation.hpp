@@ -11,9 +11,9 @@ namespace rotor {
 
 /// What a run has cost.
 struct Work {
-  long steps = 0;
-  long right_hand_sides = 0;
-  long contact_evaluations = 0;  ///< of Eqs. (15)-(25), inside right-hand sides and outside
+  long steps = 0;                ///< that have been kept
+  long right_hand_sides = 0;     ///< in these and all other steps
+  long contact_evaluations = 0;  ///< of Eqs. (15)-(25), inside right-hand sides and in guards
   long located_events = 0;
 };
 

@@ -129,6 +129,15 @@ TEST(SwitchLimit, IsAThousandWithinAPeriod) {
   EXPECT_FALSE(limit.exceeded(3.75, 0.5));  // a period has passed: counted anew
 }
 
+TEST(Steps, AreLimitedInEachRunOnItsOwn) {
+  Scenario scenario;
+  scenario.parameters.separates = false;
+  Witness witness(scenario);
+  Work of_many_runs{.steps = 100'000'000};
+  EventMethod<double> method(scenario, scenario.tolerance, witness, of_many_runs);
+  EXPECT_EQ(method.rub(start(scenario), 0.1).time_s, 0.1);
+}
+
 // Found by the stress test: a slip that leaves zero too slowly to be told from rounding within a
 // step was taken for one that has ended, for ever.
 class StressedRotor : public testing::TestWithParam<int> {};
@@ -228,10 +237,10 @@ TEST_P(Costs, AreNoHigherThanTheyWere) {
   }
   const long pairs_before = sine_cosine_pairs();
   run(scenario, at, nobody, work);
-  constexpr double compilers = 1.01;
+  constexpr double compilers = 1.01, merging = 1.08;  // of equal sines
   EXPECT_LE(work.right_hand_sides, compilers * static_cast<double>(cost.right_hand_sides));
   EXPECT_LE(work.contact_evaluations, compilers * static_cast<double>(cost.contact_evaluations));
-  EXPECT_LE(sine_cosine_pairs() - pairs_before, compilers * static_cast<double>(cost.pairs));
+  EXPECT_LE(sine_cosine_pairs() - pairs_before, merging * static_cast<double>(cost.pairs));
   EXPECT_EQ(work.located_events, cost.events);
 }
 

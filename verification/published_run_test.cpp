@@ -56,6 +56,19 @@ TEST(PublishedMethod, CollidesManyTimesAndNeverRollsAtLowFriction) {
   EXPECT_NEAR(*summary.peak_normal_force_N, 143.6e3, 143.6e3 * force_error);
 }
 
+TEST(PublishedMethod, LosesTheMassOnce) {
+  struct : Observer {
+    using Observer::see;
+    void see(const Instant& at) override { losses += at.event == Event::mass_loss; }
+    int losses = 0;
+  } witness;
+  const Scenario scenario{
+      .parameters = {.separation_time = 1}, .method = Method::rk4, .until = 1.1};
+  Work work;
+  run(scenario, start(scenario), witness, work);
+  EXPECT_EQ(witness.losses, 1);
+}
+
 TEST(PublishedMethod, SwitchesTheMotorOffAtTheFirstStepAt150Hz) {
   const auto summary = run_whole({.until = 29}).summary;
   EXPECT_NEAR(*summary.motor_off_s, 28.31, 0.005);

@@ -3,9 +3,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <sstream>
 
 #include "figures/csv.hpp"
 #include "figures/production.hpp"
@@ -73,6 +76,20 @@ TEST(Thinning, KeepsEveryColumnWithinItsTolerance) {
   }
 }
 
+TEST(Thinning, KeepsWhatIsBesideAGap) {
+  Table full(2);
+  for (int i = 0; i <= 100; ++i) {
+    full.add(i);
+    full.add(i < 50 ? std::numeric_limits<double>::quiet_NaN() : i * i);
+  }
+  const Table thin = thinned(full, 1e-3);
+  EXPECT_GT(thin.rows(), 10U);
+  EXPECT_TRUE(std::isnan(thin.row(0)[1]));
+  EXPECT_EQ(thin.row(1)[0], 49);
+  EXPECT_EQ(thin.row(2)[0], 50);
+  EXPECT_EQ(thin.row(thin.rows() - 1)[1], 10000);
+}
+
 /// A folder of its own, removed afterwards.
 class InFolder : public testing::Test {
  protected:
@@ -128,16 +145,26 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"[parameters]\nuntil = inf",
                  ":2: until: must be a finite number greater than 0 s"},
         BadScene{"[parameters]\nunbalance_factor = 0.5", "must be a finite number not below 1"},
-        BadScene{"[parameters]\nstator_radius = 0.06", "must be larger than rotor_radius"},
+        BadScene{"title = \"\"\n[parameters]\nstator_radius = 0.06",
+                 ":2: parameters: stator_radius = 0.06 m: must be larger than rotor_radius"},
+        BadScene{"[parameters]\ncontact_stiffness = 0",
+                 ":2: contact_stiffness: must be a finite number greater than 0 N/m"},
+        BadScene{"[parameters]\ntolerance = 0.1",
+                 ":2: tolerance: must be a finite number greater than 0 and not above 0.001"},
+        BadScene{"[parameters]\nmethod = \"rk4\"\nstep_rub = 1e-20",
+                 "step_rub = 1e-20 s: must be long enough"},
         BadScene{"[parameters]\ninertia = 5e-5", "moment of inertia left by the mass loss"},
         BadScene{"[parameters]\nequations = \"best\"", "must be one of: published, consistent"},
         BadScene{"columns = [\"time_s\", \"rho\"]",
                  ":1: columns: there is no column \"rho\"; there are"},
         BadScene{"columns = []", ":1: columns: must be a list"},
+        BadScene{"columns = [\"rho_m\"]", ":1: columns: must begin with \"time_s\""},
+        BadScene{"title = \"a\\nb\"", ":1: title: must be a single line"},
         BadScene{"window = { from_s = 3, until_s = 30 }", ":1: window: must lie inside the run"},
         BadScene{"window = { from_s = 3, until_s = 2 }", ":1: window: must lie inside the run"},
         BadScene{"window = { from = \"impact\" }", ":1: from: must be \"rolling_onset\""},
         BadScene{"[[run]]\nfriction = 0.1", ":1: name: every [[run]] needs a name"},
+        BadScene{"[[run]]\nname = \"# a\"", ":1: name: every [[run]] needs a name"},
         BadScene{"[[run]]\nname = \"a\"\n[[run]]\nname = \"a\"", ":3: name: there is a run \"a\""},
         BadScene{"title = ", ":1: "}),
     [](const auto& scene) { return "No" + std::to_string(scene.index); });
@@ -186,7 +213,11 @@ TEST_F(CommandLine, RefusesBadInputAndWritesNothing) {
   expect_refusal("run --until 1 --from 2 --trace t.csv", "--from 2: must lie inside the run");
   expect_refusal("run --scene nowhere.toml", "nowhere.toml");
   expect_refusal("run --until 0.1 --trace .", "it is a directory");
-  expect_refusal("figure 18 --out f", "the figures are 2 to 17");
+  expect_refusal("run --until 0.1 --columns time_s", "--columns requires --trace");
+  expect_refusal("run --until 0.1 --method rk4 --events e.csv", "only --method event");
+  expect_refusal("run --until 0.1 --trace a/t.csv --events a/t.csv", "asked for twice");
+  expect_refusal("figure 18 --out f", "the figures are 2, 3, 4");
+  expect_refusal("figure --scenes nowhere --out f", "--scenes nowhere: there is no such folder");
 }
 
 TEST_F(CommandLine, LeavesAnExistingFileAloneWhenARunFails) {
@@ -221,6 +252,33 @@ TEST_F(CommandLine, SummarisesARunAsJsonAndTracesIt) {
   int rows = 0;
   while (std::getline(trace, line)) ++rows;
   EXPECT_EQ(rows, 101);  // 100 steps and the start
+}
+
+TEST_F(CommandLine, TracesWhatTheSceneSays) {
+  write("scene.toml",
+        "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0.01, until_s = 0.02 }\n"
+        "[parameters]\nuntil = 0.03\nmethod = \"rk4\"");
+  const auto [status, output] = rotor("run --scene scene.toml --mass 6 --trace t.csv");
+  EXPECT_EQ(status, 0) << output;
+  std::ifstream trace(folder_ / "t.csv");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(trace, line);)
+    if (!line.starts_with("# ")) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 1U + 101);  // 100 steps of 1e-4 s and the start
+  EXPECT_EQ(lines[0], "run,time_s,rho_m");
+  EXPECT_TRUE(lines[1].starts_with("run,0.01,")) << lines[1];
+}
+
+TEST_F(CommandLine, LeavesAFiguresSceneItsOwnMethod) {
+  write("fig21.toml",
+        "[parameters]\nuntil = 0.1\n[[run]]\nname = \"located\"\n[[run]]\nname = "
+        "\"fixed\"\nmethod = \"rk4\"");
+  const auto [status, output] = rotor("figure --scenes . --out . --method event");
+  EXPECT_EQ(status, 0) << output;
+  std::stringstream csv;
+  csv << std::ifstream(folder_ / "fig21.csv").rdbuf();
+  EXPECT_NE(csv.str().find("fixed: equations published, method rk4"), std::string::npos);
+  EXPECT_NE(csv.str().find("located: equations published, method event"), std::string::npos);
 }
 
 }  // namespace
