@@ -101,12 +101,12 @@ reference: need-deps ## recompute reference-data/high-precision.csv in quadruple
 verify: need-deps ## build, run all tests, and hold the published numbers against ours
 	@$(call configure-and-build)
 	@mkdir -p $(BUILD)/report
-	@failed=0; report=$(BUILD)/report; \
+	@failed=0; report=$(BUILD)/report; rm -f $$report/verification.json; \
 	RC_PARAMS=seed=1 $(BUILD)/verification --gtest_brief=1 \
 	  --gtest_output=json:$$report/verification.json || failed=1; \
 	$(BUILD)/report-numbers $$report/verification.json reference-data/published-values.csv \
 	  $$report/published-values.csv || failed=1; \
-	$(BUILD)/stress rotors 300 $(BUILD)/stress-results || failed=1; exit $$failed
+	$(BUILD)/stress rotors 300 $$report || failed=1; exit $$failed
 
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (an hour or two)
 	@verification/mutants.sh

@@ -64,11 +64,9 @@ double View::friction() {
   const Ring<double>& ring = context_.ring;
   const auto& k = rim_point();
   if (at_.contact == ContactState::rolling && context_.rolls) {
-    auto loads = context_.supports.loads(at_.body, motion(), at_.motor_on);
-    loads += ring.loads(k, {normal_force(), 0});
-    const auto mobility = friction_mobility(at_.body, motion(), k, ring.rotor_radius);
-    return friction_without_slip(motion(), k, acceleration(at_.body, motion(), loads), mobility,
-                                 ring.rotor_radius);
+    return friction_without_slip(at_.body, ring, motion(), k,
+                                 context_.supports.loads(at_.body, motion(), at_.motor_on),
+                                 normal_force());
   }
   return ring.sliding_friction(normal_force(), k.slip_velocity > 0 ? 1 : -1);
 }

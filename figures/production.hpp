@@ -23,7 +23,8 @@ struct ProductionReport {
   Work work;
 };
 
-/// Runs all requests. Every observer sees its whole run, in order. Throws as `run` does.
+/// Runs all requests. Every observer sees its whole run, in order, and what follows if others want
+/// the same run to last longer. Throws as `run` does.
 ProductionReport produce(const std::vector<Request>& requests);
 
 }  // namespace rotor

@@ -128,4 +128,16 @@ inline S friction_without_slip(const Motion<S>& motion, const RimPoint<S>& k,
   return -slip_inertia * slip_acceleration(motion, k, a, radius);
 }
 
+/// The same from the loads of the supports and F_n.
+template <class S>
+inline S friction_without_slip(const Body<S>& body, const Ring<S>& ring, const Motion<S>& motion,
+                               const RimPoint<S>& k, const Loads<S>& supports,
+                               const S& normal_force) {
+  Loads<S> loads = supports;
+  loads += ring.loads(k, {normal_force, S(0)});
+  return friction_without_slip(motion, k, acceleration(body, motion, loads),
+                               friction_mobility(body, motion, k, ring.rotor_radius),
+                               ring.rotor_radius);
+}
+
 }  // namespace rotor

@@ -1,5 +1,6 @@
-/// Where a function of time first becomes negative. A search that cannot pass over a crossing: a
-/// stretch counts as clear only if the function cannot reach zero there.
+/// Where a function of time first becomes negative. The search passes over no crossing if it is
+/// given a bound on the function's curvature: a stretch counts as clear only if the function cannot
+/// reach zero there. Without a bound the curvature is estimated, generously.
 #pragma once
 
 #include <algorithm>

@@ -33,6 +33,9 @@ struct Surroundings {
             .motor_off = boost::math::constants::two_pi<S>() * S(p.motor_off_Hz),
             .motor_on = true};
   }
+
+  /// Becomes negative where the motor is to be switched off.
+  S motor_guard(const S& speed) const { return motor_on ? motor_off - speed : S(1); }
 };
 
 /// How each guard of a phase is called: the phase ends where one of them becomes negative.
@@ -144,10 +147,6 @@ class Flight {
   }
 
  protected:
-  S motor_guard(const Unknowns& x) const {
-    return around_.motor_on ? around_.motor_off - x[5] : S(1);
-  }
-
   /// Of C in the steady response to the unbalance, as far as that is subtracted, m.
   S steady_amplitude(const Unknowns& x) const {
     if (!subtracts_response_) return S(0);
@@ -202,7 +201,7 @@ class FreeFlight : public Flight<S> {
   Guards guards(const Unknowns& x) const {
     const S clearance = this->around_.ring.clearance;
     return {clearance * clearance - this->motion(x).displacement.squaredNorm(),  // rho = r_a - r
-            this->motor_guard(x)};                                               // f = f_max
+            this->around_.motor_guard(x[5])};                                    // f = f_max
   }
 
   /// Whether no guard can end the phase within a step from x to y of length h.
@@ -288,9 +287,9 @@ class IndentedFlight : public Flight<S> {
   Guards guards(const Unknowns& x) const {
     const Ring<S>& ring = this->around_.ring;
     const RimPoint<S> k = ring.rim_point(this->motion(x));
-    return {k.indentation,          // Delta = 0
-            ring.elastic_force(k),  // k_t Delta + d_t Delta' = 0
-            this->motor_guard(x)};  // f = f_max
+    return {k.indentation,                     // Delta = 0
+            ring.elastic_force(k),             // k_t Delta + d_t Delta' = 0
+            this->around_.motor_guard(x[5])};  // f = f_max
   }
 
   bool passes(const Unknowns&, const Unknowns&, const S&) const { return false; }
@@ -422,7 +421,7 @@ class Rub {
 
   S pressure(const Unknowns& x) const {
     const Ring<S>& ring = around_.ring;
-    return ring.stiffness * x[0] + ring.damping * x[3];  // Eq. (21)
+    return ring.stiffness * x[0] + ring.damping * x[3];  // -F_n of Eq. (21)
   }
 
   S slip_velocity(const Unknowns& x) const { return x[4] + around_.ring.rotor_radius * x[5]; }
@@ -431,10 +430,6 @@ class Rub {
   Unknowns without_slip(Unknowns x) const {
     x[4] = -around_.ring.rotor_radius * x[5];
     return x;
-  }
-
-  S motor_guard(const Unknowns& x) const {
-    return around_.motor_on ? around_.motor_off - x[5] : S(1);
   }
 
   const Surroundings<S>& around_;
@@ -487,7 +482,7 @@ class Sliding : public Rub<S> {
     const S rounding = 16 * std::numeric_limits<S>::epsilon() * abs(x[4]);
     return {this->pressure(x),                                  // F_n = 0
             S(direction_) * this->slip_velocity(x) + rounding,  // v_Ktau = 0
-            this->motor_guard(x)};                              // f = f_max
+            this->around_.motor_guard(x[5])};                   // f = f_max
   }
 
  private:
@@ -530,7 +525,7 @@ class Rolling : public Rub<S> {
     const S limit = this->around_.ring.friction * -normal + rounding;
     return {-normal,                              // F_n = 0
             limit * limit - friction * friction,  // |F_tau| = mu |F_n|
-            this->motor_guard(x)};                // f = f_max
+            this->around_.motor_guard(x[5])};     // f = f_max
   }
 
  private:

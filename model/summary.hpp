@@ -1,4 +1,4 @@
-/// The landmarks of a run, gathered frame by frame.
+/// The landmarks of a run, gathered from what an observer is shown.
 #pragma once
 
 #include <optional>

@@ -231,8 +231,6 @@ TEST(Audit, InTheRotatingFrameTheWhirlHasTheFrequencyOfRollingPlusThatOfRotation
   EXPECT_NEAR(whirl, 770, 770 * 0.03);
 }
 
-TEST(Audit, TheSpeedOf150HzIs942RadPerSecondNot943) { EXPECT_NEAR(two_pi * 150, 942.48, 0.005); }
-
 /// Each ambiguous choice of the paper: a quantity with the choice taken and with the other one.
 const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions() {
   static const auto peak = [](const Scenario& s, double angle = 0) {

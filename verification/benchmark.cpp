@@ -49,6 +49,8 @@ struct Scene {
   Scenario scenario;
   BasicInstant<Extended> start;
   bool is_run_up = false;
+
+  bool touches() const { return start.contact != ContactState::free; }
 };
 
 /// What a run found.
@@ -63,7 +65,8 @@ struct Outcome {
 template <class S>
 class Landmarks : public BasicObserver<S> {
  public:
-  explicit Landmarks(const Parameters& p) : ring_(p) {}
+  /// `touches` at the start, if the rim does: that is no touch-down.
+  Landmarks(const Parameters& p, bool touches) : ring_(p), touching_(touches) {}
 
   using BasicObserver<S>::see;
   void see(const BasicInstant<S>& at) override {
@@ -83,13 +86,13 @@ class Landmarks : public BasicObserver<S> {
 
  private:
   Ring<S> ring_;
-  bool touching_ = false;
+  bool touching_;
 };
 
 template <class S, class Stepper>
 Outcome by_events(const Scene& scene, const S& tolerance) {
   Outcome outcome;
-  Landmarks<S> landmarks(scene.scenario.parameters);
+  Landmarks<S> landmarks(scene.scenario.parameters, scene.touches());
   EventMethod<S, Stepper> method(scene.scenario, tolerance, landmarks, outcome.work);
   BasicInstant<S> at;
   at.time_s = static_cast<S>(scene.start.time_s);
@@ -123,7 +126,7 @@ Outcome by_fixed_steps(const Scene& scene, double step) {
   Scenario scenario = scene.scenario;
   scenario.method = Method::rk4;
   scenario.step_run_up = scenario.step_rub = step;
-  Landmarks<double> landmarks(scenario.parameters);
+  Landmarks<double> landmarks(scenario.parameters, scene.touches());
   PublishedMethod method(scenario, landmarks, outcome.work);
   const Instant last = method.rub(rounded(scene.start), scenario.until);
   outcome.state = last.state;
@@ -137,7 +140,7 @@ Outcome by_fixed_steps(const Scene& scene, double step) {
 Outcome by_odeint_off_the_shelf(const Scene& scene, double tolerance) {
   constexpr long most_steps = 2'000'000;
   Outcome outcome;
-  Landmarks<double> landmarks(scene.scenario.parameters);
+  Landmarks<double> landmarks(scene.scenario.parameters, scene.touches());
   const Parameters& p = scene.scenario.parameters;
   const Supports<double> supports(p, scene.scenario.equations);
   const Ring<double> ring(p);
@@ -176,7 +179,7 @@ using MakeSolver = std::function<std::unique_ptr<PeerSolver>(double tolerance)>;
 
 Outcome by_peer(const Scene& scene, PeerCoordinates coordinates, PeerSolver& solver) {
   Outcome outcome;
-  Landmarks<double> landmarks(scene.scenario.parameters);
+  Landmarks<double> landmarks(scene.scenario.parameters, scene.touches());
   PeerMethod method(scene.scenario, coordinates, solver, landmarks, outcome.work);
   outcome.state = method.rub(rounded(scene.start), scene.scenario.until).state;
   outcome.touch_downs = landmarks.touch_downs;

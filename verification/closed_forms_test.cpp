@@ -291,8 +291,7 @@ TEST(RollingInTheRing, EndsWithTheSpeedThatTheInvariantLeaves) {
   const double indentation = p.mass * tangential * tangential / 3.3e-3 / p.contact_stiffness;
   const Outcome outcome = follow_motion(scenario, whirling(p, indentation, speed, slip), 0.05);
   ASSERT_EQ(outcome.last.contact, ContactState::rolling);
-  // m r v_t + ... : friction F changes I w by F r and m v_t by F, up to the change of rho + r,
-  // Delta/r_a.
+  // Friction F changes I w by F r and m v_t by F: I w - m r v_t stays as it is until v_t = -r w.
   const double expected = (p.inertia * speed - p.mass * p.rotor_radius * tangential) /
                           (p.inertia + p.mass * p.rotor_radius * p.rotor_radius);
   EXPECT_NEAR(outcome.last.state[5] / expected, 1, 0.02);  // Delta, and v_t Delta' while it settles

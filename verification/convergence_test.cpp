@@ -116,8 +116,7 @@ TEST(Convergence, TheEventMethodKeepsAHighOrderAcrossSevenContactsAndTheOnsetOfR
   Work coarse, fine;
   const double error_coarse = distance(by_events(from, until_s, 1e-5, coarse), reference);
   const double error_fine = distance(by_events(from, until_s, 1e-10, fine), reference);
-  // What locating the events costs depends little on the tolerance, and counts as work all the
-  // same.
+  // Of steps: what locating the events costs beside them does not depend on the tolerance.
   EXPECT_GT(std::log(error_coarse / error_fine) /
                 std::log(static_cast<double>(fine.steps) / static_cast<double>(coarse.steps)),
             7);

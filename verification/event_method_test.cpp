@@ -64,6 +64,7 @@ std::vector<Landmark> reference(const std::string& run) {
     landmark.state_error = std::stod(cells[10]);
     landmarks.push_back(landmark);
   }
+  if (landmarks.empty()) throw std::runtime_error("the reference data have no run " + run);
   return landmarks;
 }
 
@@ -89,7 +90,6 @@ class Rub : public testing::TestWithParam<FrictionCase> {};
 
 TEST_P(Rub, AgreesWithTheReferenceInQuadruplePrecision) {
   const std::vector<Landmark> exact = reference(GetParam().run);
-  ASSERT_FALSE(exact.empty());
   const Result result =
       run_whole({.parameters = {.friction = GetParam().friction}, .tolerance = 1e-12});
   EXPECT_EQ(result.witness.events(Event::touch_down).size(), GetParam().contacts);
@@ -238,8 +238,6 @@ TEST(EventMethod, LocatesThePeakForceAsAZeroOfItsRate) {
   Work work;
   run(scenario, start(scenario), observer, work);
   // The greatest of densely taken samples stays below, by no more than their distance allows.
-  Recorder recorder({.from_s = 29.1, .length_s = 0.05},
-                    {find_column("time_s"), find_column("friction_force_N")}, scenario, 1e-6);
   struct Force : Observer {
     explicit Force(const Parameters& p) : ring(p) {}
     void see(const Instant&) override {}
@@ -309,7 +307,7 @@ TEST_F(Oscillation, TouchesAtTheTimeOfTheClosedForm) {
 TEST_F(Oscillation, GlancingContactIsMissedByNoStepSize) {
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     scenario_.tolerance = tolerance;
-    // The tolerance of a step is a part of a hundredth of the clearance; ten steps may add up.
+    // The tolerance of a step is a part of 1/300 of the clearance; hundreds of steps may add up.
     const double margin = tolerance;
     EXPECT_FALSE(run_from(with_amplitude(clearance() * (1 + margin)))
                      .witness.events(Event::touch_down)

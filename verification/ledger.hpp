@@ -20,7 +20,7 @@ class Ledger : public Observer {
   }
 
   void see(const Piece& piece) override {
-    constexpr unsigned points = 7;  // exact for the degree 13 of what the interpolated motion does
+    constexpr unsigned points = 7;  // exact for polynomials of degree 13
     using Rule = boost::math::quadrature::gauss<double, points>;
     const auto rate = [&](double Books::*of) {
       return Rule::integrate([&](double t) { return rates(piece.at(t)).*of; }, piece.from_s,
@@ -102,11 +102,8 @@ class Ledger : public Observer {
                      double normal) const {
     if (at.contact == ContactState::sliding)
       return ring_.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1);
-    Loads<double> loads = supports_.loads(at.body, m, at.motor_on);
-    loads += ring_.loads(k, {normal, 0});
-    const double r = ring_.rotor_radius;
-    return friction_without_slip(m, k, acceleration(at.body, m, loads),
-                                 friction_mobility(at.body, m, k, r), r);
+    return friction_without_slip(at.body, ring_, m, k, supports_.loads(at.body, m, at.motor_on),
+                                 normal);
   }
 
   Supports<double> supports_;

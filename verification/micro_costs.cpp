@@ -6,7 +6,7 @@
 namespace rotor {
 namespace {
 
-/// A rotor at 150 Hz just after its mass loss, and the same pressed 0.5 mm into the ring.
+/// A rotor at 150 Hz just after its mass loss, and at 45 Hz pressed 0.5 mm into the ring.
 struct Setting {
   Setting()
       : around{MassLoss<double>(p).after, {p, Equations::published}, Ring<double>(p), 1e9, true} {}

@@ -66,7 +66,7 @@ class PaperProblem : public PeerProblem {
   std::array<double, guard_count> guards(const Unknowns& x) const override {
     const Ring<double>& ring = around_.ring;
     const auto motion = RotatingFrame<double>::motion(around_.body, x);
-    const double motor = around_.motor_on ? around_.motor_off - x[5] : 1;
+    const double motor = around_.motor_guard(x[5]);
     if (contact_ == ContactState::free)
       return {ring.clearance * ring.clearance - motion.displacement.squaredNorm(), motor, 1};
     const auto k = ring.rim_point(motion);
@@ -106,11 +106,9 @@ class PaperProblem : public PeerProblem {
     const Ring<double>& ring = around_.ring;
     const double normal = ring.elastic_force(k);
     if (contact_ == ContactState::sliding) return ring.sliding_friction(normal, direction_);
-    auto loads = around_.supports.loads(around_.body, motion, around_.motor_on);
-    loads += ring.loads(k, {normal, 0});
-    return friction_without_slip(motion, k, acceleration(around_.body, motion, loads),
-                                 friction_mobility(around_.body, motion, k, ring.rotor_radius),
-                                 ring.rotor_radius);
+    return friction_without_slip(around_.body, ring, motion, k,
+                                 around_.supports.loads(around_.body, motion, around_.motor_on),
+                                 normal);
   }
 
   const Surroundings<double>& around_;

@@ -51,6 +51,9 @@ std::vector<NamedRun> all_runs() {
         runs.push_back({fmt::format("fig{:02}: {}", number, name), scenario, {}});
     }
   }
+  for (const NamedRun& run : runs)
+    if (run_up_part(run.scenario) != run_up_part(runs.front().scenario))
+      throw std::runtime_error(run.name + ": does not share the run-up of the others");
   std::ranges::stable_sort(runs, {}, [](const NamedRun& run) { return run_up_end(run.scenario); });
   return runs;
 }
@@ -129,8 +132,8 @@ int main(const std::filesystem::path& file) {
               ", method event in quadruple precision (113 bits), published equations\n"
               "# Verner 8(7) at tolerance 1e-18; the errors are the largest deviations from Verner "
               "8(7) at 1e-16 and Fehlberg 7(8) at 1e-18.\n"
-              "# state_error: lengths in parts of the clearance, speeds in parts of the rotor's "
-              "speed, the angle in rad.\n" +
+              "# state_error: lengths in parts of the clearance, velocities of that times the "
+              "speed and 1 rad/s, the speed in parts of itself and 1 rad/s, the angle in rad.\n" +
                   table(best, {coarser, other}));
   files.commit();
   return 0;
