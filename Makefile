@@ -105,6 +105,7 @@ verify: need-deps ## build, run all tests, and hold the published numbers agains
 	RC_PARAMS=seed=1 $(BUILD)/verification --gtest_brief=1 \
 	  --gtest_output=json:$$report/verification.json || failed=1; \
 	$(BUILD)/report-numbers $$report/verification.json reference-data/published-values.csv \
+	  reference-data/assumptions.csv \
 	  $$report/published-values.csv || failed=1; \
 	$(BUILD)/stress rotors 300 $$report || failed=1; exit $$failed
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,19 +9,22 @@ namespace rotor {
 
 /// A row of reference-data/published-values.csv, and our value.
 struct PublishedValue {
-  std::string id, place, quantity;
+  std::string id, place;
+  std::string kind;  ///< arithmetic or simulated
+  std::string quantity;
   std::string printed;  ///< the digits, or the words
   std::string unit;
   double least = 0, greatest = 0;  ///< what the digits or the stated range allow
   std::string expected_verdict;
-  std::string reason;  ///< why it is not reproduced
+  std::string refuted_by;  ///< a test that shows why it cannot be
+  std::string reason;      ///< why it is not reproduced
 
-  std::optional<double> computed;
-  std::string verdict;  ///< reproduced, close, differs or excused
+  double computed = 0;
+  std::string verdict;  ///< reproduced, close, differs or refuted
 };
 
 /// Reads the table and computes every row. Throws std::runtime_error, naming file and line, for a
-/// row that is not well formed.
+/// row that is not well formed or that nothing computes.
 std::vector<PublishedValue> published_values(const std::filesystem::path& table);
 
 /// The ids for which there is a computation.

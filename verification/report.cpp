@@ -1,9 +1,10 @@
-/// Prints what a reviewer wants to see: the outcome of the tests by class, and what the model makes
-/// of every published number, which it writes as well: `report TESTS TABLE OUT`, where TESTS is
-/// GoogleTest's JSON.
+/// Prints what a reviewer wants to see: the outcome of the tests by class, what the audit shows,
+/// what the model makes of every published number, which it writes as well, and what the paper
+/// leaves open: `report TESTS TABLE REGISTER OUT`, where TESTS is GoogleTest's JSON.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -14,51 +15,119 @@
 namespace rotor {
 namespace {
 
+struct TestOutcome {
+  std::string name, file;
+  bool failed;
+  double time_s;
+};
+
+/// Empty if the tests ended before they could say.
+std::vector<TestOutcome> read_outcomes(const std::filesystem::path& results) {
+  std::vector<TestOutcome> outcomes;
+  std::ifstream file(results);
+  if (!file) return outcomes;
+  const auto document = nlohmann::json::parse(file);
+  for (const auto& suite : document.at("testsuites"))
+    for (const auto& test : suite.at("testsuite"))
+      outcomes.push_back({test.at("name").get<std::string>(),
+                          std::filesystem::path(test.at("file").get<std::string>()).stem().string(),
+                          test.contains("failures"),
+                          std::stod(test.at("time").get<std::string>())});
+  return outcomes;
+}
+
 /// The class of a test is the file that it stands in.
-void print_by_class(const std::filesystem::path& results) {
-  struct Outcome {
+void print_by_class(const std::vector<TestOutcome>& outcomes) {
+  struct Class {
     int tests = 0, failed = 0;
     double time_s = 0;
   };
-  std::map<std::string, Outcome> classes;
-  std::ifstream file(results);
-  if (!file) {
-    fmt::print("\nThe tests ended before their time: there is no {}.\n", results.string());
-    return;
+  std::map<std::string, Class> classes;
+  for (const TestOutcome& outcome : outcomes) {
+    std::string name = outcome.file.substr(0, outcome.file.rfind("_test"));
+    std::ranges::replace(name, '_', ' ');
+    Class& its = classes[name];
+    ++its.tests;
+    its.failed += outcome.failed;
+    its.time_s += outcome.time_s;
   }
-  const auto document = nlohmann::json::parse(file);
-  for (const auto& suite : document.at("testsuites"))
-    for (const auto& test : suite.at("testsuite")) {
-      const std::string stem = std::filesystem::path(test.at("file").get<std::string>()).stem();
-      std::string name = stem.substr(0, stem.rfind("_test"));
-      std::ranges::replace(name, '_', ' ');
-      Outcome& outcome = classes[name];
-      ++outcome.tests;
-      outcome.failed += test.contains("failures") ? 1 : 0;
-      outcome.time_s += std::stod(test.at("time").get<std::string>());
-    }
   fmt::print("\n{:<24}{:>6}{:>8}{:>8}\n", "Tests by class", "tests", "failed", "s");
-  for (const auto& [name, outcome] : classes)
-    fmt::print("  {:<22}{:>6}{:>8}{:>8.1f}\n", name, outcome.tests, outcome.failed, outcome.time_s);
+  for (const auto& [name, its] : classes)
+    fmt::print("  {:<22}{:>6}{:>8}{:>8.1f}\n", name, its.tests, its.failed, its.time_s);
 }
 
-int print_and_write_numbers(const std::filesystem::path& table, const std::filesystem::path& out) {
+/// The name of a test as words.
+std::string in_words(const std::string& name) {
+  std::string words;
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
+  for (const char c : name.substr(0, name.find('/'))) {
+    const bool begins = is_upper(c) || (is_digit(c) && !words.empty() && !is_digit(words.back()));
+    if (begins && !words.empty()) words += ' ';
+    words += c;
+  }
+  return words;
+}
+
+void print_audit(const std::vector<TestOutcome>& outcomes) {
+  fmt::print("\nWhat the audit of the paper shows (verification/audit_test.cpp)\n");
+  std::string last;
+  for (const TestOutcome& outcome : outcomes) {
+    const std::string words = in_words(outcome.name);
+    if (outcome.file != "audit_test" || (words == last && !outcome.failed)) continue;
+    fmt::print("  {} {}\n", outcome.failed ? "FAILED" : "holds:", words);
+    last = words;
+  }
+}
+
+/// Whether all rows have the verdicts that the table expects.
+bool print_and_write_numbers(const std::filesystem::path& table, const std::filesystem::path& out) {
   const auto values = published_values(table);
   bool as_expected = true;
-  for (const std::string verdict : {"reproduced", "close", "differs", "excused"}) {
+  for (const std::string verdict : {"reproduced", "close", "differs", "refuted"}) {
     const auto of_it = [&](const PublishedValue& value) { return value.verdict == verdict; };
-    fmt::print("\nPublished numbers {}: {}\n", verdict, std::ranges::count_if(values, of_it));
+    const auto simulated = [&](const PublishedValue& value) {
+      return of_it(value) && value.kind == "simulated";
+    };
+    fmt::print("\nPublished numbers {}: {}, of them {} simulated\n", verdict,
+               std::ranges::count_if(values, of_it), std::ranges::count_if(values, simulated));
     for (const PublishedValue& value : values) {
       if (!of_it(value)) continue;
       as_expected = as_expected && value.verdict == value.expected_verdict;
-      fmt::print("  {:<52} {:>9} {:<7} {:>10}  {}\n", value.quantity, value.printed, value.unit,
-                 value.computed ? fmt::format("{:.5g}", *value.computed) : "", value.reason);
+      fmt::print("  {:<70} {:>12} {:<7} {:>10.5g}  {}\n", value.quantity, value.printed, value.unit,
+                 value.computed, value.reason);
     }
   }
   FileTransaction files;
   files.write(out, to_csv(values));
   files.commit();
-  return as_expected ? 0 : 1;
+  return as_expected;
+}
+
+void print_register(const std::filesystem::path& assumptions) {
+  fmt::print("\nWhat the paper leaves open, and what follows from either choice\n");
+  std::ifstream file(assumptions);
+  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", assumptions.string()));
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("#") || line.starts_with("id,")) continue;
+    const std::vector<std::string> cells = cells_of(line);
+    fmt::print("  {}: {}: {} {}; {}: {} {}\n", cells.at(3), cells.at(1), cells.at(5), cells.at(4),
+               cells.at(2), cells.at(6), cells.at(4));
+  }
+}
+
+int main(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 4)
+    throw std::runtime_error(
+        "needs the tests' results, the table of published values, the register of assumptions and "
+        "an output file");
+  const std::vector<TestOutcome> outcomes = read_outcomes(arguments[0]);
+  if (outcomes.empty())
+    fmt::print("\nThe tests ended before their time: there is no {}.\n", arguments[0]);
+  print_by_class(outcomes);
+  print_audit(outcomes);
+  print_register(arguments[2]);
+  return print_and_write_numbers(arguments[1], arguments[3]) ? 0 : 1;
 }
 
 }  // namespace
@@ -66,11 +135,7 @@ int print_and_write_numbers(const std::filesystem::path& table, const std::files
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 4)
-      throw std::runtime_error(
-          "needs the tests' results, the table of published values and an output file");
-    rotor::print_by_class(argv[1]);
-    return rotor::print_and_write_numbers(argv[2], argv[3]);
+    return rotor::main({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     fmt::print(stderr, "report: {}\n", error.what());
     return 1;
