@@ -88,8 +88,8 @@ draw:
 pictures: $(DRAW:%=$(OUT)/fig%.$(FORMAT))
 
 $(OUT)/fig%.$(FORMAT): figures/fig%.gp figures/style.gp $(OUT)/fig%.csv
-	@gnuplot -e "data = '$(OUT)/fig$*.csv'; output = '$@.part'; format = '$(FORMAT)'" \
-	  figures/style.gp $< || { rm -f $@.part; exit 1; }
+	@gnuplot -e "data = '$(OUT)/fig$*.csv'; output = '$@.part'; format = '$(FORMAT)'; \
+	  equations = '$(EQUATIONS)'" figures/style.gp $< || { rm -f $@.part; exit 1; }
 	@mv $@.part $@ && echo "$@"
 
 $(OUT)/fig%.csv: ;

@@ -1,6 +1,6 @@
 # F_n for high, intermediate and low friction, one above the other.
 set title caption(3, "Radial component F_n of the impact force", \
-  "mass loss at t_1 = 29.1 s, f = 150 Hz, k_u = 3, k_t = 8×10^8 N/m; grey: published method, steps of 5 μs")
+  "mass loss at t_1 = 29.1 s, f = 150 Hz, k_t = 8×10^8 N/m; grey: published method, steps of 5 μs")
 set multiplot layout 3,1 margins 0.1,0.97,0.11,0.87 spacing 0,0.035
 set xrange [29.1:29.35]
 set yrange [-500:0]

@@ -7,7 +7,7 @@ set format x "%.3f"
 stats data using "time_s":(column("normal_force_N")/1e3) name "F" nooutput
 stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
 stats data using (column("contact_state") > 0 ? column("time_s") : NaN) name "contact" nooutput
-set xrange [29.1:29.135]
+set xrange [29.1:29.14]
 set yrange [-500:0]
 set arrow from rolling_min,graph 0 to rolling_min,graph 1 nohead linestyle reading
 set label sprintf("slipping stops at %.4f s", rolling_min) at rolling_min,-465 right offset -1,0 \

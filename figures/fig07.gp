@@ -1,13 +1,13 @@
 # q1 and rho as fast rolling sets in.
 set title caption(7, "Generalised coordinate q_1 in the rotating axes, and displacement ρ", \
-  "μ = 0.3, mass loss at t_1 = 29.1 s")
+  "μ = 0.3, mass loss at t_1 = 29.1 s; seen from rotating axes, the whirl is faster by f")
 set xlabel "t, s"
 set ylabel "mm"
 set format x "%.3f"
 set key top left horizontal
 stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
 # The frequency of q1 from its zero crossings over the first 5 ms of rolling.
-begin = rolling_min + 1e-4; end = begin + 5e-3
+begin = rolling_min; end = begin + 5e-3
 t0 = NaN; q0 = NaN; first = NaN; last = NaN; crossings = 0
 cross(t, q) = (t > begin && t < end && q0 < 0 && q >= 0 ? \
   (crossings = crossings + 1, last = t0 - q0*(t - t0)/(q - q0), first = crossings == 1 ? last : first) : 0, \
@@ -17,7 +17,7 @@ set xrange [29.12:29.15]
 set yrange [-5.6:4.9]
 set arrow from rolling_min,graph 0 to rolling_min,graph 1 nohead linestyle reading
 set label sprintf("rolling\nfrom %.4f s", rolling_min) at rolling_min,4.4 right offset -1,0 textcolor rgb grey
-set label beside("frequency of q_1, first 5 ms of rolling", \
+set label beside(sprintf("frequency of q_1, first %d periods of rolling", crossings - 1), \
   sprintf("%.0f Hz", (crossings - 1)/(last - first)), "about 770 Hz") at graph 0.02,0.15 front
 set label "paper: ρ ≈ 3.5 mm" at graph 0.985,first 3.5 right offset 0,0.7 textcolor rgb grey boxed front
 set arrow from graph 0,first 3.5 to graph 1,first 3.5 nohead linestyle published

@@ -55,6 +55,7 @@ set arrow from Ox,Oy to Ox - v_O*u*tx,Oy - v_O*u*ty arrowstyle 1 front
 set arrow from Px,Py to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 2 front
 set label "O_a" at 0,0 right offset -0.6,0.6 front
 set label "O" at Ox,Oy offset 0.8,-0.8 front
+set label "path of O" at 0,-enlarged center offset 0,-0.8 textcolor rgb grey front
 set label "{/:Bold K}" at 1.09*Kx,1.09*Ky center front
 set label "v_K = 0" at 1.2*Kx,1.2*Ky center front
 set label sprintf("v_O = %.1f m/s", v_O) at Ox - 1.1*v_O*u*tx,Oy - 1.1*v_O*u*ty center offset 0,0.3 \
@@ -69,11 +70,10 @@ rotor_angle = atan2(-ny, -nx)
 set arrow from Ox + 0.5*radius*cos(rotor_angle + 1.08),Oy + 0.5*radius*sin(rotor_angle + 1.08) \
   to Ox + 0.5*radius*cos(rotor_angle + 1.2),Oy + 0.5*radius*sin(rotor_angle + 1.2) \
   linecolor rgb blue linewidth 1.6 filled size 0.06,18 front
-set label sprintf("f = %.1f Hz", f) \
-  at Ox + 0.83*radius*cos(rotor_angle + 1.0),Oy + 0.83*radius*sin(rotor_angle + 1.0) center \
-  textcolor rgb blue front boxed
+set label "f" at Ox + 0.6*radius*cos(rotor_angle + 0.85),Oy + 0.6*radius*sin(rotor_angle + 0.85) center \
+  textcolor rgb blue front
 whirl_angle = atan2(ny, nx)
-set arrow from 1.1*cos(whirl_angle - 0.98),1.1*sin(whirl_angle - 0.98) \
+set arrow from 1.1*cos(whirl_angle - 0.9),1.1*sin(whirl_angle - 0.9) \
   to 1.1*cos(whirl_angle - 1.0),1.1*sin(whirl_angle - 1.0) \
   linecolor rgb vermilion linewidth 1.6 filled size 0.06,18 front
 set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65) center \
@@ -81,8 +81,9 @@ set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65)
 
 set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz; clearance drawn %.0f times", \
   t, 1e3*rho, f, scale) at 0,-1.2 center
-set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz    paper: 771.4 Hz", f_rol) at 0,-1.31 center
-set label sprintf("over the first 0.1 ms: whirl of O measured on its trajectory %.1f Hz, mean of f r/ρ %.1f Hz", \
+set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz, paper 771.4 Hz;  v_O = %.2f m/s, paper 16.9 m/s", \
+  f_rol, v_O) at 0,-1.31 center
+set label sprintf("over the first 0.1 ms, in which ρ and f ripple: whirl of O %.1f Hz, mean of f r/ρ %.1f Hz", \
   f_whirl, rol_mean) at 0,-1.42 center
 plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb black linewidth 3, \
      Ox + 0.5*radius*cos(rotor_angle + arc(0.5, 1.18, 1, t)),Oy + 0.5*radius*sin(rotor_angle + arc(0.5, 1.18, 1, t)) \

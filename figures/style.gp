@@ -2,6 +2,7 @@
 #   data      the figure's CSV file, columns addressed by name
 #   output    the picture
 #   format    svg, pdf or png
+#   equations published or consistent; published if not given
 # The picture is wide; a script that wants it square says: eval "set terminal ".square
 
 set datafile separator comma
@@ -40,8 +41,10 @@ set title offset 0,0.3
 set style textbox opaque noborder margins 0.4,0.4
 
 # "Fig. N" and what it shows, with the parameters on a second line.
+if (!exists("equations")) equations = "published"
+of_set = equations eq "published" ? "" : "; {/:Bold ".equations." equations}"
 caption(number, what, parameters) = \
-  sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s}", number, what, parameters)
+  sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s%s}", number, what, parameters, of_set)
 
 # A published number beside ours, as annotations show it.
 beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ours, paper)
