@@ -6,7 +6,7 @@ SHELL       := bash
 FORMAT    ?= svg
 EQUATIONS ?= published
 BUILD     := build
-NUMBERS   := 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17
+NUMBERS   := $(patsubst figures/fig%.toml,%,$(sort $(wildcard figures/fig*.toml)))
 
 # Figures of the published equations stand in build/figures, others in a folder of their own.
 OUT   := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))

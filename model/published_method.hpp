@@ -1,6 +1,8 @@
 /// The paper's integration: classical Runge-Kutta of fourth order with fixed steps, the friction's
 /// direction decided at every stage by Eq. (23). First order at every contact, and it chatters in
-/// rolling; kept exactly as published to be compared with. Source: Sec. 3.
+/// rolling; kept exactly as published to be compared with. Source:
+/// "Overcritical high-speed rotor systems, full annular rub and accident",
+/// Sec. 3.
 #pragma once
 
 #include "model/simulation.hpp"

@@ -6,8 +6,6 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/float128.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-#include <map>
-#include <set>
 
 #include "figures/csv.hpp"
 #include "figures/scene.hpp"
