@@ -3,6 +3,7 @@
 /// status 1 if a run went wrong without saying so; `stress steps FOLDER` finds the limits.
 #include <fmt/format.h>
 
+#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <chrono>
@@ -112,8 +113,14 @@ struct Tally {
   long ended = 0, refused = 0, touch_downs = 0, right_hand_sides = 0;
   long not_finite = 0, missed = 0, off_the_books = 0;
   double worst_books = 0, worst_intrusion = 0;
+  std::map<int, std::array<long, 2>> by_decade;  ///< how many books, intrusions below 10^key
   std::map<std::string, long> reasons;
 };
+
+/// The exponent of the power of ten above a defect; -17 for all that cannot be told from none.
+int decade(double defect) {
+  return std::max(-17, static_cast<int>(std::ceil(std::log10(std::max(defect, 1e-17)))));
+}
 
 std::string describe(const Scenario& s, const Instant& at) {
   std::string text;
@@ -147,6 +154,8 @@ Tally random_rotors(long count, std::string& worst) {
       if (not_finite || missed || off)
         worst += fmt::format("{},{},{},{},{}\n", n, not_finite, auditor.intrusion(), defect,
                              describe(scenario, first));
+      ++tally.by_decade[decade(defect)][0];
+      ++tally.by_decade[decade(auditor.intrusion())][1];
       tally.worst_books = std::max(tally.worst_books, defect);
       tally.worst_intrusion = std::max(tally.worst_intrusion, auditor.intrusion());
     } catch (const std::runtime_error& error) {
@@ -263,6 +272,10 @@ int rotors(long count, const std::filesystem::path& folder) {
       tally.off_the_books, tally.worst_books, allowed_defect);
   FileTransaction files;
   files.write(folder / "conspicuous-rotors.csv", worst);
+  std::string defects = "below_ten_to_the,books,intrusions\n";
+  for (const auto& [exponent, numbers] : tally.by_decade)
+    defects += fmt::format("{},{},{}\n", exponent, numbers[0], numbers[1]);
+  files.write(folder / "defects.csv", defects);
   files.commit();
   return tally.refused + tally.not_finite + tally.missed + tally.off_the_books > 0;
 }

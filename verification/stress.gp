@@ -1,5 +1,5 @@
 # Pictures of the stress tests: stability of the published method's steps, error against precision,
-# growth of a disturbance from contact to contact. The caller sets folder and format, and loads
+# growth of a disturbance from contact to contact, defects of the random rotors. The caller sets folder and format, and loads
 # figures/style.gp first.
 file(name) = folder."/".name.".".format
 
@@ -54,3 +54,21 @@ with(f, c) = column("friction") == f ? column(c) : NaN
 all = "0.3 0.2 0.08"
 plot for [i = 1:3] folder."/growth.csv" using (column("contact")):(with(word(all, i) + 0, "factor")) \
   with linespoints pointtype 7 title "mu = ".word(all, i)
+
+set boxwidth 0.36
+set output file("defects")
+set title "{/:Bold Defects of the random rotors}, at a tolerance of 1e-9"
+set xrange [-17.8:-4.2]
+set yrange [0.5:*]
+set xlabel "defect"
+set format x "10^{%g}"
+set format y "10^{%T}"
+set ylabel "rotors with less than that, and not less than a tenth of it"
+set key top right
+set style fill solid 0.8
+set arrow from -8,graph 0 to -8,graph 1 nohead linetype 2 dashtype (6,4)
+set arrow from -6,graph 0 to -6,graph 1 nohead linetype 1 dashtype (6,4)
+plot folder."/defects.csv" using (column("below_ten_to_the") - 0.2):(column("books")) with boxes linetype 1 \
+       title "books of energy and angular momentum (dashed: allowed)", \
+     "" using (column("below_ten_to_the") + 0.2):(column("intrusions")) with boxes linetype 2 \
+       title "rim beyond the ring while free, in clearances"
