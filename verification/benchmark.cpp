@@ -20,12 +20,13 @@
 #include "figures/csv.hpp"
 #include "model/event_method.hpp"
 #include "model/published_method.hpp"
+#include "verification/gsl_solver.hpp"
 #include "verification/peer.hpp"
-#ifdef ROTOR_SUNDIALS
+#include "verification/program.hpp"
 #include "verification/sundials_solver.hpp"
+#ifdef ROTOR_SUNDIALS
 #endif
 #ifdef ROTOR_GSL
-#include "verification/gsl_solver.hpp"
 #endif
 
 namespace rotor {
@@ -574,7 +575,7 @@ void enter_methods(const Scene& scene, Benchmark& benchmark) {
   sweep("Odeint off the shelf", 3, 6, by_odeint_off_the_shelf);
 }
 
-int main(const std::vector<std::string>& arguments) {
+int main(const Arguments& arguments) {
   if (arguments.size() != 1 && arguments.size() != 3)
     throw std::runtime_error("needs: FOLDER [PYTHON SCRIPT]");
   const std::filesystem::path folder = arguments[0];
@@ -607,11 +608,4 @@ int main(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace rotor
 
-int main(int argc, char** argv) {
-  try {
-    return rotor::main({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "benchmark: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return rotor::run_program("benchmark", rotor::main, argc, argv); }

@@ -10,6 +10,7 @@
 #include "figures/csv.hpp"
 #include "figures/scene.hpp"
 #include "model/event_method.hpp"
+#include "verification/program.hpp"
 
 namespace rotor {
 namespace {
@@ -131,7 +132,9 @@ std::string growth(double friction, const State<Extended>& separated) {
   return csv;
 }
 
-void main(const std::filesystem::path& reference_file, const std::filesystem::path& folder) {
+int main(const Arguments& arguments) {
+  if (arguments.size() != 2) throw std::runtime_error("needs: REFERENCE FOLDER");
+  const std::filesystem::path reference_file = arguments[0], folder = arguments[1];
   std::string by_precision = "friction,precision,tolerance,error,matched_events,events\n";
   std::string by_contact = "friction,contact,time_s,factor,time_shift_s\n";
   for (const double friction : {0.3, 0.2, 0.08}) {
@@ -145,17 +148,10 @@ void main(const std::filesystem::path& reference_file, const std::filesystem::pa
   files.write(folder / "precision.csv", by_precision);
   files.write(folder / "growth.csv", by_contact);
   files.commit();
+  return 0;
 }
 
 }  // namespace
 }  // namespace rotor
 
-int main(int argc, char** argv) {
-  try {
-    if (argc != 3) throw std::runtime_error("needs: REFERENCE FOLDER");
-    rotor::main(argv[1], argv[2]);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "precision: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return rotor::run_program("precision", rotor::main, argc, argv); }

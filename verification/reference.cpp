@@ -10,6 +10,7 @@
 #include "figures/csv.hpp"
 #include "figures/scene.hpp"
 #include "model/event_method.hpp"
+#include "verification/program.hpp"
 
 namespace rotor {
 namespace {
@@ -117,14 +118,15 @@ std::string table(const std::vector<NamedRun>& best,
   return rows;
 }
 
-int main(const std::filesystem::path& file) {
+int main(const Arguments& arguments) {
+  if (arguments.size() != 1) throw std::runtime_error("needs: FILE");
   const Quad coarse("1e-16"), fine("1e-18");
   const std::vector<NamedRun> runs = all_runs();
   const auto best = landmarks<Verner>(runs, fine, "Verner 8(7), tolerance 1e-18");
   const auto coarser = landmarks<Verner>(runs, coarse, "Verner 8(7), tolerance 1e-16");
   const auto other = landmarks<Fehlberg>(runs, fine, "Fehlberg 7(8), tolerance 1e-18");
   FileTransaction files;
-  files.write(file,
+  files.write(arguments[0],
               "# High-precision results of our own, from `make reference`; not from the paper.\n"
               "# rotor " ROTOR_VERSION
               ", method event in quadruple precision (113 bits), published equations\n"
@@ -140,11 +142,4 @@ int main(const std::filesystem::path& file) {
 }  // namespace
 }  // namespace rotor
 
-int main(int argc, char** argv) {
-  try {
-    return rotor::main(argc > 1 ? argv[1] : "high-precision.csv");
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "reference: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return rotor::run_program("reference", rotor::main, argc, argv); }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "figures/csv.hpp"
+#include "verification/program.hpp"
 #include "verification/published_values.hpp"
 
 namespace rotor {
@@ -116,7 +117,7 @@ void print_register(const std::filesystem::path& assumptions) {
   }
 }
 
-int main(const std::vector<std::string>& arguments) {
+int main(const Arguments& arguments) {
   if (arguments.size() != 4)
     throw std::runtime_error(
         "needs the tests' results, the table of published values, the register of assumptions and "
@@ -133,11 +134,4 @@ int main(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace rotor
 
-int main(int argc, char** argv) {
-  try {
-    return rotor::main({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "report: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return rotor::run_program("report", rotor::main, argc, argv); }

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "figures/production.hpp"
+#include "verification/program.hpp"
 #include "verification/sines.hpp"
 
 namespace rotor {
@@ -55,7 +56,7 @@ void print(const std::string& name, const Cost& cost) {
   std::fflush(stdout);
 }
 
-int main(const std::vector<std::string>& arguments) {
+int main(const Arguments& arguments) {
   if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER with figNN.toml");
   fmt::print("{:<22} {:>4} {:>4} {:>9} {:>9} {:>9} {:>6} {:>9} {:>8} {:>7} {:>7}\n", "data of",
              "ups", "runs", "steps", "rhs", "contact", "events", "pairs", "samples", "kept", "ms");
@@ -81,10 +82,5 @@ int main(const std::vector<std::string>& arguments) {
 }  // namespace rotor
 
 int main(int argc, char** argv) {
-  try {
-    return rotor::main({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "scene-costs: {}\n", error.what());
-    return 1;
-  }
+  return rotor::run_program("scene-costs", rotor::main, argc, argv);
 }

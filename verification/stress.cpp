@@ -15,6 +15,7 @@
 #include "model/event_method.hpp"
 #include "model/published_method.hpp"
 #include "verification/ledger.hpp"
+#include "verification/program.hpp"
 
 namespace rotor {
 namespace {
@@ -287,7 +288,7 @@ int steps(const std::filesystem::path& folder) {
   return 0;
 }
 
-int main(const std::vector<std::string>& arguments) {
+int main(const Arguments& arguments) {
   if (arguments.size() == 3 && arguments[0] == "rotors")
     return rotors(std::stol(arguments[1]), arguments[2]);
   if (arguments.size() == 2 && arguments[0] == "steps") return steps(arguments[1]);
@@ -297,11 +298,4 @@ int main(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace rotor
 
-int main(int argc, char** argv) {
-  try {
-    return rotor::main({argv + 1, argv + argc});
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "stress: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return rotor::run_program("stress", rotor::main, argc, argv); }

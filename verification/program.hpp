@@ -1,0 +1,25 @@
+/// What the programs of the verification have in common.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace rotor {
+
+using Arguments = std::vector<std::string>;
+
+/// The status of a program. What it throws is said on standard error, and gives 1.
+inline int run_program(const char* name, int (*program)(const Arguments&), int argc, char** argv) {
+  try {
+    return program({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", name, error.what());
+    return 1;
+  }
+}
+
+}  // namespace rotor
