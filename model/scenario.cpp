@@ -46,7 +46,7 @@ constexpr std::array all_quantities = {
     Quantity{"separation_time", "t_1", "s", "instant of the mass loss",
              OF(parameters.separation_time), 0, closed},
     Quantity{"until", "", "s", "end of the run", OF(until), 0, open},
-    Quantity{"tolerance", "", "", "event: error of a step, in parts of the clearance and more",
+    Quantity{"tolerance", "", "", "event: error allowed in a step, in parts of each phase's scale",
              OF(tolerance), 0, open, 1e-3},
     Quantity{"step_run_up", "h", "s", "rk4: step until the mass loss or the first contact",
              OF(step_run_up), 0, open},

@@ -42,8 +42,8 @@ struct Scenario {
   Parameters parameters{};
   Equations equations = Equations::published;
   Method method = Method::event;
-  double until = 29.35;       // end of the run, s
-  double tolerance = 1e-11;   // of event: error of a step, in the units of Phase::scale
+  double until = 29.35;      // end of the run, s
+  double tolerance = 1e-11;  // of event: error allowed in a step, in parts of scale() of phases.hpp
   double step_run_up = 1e-4;  // step of rk4 until the mass loss or the first contact, s
   double step_rub = 5e-6;     // and after it, s
 
