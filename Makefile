@@ -105,9 +105,9 @@ verify: need-deps ## build, run all tests, and hold the published numbers agains
 	RC_PARAMS=seed=1 $(BUILD)/verification --gtest_brief=1 \
 	  --gtest_output=json:$$report/verification.json || failed=1; \
 	$(BUILD)/report-numbers $$report/verification.json reference-data/published-values.csv \
-	  reference-data/assumptions.csv \
-	  $$report/published-values.csv || failed=1; \
-	$(BUILD)/stress rotors 300 $$report || failed=1; exit $$failed
+	  reference-data/assumptions.csv $$report/published-values.csv | tee $$report/report.txt || failed=1; \
+	$(BUILD)/stress rotors 300 $$report | tee -a $$report/report.txt || failed=1; \
+	echo; echo "This report: $$report/report.txt"; exit $$failed
 
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (an hour or two)
 	@verification/mutants.sh
