@@ -239,8 +239,8 @@ class EventMethod {
       before[i].time = 0;
       const auto guard = [&](const Unknowns& x) { return guards_at(phase, x)[i]; };
       const auto curvature = phase.greatest_curvature(i, start.x, end.time);
-      const auto crossing = path.crossing(guard, before[i], (*guards)[i], curvature);
-      if (crossing && (!first || crossing->time < end.time)) {
+      // Up to the end, which an earlier guard may have moved already.
+      if (const auto crossing = path.crossing(guard, before[i], (*guards)[i], curvature)) {
         end = *crossing;
         guards = all_guards(phase, end, end.time);
         first = Phase::guard_names[i];
