@@ -71,9 +71,7 @@ class Flight {
     using std::cos, std::sin;
     angle_ = q[2];
     down_ = Vector<S>(cos(angle_), -sin(angle_));
-    // Near the critical speed the response changes too fast with the speed to be worth it.
-    const S critical = around_.supports.stiffness / around_.body.mass;  // squared
-    subtracts_response_ = q[5] * q[5] > 4 * critical;
+    subtracts_response_ = is_fast(q[5]);
   }
 
   Unknowns unknowns(const State<S>& q) const {  // the axes coincide
@@ -115,11 +113,12 @@ class Flight {
     rates = {velocity.x(), velocity.y(), w, rate.x(), rate.y(), a.angular};
   }
 
-  /// Lays the axes anew if the rotor has turned far from them. Returns whether the rates have to be
-  /// worked out again.
+  /// Lays the axes anew if the rotor has turned far from them, or has become too slow for its
+  /// response to be subtracted. Returns whether the rates have to be worked out again.
   bool start_step(Unknowns& x) {
     constexpr double far = 32;  // rad; the angle is known to some 1e-14 rad until there
-    if (x[2] < far && x[2] > -far) return false;
+    const bool is_near = x[2] < far && x[2] > -far;
+    if (is_near && (!subtracts_response_ || is_fast(x[5]))) return false;
     const State<S> q = state(x);
     lay_axes(q);
     x = unknowns(q);
@@ -157,6 +156,13 @@ class Flight {
   const Surroundings<S>& around_;
 
  private:
+  /// Far above the critical speed. Near it the response changes too fast with the speed to be worth
+  /// subtracting.
+  bool is_fast(const S& speed) const {
+    const S critical = around_.supports.stiffness / around_.body.mass;  // squared
+    return speed * speed > 4 * critical;
+  }
+
   /// The steady response to the unbalance, O_a C.
   struct Steady {
     Vector<S> displacement;  ///< m

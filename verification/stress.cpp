@@ -112,14 +112,47 @@ class Lottery {
   std::mt19937_64 random_;
 };
 
-// A flight's step may be wrong by the tolerance of 1/300 of the clearance, and there may be a
-// thousand; the books are those of an error of 1e-9 a step, multiplied by contacts.
-constexpr double allowed_intrusion = 1e-8, allowed_defect = 1e-6;
+/// What a run did.
+struct Look {
+  std::string refusal;  ///< why it ended before its time, if it did
+  bool finite = true;
+  double intrusion = 0, defect = 0;  ///< into the ring, and of the books
+  long touch_downs = 0, right_hand_sides = 0;
+
+  // A flight's step may be wrong by the tolerance of 1/300 of the clearance, and there may be a
+  // thousand; the books are those of an error of 1e-9 a step, multiplied by contacts.
+  static constexpr double allowed_intrusion = 1e-8, allowed_defect = 1e-6;
+  bool missed() const { return intrusion > allowed_intrusion; }
+  bool is_off_the_books() const { return !(defect < allowed_defect); }
+  bool is_conspicuous() const {
+    return !refusal.empty() || !finite || missed() || is_off_the_books();
+  }
+};
+
+Look look(const Scenario& scenario, const Instant& first) {
+  constexpr double duration_s = 0.01;
+  Auditor auditor(scenario);
+  auditor.see(first);
+  Look look;
+  Work work;
+  try {
+    EventMethod<double>(scenario, scenario.tolerance, auditor, work).rub(first, duration_s);
+  } catch (const std::runtime_error& error) {
+    const std::string reason = error.what();
+    look.refusal = reason.substr(reason.find(": ") + 2, 40);
+  }
+  look.finite = auditor.finite();
+  look.intrusion = auditor.intrusion();
+  look.defect = std::max(auditor.energy_defect(), auditor.angular_momentum_defect());
+  look.touch_downs = auditor.touch_downs();
+  look.right_hand_sides = work.right_hand_sides;
+  return look;
+}
 
 struct Tally {
-  long ended = 0, refused = 0, touch_downs = 0, right_hand_sides = 0;
+  long ended = 0, refused = 0, touch_downs = 0, right_hand_sides = 0, second_looks = 0;
   long not_finite = 0, missed = 0, off_the_books = 0;
-  double worst_books = 0, worst_intrusion = 0;
+  double worst_books = 0, worst_intrusion = 0;   ///< at first look
   std::map<int, std::array<long, 2>> by_decade;  ///< how many books, intrusions below 10^key
   std::map<std::string, long> reasons;
 };
@@ -137,42 +170,34 @@ std::string describe(const Scenario& s, const Instant& at) {
 }
 
 Tally random_rotors(long count, std::string& worst) {
-  constexpr double duration_s = 0.01;
   Tally tally;
   Lottery lottery(1);
   const auto begin = std::chrono::steady_clock::now();
   for (long n = 0; n < count; ++n) {
     Scenario scenario = lottery.scenario();
     const Instant first = lottery.separated(scenario);
-    Auditor auditor(scenario);
-    auditor.see(first);
-    Work work;
-    try {
-      EventMethod<double> method(scenario, scenario.tolerance, auditor, work);
-      method.rub(first, duration_s);
-      ++tally.ended;
-      const bool not_finite = !auditor.finite();
-      const bool missed = auditor.intrusion() > allowed_intrusion;
-      const double defect = std::max(auditor.energy_defect(), auditor.angular_momentum_defect());
-      const bool off = !(defect < allowed_defect);
-      tally.not_finite += not_finite;
-      tally.missed += missed;
-      tally.off_the_books += off;
-      if (not_finite || missed || off)
-        worst += fmt::format("{},{},{},{},{}\n", n, not_finite, auditor.intrusion(), defect,
-                             describe(scenario, first));
-      ++tally.by_decade[decade(defect)][0];
-      ++tally.by_decade[decade(auditor.intrusion())][1];
-      tally.worst_books = std::max(tally.worst_books, defect);
-      tally.worst_intrusion = std::max(tally.worst_intrusion, auditor.intrusion());
-    } catch (const std::runtime_error& error) {
-      ++tally.refused;
-      const std::string reason = error.what();
-      ++tally.reasons[reason.substr(reason.find(": ") + 2, 40)];
-      worst += fmt::format("{},refused,,,{}\n", n, describe(scenario, first));
+    Look seen = look(scenario, first);
+    tally.touch_downs += seen.touch_downs;
+    tally.right_hand_sides += seen.right_hand_sides;
+    ++tally.by_decade[decade(seen.defect)][0];
+    ++tally.by_decade[decade(seen.intrusion)][1];
+    tally.worst_books = std::max(tally.worst_books, seen.defect);
+    tally.worst_intrusion = std::max(tally.worst_intrusion, seen.intrusion);
+    if (seen.is_conspicuous()) {
+      // Errors of integration fall with the tolerance; a contact missed or a hole in the books
+      // stays.
+      ++tally.second_looks;
+      scenario.tolerance /= 100;
+      seen = look(scenario, first);
     }
-    tally.touch_downs += auditor.touch_downs();
-    tally.right_hand_sides += work.right_hand_sides;
+    ++(seen.refusal.empty() ? tally.ended : tally.refused);
+    if (!seen.refusal.empty()) ++tally.reasons[seen.refusal];
+    tally.not_finite += !seen.finite;
+    tally.missed += seen.missed();
+    tally.off_the_books += seen.is_off_the_books();
+    if (seen.is_conspicuous())
+      worst += fmt::format("{},{},{},{},{},{}\n", n, seen.refusal, seen.finite, seen.intrusion,
+                           seen.defect, describe(scenario, first));
     if (n % 1000 == 999)
       fmt::print(stderr, "\r{} of {} rotors, {:.0f} s", n + 1, count,
                  std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -264,19 +289,21 @@ std::string stability_limits() {
 }
 
 int rotors(long count, const std::filesystem::path& folder) {
-  std::string worst = "rotor,not_finite,intrusion,books_defect,parameters\n";
+  std::string worst = "rotor,refusal,finite,intrusion,books_defect,parameters\n";
   const Tally tally = random_rotors(count, worst);
   fmt::print("\n{} random rotors ended, {} refused; {} touch-downs, {} right-hand sides\n",
              tally.ended, tally.refused, tally.touch_downs, tally.right_hand_sides);
   for (const auto& [reason, number] : tally.reasons)
     fmt::print("  refused {}: {}\n", number, reason);
   fmt::print(
-      "not finite: {}; contacts missed: {} (deepest {:.1e} of the clearance, allowed {:.0e})\n",
-      tally.not_finite, tally.missed, tally.worst_intrusion, allowed_intrusion);
+      "at a tolerance of 1e-9: deepest into the ring while free {:.1e} of the clearance, books of "
+      "energy or angular momentum open by {:.1e} at most\n",
+      tally.worst_intrusion, tally.worst_books);
   fmt::print(
-      "books of energy or angular momentum open: {} (worst {:.1e} at a tolerance of 1e-9, allowed "
-      "{:.0e})\n",
-      tally.off_the_books, tally.worst_books, allowed_defect);
+      "looked at again at 1e-11: {}; left of them: not finite {}, contacts missed {} (more than "
+      "{:.0e}), books open {} (more than {:.0e})\n",
+      tally.second_looks, tally.not_finite, tally.missed, Look::allowed_intrusion,
+      tally.off_the_books, Look::allowed_defect);
   FileTransaction files;
   files.write(folder / "conspicuous-rotors.csv", worst);
   std::string defects = "below_ten_to_the,books,intrusions\n";
@@ -284,7 +311,10 @@ int rotors(long count, const std::filesystem::path& folder) {
     defects += fmt::format("{},{},{}\n", exponent, numbers[0], numbers[1]);
   files.write(folder / "defects.csv", defects);
   files.commit();
-  return tally.refused + tally.not_finite + tally.missed + tally.off_the_books > 0;
+  // Bounces that die away in the rounding of the ring's indentation are ended by the rule for that.
+  const long allowed_refusals = count / 10'000;
+  return tally.refused > allowed_refusals ||
+         tally.not_finite + tally.missed + tally.off_the_books > 0;
 }
 
 int steps(const std::filesystem::path& folder) {
