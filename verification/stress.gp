@@ -58,17 +58,18 @@ plot for [i = 1:3] folder."/growth.csv" using (column("contact")):(with(word(all
 set boxwidth 0.36
 set output file("defects")
 set title "{/:Bold Defects of the random rotors}, at a tolerance of 1e-9"
-set xrange [-17.8:-4.2]
-set yrange [0.5:*]
+set xrange [-17.8:-3.2]
+set yrange [0.5:1e7]
 set xlabel "defect"
 set format x "10^{%g}"
 set format y "10^{%T}"
 set ylabel "rotors with less than that, and not less than a tenth of it"
-set key top right
+set key default
+set key top right opaque samplen 2 spacing 1.15
 set style fill solid 0.8
 set arrow from -8,graph 0 to -8,graph 1 nohead linetype 2 dashtype (6,4)
 set arrow from -6,graph 0 to -6,graph 1 nohead linetype 1 dashtype (6,4)
 plot folder."/defects.csv" using (column("below_ten_to_the") - 0.2):(column("books")) with boxes linetype 1 \
-       title "books of energy and angular momentum (dashed: allowed)", \
+       title "books of energy and angular momentum (dashed: beyond, looked at again)", \
      "" using (column("below_ten_to_the") + 0.2):(column("intrusions")) with boxes linetype 2 \
        title "rim beyond the ring while free, in clearances"
