@@ -314,7 +314,9 @@ class EventMethod {
         return found;
       const auto reach = path.reach();
       if (reach && !wanted(Extreme::displacement, *reach, S(0), length)) return found;
-      const int arcs = phase.arcs(path.start().x, length);
+      // In contact the ends of a step have to tell, or every step would cost an interpolation: at
+      // loose tolerances it may swing by more than an arc, and hide a maximum.
+      const int arcs = Phase::contact_in_rates ? 1 : phase.arcs(path.start().x, length);
       Point left = path.start();
       for (int n = 1; n <= arcs; ++n) {
         const Point right = path.interpolated(length * S(n) / S(arcs));

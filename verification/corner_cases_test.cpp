@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/event_method.hpp"
+#include "model/summary.hpp"
 #include "verification/ledger.hpp"
 #include "verification/sines.hpp"
 
@@ -321,6 +322,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Cost{"rub at mu = 0.2", 0.2, 29.1, 29.35, 40474, 45166, 35, 96496},
                     Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 26910, 24976, 121, 53467},
                     Cost{"no contact", 0.3, 9.4, 10.4, 5647, 0, 0, 5692}));
+
+TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
+  const Scenario scenario{.until = 29.2, .tolerance = 1e-8};
+  struct : Observer {
+    using Observer::see;
+    void see(const Instant&) override {}
+  } nobody;
+  SummaryObserver summary(scenario);
+  Work without, with, before;
+  const Instant at = run_up(scenario, start(scenario), 29.1, nobody, before);
+  run(scenario, at, nobody, without);
+  run(scenario, at, summary, with);
+  EXPECT_LT(with.right_hand_sides, 1.1 * static_cast<double>(without.right_hand_sides));
+}
 
 }  // namespace
 }  // namespace rotor
