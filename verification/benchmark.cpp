@@ -20,13 +20,13 @@
 #include "figures/csv.hpp"
 #include "model/event_method.hpp"
 #include "model/published_method.hpp"
-#include "verification/gsl_solver.hpp"
 #include "verification/peer.hpp"
 #include "verification/program.hpp"
-#include "verification/sundials_solver.hpp"
 #ifdef ROTOR_SUNDIALS
+#include "verification/sundials_solver.hpp"
 #endif
 #ifdef ROTOR_GSL
+#include "verification/gsl_solver.hpp"
 #endif
 
 namespace rotor {
