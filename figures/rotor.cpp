@@ -137,16 +137,16 @@ class FigureCommand {
     const std::map<int, fs::path> files = scene_files();
     Scenario defaults;
     common_.apply_to(defaults);
+    std::vector<int> numbers = numbers_;
+    if (numbers.empty()) std::ranges::copy(files | std::views::keys, std::back_inserter(numbers));
     std::map<int, Scene> scenes;
-    for (const int number : numbers_) {
+    for (const int number : numbers) {
       if (!files.contains(number))
         throw InputError(fmt::format("figure {}: there is no {}; the figures are {}", number,
                                      (fs::path(scenes_) / "figNN.toml").string(),
                                      fmt::join(files | std::views::keys, ", ")));
       scenes.emplace(number, read_scene(files.at(number), defaults));
     }
-    if (numbers_.empty())
-      for (const auto& [number, file] : files) scenes.emplace(number, read_scene(file, defaults));
     return scenes;
   }
 

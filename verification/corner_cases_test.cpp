@@ -6,6 +6,7 @@
 
 #include "model/event_method.hpp"
 #include "model/summary.hpp"
+#include "verification/just_separated.hpp"
 #include "verification/ledger.hpp"
 #include "verification/sines.hpp"
 
@@ -27,12 +28,23 @@ class Witness : public Ledger {
   Instant last;
 };
 
-/// A run from an instant to a time. The books of energy must close.
-Witness follow_motion(const Scenario& scenario, const Instant& from, double until_s) {
+struct Blind : Observer {
+  using Observer::see;
+  void see(const Instant&) override {}
+};
+
+/// A run from an instant to a time.
+Witness watch(const Scenario& scenario, const Instant& from, double until_s, Work& work) {
   Witness witness(scenario);
   witness.see(from);
-  Work work;
   EventMethod<double>(scenario, scenario.tolerance, witness, work).rub(from, until_s);
+  return witness;
+}
+
+/// The same. The books of energy must close.
+Witness follow_motion(const Scenario& scenario, const Instant& from, double until_s) {
+  Work work;
+  Witness witness = watch(scenario, from, until_s, work);
   EXPECT_LT(witness.energy_defect(), 1e-9);  // a few thousand steps of the default tolerance
   for (const double component : witness.last.state) EXPECT_TRUE(std::isfinite(component));
   return witness;
@@ -139,23 +151,6 @@ TEST(Steps, AreLimitedInEachRunOnItsOwn) {
   EXPECT_EQ(method.rub(start(scenario), 0.1).time_s, 0.1);
 }
 
-/// As the stress test starts its rotors: self-centred as far as the clearance lets it.
-Instant just_separated(const Scenario& scenario, double speed) {
-  const Parameters& p = scenario.parameters;
-  const MassLoss<double> loss(p);
-  Instant at = start(scenario);
-  at.body = loss.after;
-  at.separated = true;
-  at.motor_on = speed < two_pi * p.motor_off_Hz;
-  at.state = {-std::min(p.eccentricity, 0.9 * (p.stator_radius - p.rotor_radius)),
-              0,
-              0,
-              0,
-              loss.velocity_jump(speed),
-              speed};
-  return at;
-}
-
 // Found by the stress test: the motor of a light rotor took it from far above the critical speed to
 // below it within a turn, and the response that was subtracted has a pole there without damping.
 TEST(Flight, ThroughTheCriticalSpeedWithinATurnSubtractsNoResponseThere) {
@@ -175,11 +170,8 @@ TEST(Flight, ThroughTheCriticalSpeedWithinATurnSubtractsNoResponseThere) {
                                          .unbalance_factor = 2.5498171767605755},
                           .equations = Equations::consistent,
                           .tolerance = 1e-9};
-  Witness witness(scenario);
-  const Instant first = just_separated(scenario, -237.3213473641968);
-  witness.see(first);
   Work work;
-  EventMethod<double>(scenario, scenario.tolerance, witness, work).rub(first, 0.01);
+  const Witness witness = watch(scenario, just_separated(scenario, -237.3213473641968), 0.01, work);
   EXPECT_EQ(witness.count.count(Event::touch_down), 0U);
   EXPECT_LT(work.right_hand_sides, 500);  // 155
   EXPECT_LT(witness.energy_defect(), 1e-9);
@@ -269,11 +261,8 @@ TEST_P(StressedRotor, ThatLeavesZeroSlipImperceptiblyGoesOn) {
   const auto& [p, equations, speed] = cases[static_cast<std::size_t>(GetParam())];
   Scenario scenario{.parameters = p, .equations = equations, .tolerance = 1e-9};
   scenario.parameters.separates = false;
-  const Instant at = just_separated(scenario, speed);
-  Witness witness(scenario);
-  witness.see(at);
   Work work;
-  EventMethod<double>(scenario, scenario.tolerance, witness, work).rub(at, 0.01);
+  const Witness witness = watch(scenario, just_separated(scenario, speed), 0.01, work);
   EXPECT_EQ(witness.last.time_s, 0.01);
   EXPECT_LT(witness.energy_defect(), 1e-6);  // of the tolerance 1e-9, through hundreds of contacts
 }
@@ -296,10 +285,7 @@ TEST_P(Costs, AreNoHigherThanTheyWere) {
   const Scenario scenario{
       .parameters = {.friction = cost.friction, .separation_time = cost.separation_s},
       .until = cost.until_s};
-  struct : Observer {
-    using Observer::see;
-    void see(const Instant&) override {}
-  } nobody;
+  Blind nobody;
   Work work;
   Instant at = start(scenario);
   if (scenario.loses_mass()) {  // counted from there
@@ -325,10 +311,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
   const Scenario scenario{.until = 29.2, .tolerance = 1e-8};
-  struct : Observer {
-    using Observer::see;
-    void see(const Instant&) override {}
-  } nobody;
+  Blind nobody;
   SummaryObserver summary(scenario);
   Work without, with, before;
   const Instant at = run_up(scenario, start(scenario), 29.1, nobody, before);

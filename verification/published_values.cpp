@@ -104,6 +104,9 @@ class Run : public SummaryObserver {
   double angle_ = 0, turned_ = 0, last_q3_ = 0;
 };
 
+/// N.
+double peak(const Run& run) { return *run.summary().peak_normal_force_N; }
+
 /// Runs that are computed when they are first needed, each once.
 class Runs {
  public:
@@ -114,9 +117,7 @@ class Runs {
   }
   /// Largest normal force at a friction until a time, N.
   double peak_until(double friction, double until_s) {
-    return *get({.parameters = {.friction = friction}, .until = until_s})
-                .summary()
-                .peak_normal_force_N;
+    return peak(get({.parameters = {.friction = friction}, .until = until_s}));
   }
 
   /// Of all separate collisions at the three frictions, s.
@@ -130,15 +131,16 @@ class Runs {
 
  private:
   const Run& get(const Scenario& scenario) {
-    const auto found = std::ranges::find(scenarios_, scenario);
-    if (found != scenarios_.end())
-      return runs_[static_cast<std::size_t>(found - scenarios_.begin())];
-    scenarios_.push_back(scenario);
-    return runs_.emplace_back(scenario);
+    const auto found = std::ranges::find(runs_, scenario, &Entry::scenario);
+    return found != runs_.end() ? found->run : runs_.emplace_back(scenario).run;
   }
 
-  std::vector<Scenario> scenarios_;
-  std::deque<Run> runs_;  // which stay where they are
+  struct Entry {
+    Scenario scenario;
+    Run run;
+    explicit Entry(const Scenario& of) : scenario(of), run(of) {}
+  };
+  std::deque<Entry> runs_;  // which stay where they are
 };
 
 /// Largest relative change of a result when one parameter is doubled and halved, %.
@@ -154,7 +156,6 @@ double largest_change(Runs& runs, double friction, double Parameters::*of, const
   return 100 * largest;
 }
 
-double peak(const Run& run) { return *run.summary().peak_normal_force_N; }
 double time_to_rolling(const Run& run) {
   return *run.summary().rolling_onset_s - *run.summary().first_contact_s;
 }

@@ -192,6 +192,15 @@ class CommandLine : public InFolder {
     return {::pclose(pipe), output};
   }
 
+  /// Of a CSV in the folder: the header row, then the data.
+  std::vector<std::string> rows_of(std::string_view name) const {
+    std::ifstream file(folder_ / name);
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(file, line);)
+      if (!line.starts_with("# ")) rows.push_back(line);
+    return rows;
+  }
+
   void expect_refusal(const std::string& arguments, std::string_view message) const {
     const auto [status, output] = rotor(arguments);
     EXPECT_NE(status, 0) << arguments;
@@ -232,10 +241,8 @@ TEST_F(CommandLine, ListsTheEventsOfARun) {
   const auto [status, output] = rotor("run --until 29.11 --events e.csv --json");
   EXPECT_EQ(status, 0) << output;
   EXPECT_NE(output.find("\"located_events\": 4"), std::string::npos) << output;
-  std::ifstream events(folder_ / "e.csv");
-  std::string kinds, line;
-  while (std::getline(events, line))
-    if (!line.starts_with("#")) kinds += line.substr(0, line.find(',')) + ' ';
+  std::string kinds;
+  for (const std::string& row : rows_of("e.csv")) kinds += row.substr(0, row.find(',')) + ' ';
   EXPECT_EQ(kinds, "event motor_off mass_loss touch_down release ring_clear ");
 }
 
@@ -244,14 +251,9 @@ TEST_F(CommandLine, SummarisesARunAsJsonAndTracesIt) {
       rotor("run --method rk4 --until 0.01 --trace t.csv --columns time_s,rho_m --json");
   EXPECT_EQ(status, 0) << output;
   EXPECT_NE(output.find("\"first_contact_s\": null"), std::string::npos) << output;
-  std::ifstream trace(folder_ / "t.csv");
-  std::string line;
-  while (std::getline(trace, line) && line.starts_with("# ")) {
-  }
-  EXPECT_EQ(line, "run,time_s,rho_m");
-  int rows = 0;
-  while (std::getline(trace, line)) ++rows;
-  EXPECT_EQ(rows, 101);  // 100 steps and the start
+  const auto rows = rows_of("t.csv");
+  ASSERT_EQ(rows.size(), 1U + 101);  // 100 steps and the start
+  EXPECT_EQ(rows[0], "run,time_s,rho_m");
 }
 
 TEST_F(CommandLine, TracesWhatTheSceneSays) {
@@ -260,13 +262,10 @@ TEST_F(CommandLine, TracesWhatTheSceneSays) {
         "[parameters]\nuntil = 0.03\nmethod = \"rk4\"");
   const auto [status, output] = rotor("run --scene scene.toml --mass 6 --trace t.csv");
   EXPECT_EQ(status, 0) << output;
-  std::ifstream trace(folder_ / "t.csv");
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(trace, line);)
-    if (!line.starts_with("# ")) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 1U + 101);  // 100 steps of 1e-4 s and the start
-  EXPECT_EQ(lines[0], "run,time_s,rho_m");
-  EXPECT_TRUE(lines[1].starts_with("run,0.01,")) << lines[1];
+  const auto rows = rows_of("t.csv");
+  ASSERT_EQ(rows.size(), 1U + 101);  // 100 steps of 1e-4 s and the start
+  EXPECT_EQ(rows[0], "run,time_s,rho_m");
+  EXPECT_TRUE(rows[1].starts_with("run,0.01,")) << rows[1];
 }
 
 TEST_F(CommandLine, LeavesAFiguresSceneItsOwnMethod) {

@@ -14,6 +14,7 @@
 #include "figures/csv.hpp"
 #include "model/event_method.hpp"
 #include "model/published_method.hpp"
+#include "verification/just_separated.hpp"
 #include "verification/ledger.hpp"
 #include "verification/program.hpp"
 
@@ -77,19 +78,8 @@ class Lottery {
     return scenario;
   }
 
-  /// Self-centred as far as the clearance lets it, just after the mass loss.
-  Instant separated(const Scenario& scenario) {
-    const MassLoss<double> loss(scenario.parameters);
-    const double clearance = Ring<double>(scenario.parameters).clearance;
-    Instant at = start(scenario);
-    at.body = loss.after;
-    at.separated = true;
-    const double speed = one_in(20) ? 0 : two_pi * between(0.1, 1000) * (one_in(10) ? -1 : 1);
-    at.motor_on = speed < two_pi * scenario.parameters.motor_off_Hz;
-    const double offset = std::min(loss.before.eccentricity, 0.9 * clearance);
-    at.state = {-offset, 0, 0, 0, loss.velocity_jump(speed), speed};
-    return at;
-  }
+  /// Of a rotor just after its mass loss, rad/s.
+  double speed() { return one_in(20) ? 0 : two_pi * between(0.1, 1000) * (one_in(10) ? -1 : 1); }
 
  private:
   void draw(Parameters& p) {
@@ -175,7 +165,7 @@ Tally random_rotors(long count, std::string& worst) {
   const auto begin = std::chrono::steady_clock::now();
   for (long n = 0; n < count; ++n) {
     Scenario scenario = lottery.scenario();
-    const Instant first = lottery.separated(scenario);
+    const Instant first = just_separated(scenario, lottery.speed());
     Look seen = look(scenario, first);
     tally.touch_downs += seen.touch_downs;
     tally.right_hand_sides += seen.right_hand_sides;
