@@ -1,17 +1,19 @@
 # The front door: `make help` lists what there is. CMake does the building, gnuplot the drawing.
 
 SHELL       := bash
-.SHELLFLAGS := -o pipefail -c
+.SHELLFLAGS := -eo pipefail -c
 
 FORMAT    ?= svg
 EQUATIONS ?= published
+FIG       ?=
 BUILD     := build
-NUMBERS   := $(patsubst figures/fig%.toml,%,$(sort $(wildcard figures/fig*.toml)))
+SCENES    := $(sort $(wildcard figures/paper/fig*.toml))
+FIGURES   := $(SCENES:figures/paper/%.toml=%)
+ROTOR     := $(BUILD)/rotor
 
 # Figures of the published equations stand in build/figures, others in a folder of their own.
-OUT   := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
-DRAW  ?= $(NUMBERS)
-ROTOR := $(BUILD)/rotor
+OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
+ASKED  := $(if $(FIG),$(shell printf 'fig%02d ' $(FIG)),$(FIGURES))
 
 # What `make deps` installs, and why.
 #   g++ cmake ninja-build     compiler and build
@@ -25,121 +27,108 @@ ROTOR := $(BUILD)/rotor
 #                             pictures, and the font in them
 PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
             nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev gnuplot-nox fonts-dejavu-core
-missing = $(shell dpkg-query -W -f='$${db:Status-Abbrev} $${Package}\n' $(PACKAGES) 2>/dev/null | \
-            awk '/^ii/ { have[$$2] = 1 } END { split("$(PACKAGES)", all); \
-                 for (i = 1; i in all; ++i) if (!(all[i] in have)) printf "%s ", all[i] }')
+# Peers of the benchmark: SUNDIALS and GSL in C, SciPy in Debian's Python; Google Benchmark times
+# single evaluations.
+BENCH_PACKAGES := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
+LINT_PACKAGES  := clang-format clang-tidy
 
-# Quiet unless there is something to do or to complain of.
-define configure-and-build
-{ log=$$(cmake --preset release 2>&1) || { echo "$$log" >&2; exit 1; }; } && \
-cmake --build $(BUILD) $(1) | sed -u '/no work to do/d'
+installed = $(shell dpkg-query -W -f='$${db:Status-Abbrev}$${Package}\n' $(1) 2>/dev/null | sed -n 's/^ii *//p')
+missing   = $(filter-out $(call installed,$(1)),$(1))
+define install
+	@if ! command -v apt-get >/dev/null; then \
+	  echo "This installs with apt-get, which this system does not have. Needed are the equivalents of:"; \
+	  echo "  $(1)"; exit 1; fi >&2
+	@missing="$(call missing,$(1))"; [ -z "$$missing" ] || { \
+	  sudo=$$([ $$(id -u) -eq 0 ] || echo sudo); $$sudo apt-get update -q; \
+	  $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $$missing; }
 endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures draw data reference verify mutants deps-bench bench stress clean
+.PHONY: help deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench \
+        deps-lint stress clean
 
 help: ## list all targets
-	@sed -n 's/^[$$(].*## \(.*\): /\1:## /; s/^\([a-z0-9. ]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
-	  awk -F '\t' '{ printf "  make %-18s %s\n", $$1, $$2 }'
-	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent"
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
+	  awk -F '\t' '{ printf "  make %-12s %s\n", $$1, $$2 }'
+	@echo "  make figNN        redraw one figure: $(FIGURES)"
+	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures)"
 
 deps: ## install the Debian packages that are missing
-	@if ! command -v apt-get >/dev/null; then \
-	  echo "make deps installs with apt-get, which this system does not have. Needed are the equivalents of:"; \
-	  echo "  $(PACKAGES)"; exit 1; \
-	elif [ -n "$(strip $(missing))" ]; then \
-	  sudo=$$([ $$(id -u) -eq 0 ] || echo sudo); \
-	  $$sudo apt-get update -q && \
-	  $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $(missing); \
-	fi
+	$(call install,$(PACKAGES))
+deps-bench: deps ## install the peers that the benchmark compares with (optional)
+	$(call install,$(BENCH_PACKAGES))
+deps-lint: deps ## install what make lint needs (optional)
+	$(call install,$(LINT_PACKAGES))
 
 # On a system without dpkg, CMake and gnuplot speak for themselves.
-need-deps:
-	@if command -v dpkg-query >/dev/null && [ -n "$(strip $(missing))" ]; then \
-	  echo "Missing packages: $(missing)"; echo "Install them with: make deps"; exit 1; \
-	fi >&2
+need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
+	@! command -v dpkg-query >/dev/null || \
+	for package in $(call missing,$(PACKAGES)); do \
+	  echo "Missing package: $$package (make deps installs it)"; missing=1; done >&2; \
+	[ -z "$$missing" ]
+
+# Quiet unless there is something to do or to complain of.
+define build-target
+	@log=$$(cmake --preset release 2>&1) || { echo "$$log" >&2; exit 1; }
+	@cmake --build $(BUILD) --target $(1) | sed -u '/no work to do\|globbed directories/d'
+endef
 
 build: need-deps ## build the program, build/rotor
-	@$(call configure-and-build,--target rotor)
+	$(call build-target,rotor)
+$(ROTOR): build
 
-figures: build ## redraw Figs. 2-17 into build/figures
-	@$(MAKE) --no-print-directory draw
+figures: $(ASKED:%=$(OUT)/%.$(FORMAT)) ## redraw Figs. 2-17 into build/figures
+$(FIGURES): %: $(OUT)/%.$(FORMAT)
 
-$(NUMBERS:%=fig%): fig%: build ## fig02 ... fig17: redraw one figure
-	@$(MAKE) --no-print-directory draw DRAW=$*
+# One process computes all data, in a fraction of a second. Data that come out the same keep their
+# time stamp, so that their pictures are not drawn again.
+$(OUT)/.data: $(ROTOR) $(SCENES)
+	@$(ROTOR) figure --out $(OUT)/new --equations $(EQUATIONS)
+	@for csv in $(OUT)/new/*.csv; do cmp -s $$csv $(OUT)/$${csv##*/} || mv $$csv $(OUT)/; done
+	@rm -rf $(OUT)/new; touch $@
+$(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data ;
 
-# All data that are out of date come from one process; then each picture is drawn on its own.
-draw:
-	@start=$$(date +%s%N); \
-	stale=$$(for n in $(DRAW); do \
-	  csv=$(OUT)/fig$$n.csv; \
-	  [ $$csv -nt figures/fig$$n.toml ] && [ $$csv -nt $(ROTOR) ] || echo $$n; \
-	done); \
-	[ -z "$$stale" ] || $(ROTOR) figure $$stale --out $(OUT) --equations $(EQUATIONS) || exit 1; \
-	computed=$$(date +%s%N); \
-	if $(MAKE) -q pictures DRAW="$(DRAW)"; then echo "The figures in $(OUT) are up to date."; else \
-	  $(MAKE) --no-print-directory $(if $(findstring j,$(MAKEFLAGS)),,-j$$(nproc)) pictures DRAW="$(DRAW)" && \
-	  echo "$$start $$computed $$(date +%s%N)" | \
-	    awk '{ printf "data %.1f s, gnuplot %.1f s\n", ($$2 - $$1)/1e9, ($$3 - $$2)/1e9 }'; \
-	fi
+$(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp
+	@gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'" \
+	  figures/paper/style.gp figures/paper/$*.gp && mv $@.part $@ && echo "$@"
+figures/paper/%.gp:
+	@echo "The scene figures/paper/$*.toml has no script $@ that draws it." >&2; exit 1
 
-.PHONY: pictures
-pictures: $(DRAW:%=$(OUT)/fig%.$(FORMAT))
+verify: build ## build, run all tests, and hold the published numbers against ours
+	$(call build-target,all)
+	@verification/verify.sh $(BUILD)
 
-$(OUT)/fig%.$(FORMAT): figures/fig%.gp figures/style.gp $(OUT)/fig%.csv
-	@gnuplot -e "data = '$(OUT)/fig$*.csv'; output = '$@.part'; format = '$(FORMAT)'; \
-	  equations = '$(EQUATIONS)'" figures/style.gp $< || { rm -f $@.part; exit 1; }
-	@mv $@.part $@ && echo "$@"
-
-$(OUT)/fig%.csv: ;
-
-reference: need-deps ## recompute reference-data/high-precision.csv in quadruple precision (minutes)
-	@$(call configure-and-build,--target reference)
-	@$(BUILD)/reference reference-data/high-precision.csv
-
-verify: need-deps ## build, run all tests, and hold the published numbers against ours
-	@$(call configure-and-build)
-	@mkdir -p $(BUILD)/report
-	@failed=0; report=$(BUILD)/report; rm -f $$report/verification.json; \
-	RC_PARAMS=seed=1 $(BUILD)/verification --gtest_brief=1 \
-	  --gtest_output=json:$$report/verification.json || failed=1; \
-	$(BUILD)/report-numbers $$report/verification.json reference-data/published-values.csv \
-	  reference-data/assumptions.csv $$report/published-values.csv | tee $$report/report.txt || failed=1; \
-	$(BUILD)/stress rotors 300 $$report | tee -a $$report/report.txt || failed=1; \
-	echo; echo "This report: $$report/report.txt"; exit $$failed
+lint: build ## check the code's format, and look for mistakes with clang-tidy
+	$(call build-target,all)
+	@verification/lint.sh $(BUILD)
 
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (an hour or two)
-	@verification/mutants.sh
+	@verification/robustness/mutants.sh
 
-# The peers: libsundials-dev and libgsl-dev in C, SciPy in Debian's Python; libbenchmark-dev times
-# single evaluations.
-PEERS := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
-deps-bench: deps ## install the peers that the benchmark compares with (optional)
-	@sudo=$$([ $$(id -u) -eq 0 ] || echo sudo); \
-	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $(PEERS)
+reference: build ## recompute reference-data/high-precision.csv in quadruple precision (minutes)
+	$(call build-target,reference)
+	@$(BUILD)/reference reference-data/high-precision.csv
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
-bench: need-deps ## run time against error of every method, with pictures, into build/bench
-	@$(call configure-and-build,--target benchmark scene-costs)
-	@for peer in SUNDIALS GSL; do \
-	  grep -q ROTOR_$$peer $(BUILD)/build.ninja || echo "Without $$peer, which make deps-bench installs."; done
-	@$(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/scipy_peer.py
-	@echo && $(BUILD)/scene-costs figures
+bench: build ## run time against error of every method, with pictures, into build/bench
+	$(call build-target,benchmark scene-costs)
+	@$(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/benchmark/peers/scipy_peer.py
+	@echo && $(BUILD)/scene-costs figures/paper
 	@gnuplot -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
-	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/style.gp verification/work-precision.gp
+	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
+	  verification/benchmark/work-precision.gp
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
-	@if grep -q micro_costs $(BUILD)/build.ninja; then \
-	  cmake --build $(BUILD) --target micro-costs >/dev/null && $(BUILD)/micro-costs; \
-	else echo "Without Google Benchmark, which make deps-bench installs."; fi
+	@cmake --build $(BUILD) --target micro-costs >/dev/null 2>&1 && $(BUILD)/micro-costs || \
+	  echo "Without Google Benchmark, which make deps-bench installs."
 
-stress: need-deps ## a hundred thousand random rotors, stability, precision: numbers and pictures (minutes)
-	@$(call configure-and-build,--target stress precision)
+stress: build ## a hundred thousand random rotors, stability, precision: numbers and pictures (minutes)
+	$(call build-target,stress precision)
 	@$(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
 	@$(BUILD)/precision reference-data/high-precision.csv $(BUILD)/stress-results
 	@gnuplot -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
-	  figures/style.gp verification/stress.gp
+	  figures/paper/style.gp verification/robustness/stress.gp
 	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)
 
 clean: ## remove everything that was made

@@ -1,0 +1,17 @@
+/// Leaves out the rows of a table that its curves do not need.
+#pragma once
+
+#include "figures/data/table.hpp"
+
+namespace rotor {
+
+/// Largest distance between a thinned curve and the full one, relative to the picture's height: a
+/// fifth of a pixel in a picture 1000 pixels high.
+inline constexpr double thinning = 2e-4;
+
+/// The table with only those rows that its curves need: interpolated over its first column, which
+/// must not fall, each of the other columns stays within `tolerance`, relative to its range, of its
+/// values in the full table.
+Table thinned(const Table& table, double tolerance);
+
+}  // namespace rotor

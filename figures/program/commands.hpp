@@ -1,0 +1,15 @@
+/// What the program does. All throw std::exception, saying what is wrong, where, and what would be
+/// right; then nothing is written.
+#pragma once
+
+#include "figures/program/options.hpp"
+
+namespace rotor {
+
+/// `rotor figure` writes the data of the paper's figures.
+void write_figures(const FigureOptions& options);
+
+/// `rotor run` runs any rotor.
+void run_rotor(const RunOptions& options);
+
+}  // namespace rotor

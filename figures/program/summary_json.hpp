@@ -1,0 +1,16 @@
+/// The summary of a run as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "model/simulation/counters.hpp"
+#include "model/simulation/scenario.hpp"
+#include "model/simulation/summary.hpp"
+
+namespace rotor {
+
+/// What has not happened is null.
+nlohmann::ordered_json to_json(const Summary& summary, const Counters& cost,
+                               const Scenario& scenario);
+
+}  // namespace rotor

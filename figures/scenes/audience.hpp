@@ -1,0 +1,49 @@
+/// Several observers of one run.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "model/simulation/observer.hpp"
+
+namespace rotor {
+
+/// Several observers as one. Each is shown what it would be shown alone.
+class Audience : public Observer {
+ public:
+  void add(Observer& observer) { all_.push_back(&observer); }
+  void add(const Audience& audience) {
+    all_.insert(all_.end(), audience.all_.begin(), audience.all_.end());
+  }
+
+  void on_instant(const Instant& at) override {
+    for (Observer* observer : all_) observer->on_instant(at);
+  }
+
+  bool wants_dense_output(const double& from_s, const double& until_s) const override {
+    return std::any_of(all_.begin(), all_.end(), [&](const Observer* observer) {
+      return observer->wants_dense_output(from_s, until_s);
+    });
+  }
+  void on_step(const DenseOutput& step) override {
+    for (Observer* observer : all_)
+      if (observer->wants_dense_output(step.from_s, step.until_s)) observer->on_step(step);
+  }
+
+  double threshold(Extreme of, const double& from_s, const double& until_s) const override {
+    double least = Observer::threshold(of, from_s, until_s);
+    for (const Observer* observer : all_)
+      least = std::min(least, observer->threshold(of, from_s, until_s));
+    return least;
+  }
+  void on_maximum(const Maximum& maximum) override {
+    for (Observer* observer : all_)
+      if (maximum.bound > observer->threshold(maximum.of, maximum.at.time_s, maximum.at.time_s))
+        observer->on_maximum(maximum);
+  }
+
+ private:
+  std::vector<Observer*> all_;
+};
+
+}  // namespace rotor

@@ -1,0 +1,29 @@
+/// Runs what several scenes ask for, and nothing twice: equal runs are one, and runs that differ
+/// only later share the way there.
+#pragma once
+
+#include <vector>
+
+#include "model/simulation/simulation.hpp"
+
+namespace rotor {
+
+/// One run that somebody wants to see.
+struct Request {
+  Scenario scenario;
+  Observer& observer;
+};
+
+struct ProductionReport {
+  int runs = 0;     ///< integrated after their run-up
+  int run_ups = 0;  ///< integrated from t = 0
+  double run_up_s = 0;
+  double rub_s = 0;  ///< time taken by the runs after their run-up
+  Counters cost;
+};
+
+/// Runs all requests. Every observer is shown the same, to the bit, as by a run of its own. Throws
+/// as `run` does.
+ProductionReport produce(const std::vector<Request>& requests);
+
+}  // namespace rotor

@@ -1,0 +1,44 @@
+#include "figures/scenes/provenance.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace rotor {
+namespace {
+
+std::string describe(const Quantity& quantity, const Scenario& scenario) {
+  return fmt::format("{} = {}{}{}", quantity.name, quantity.of(scenario),
+                     quantity.unit.empty() ? "" : " ", quantity.unit);
+}
+
+/// What a run states beyond, or against, the defaults.
+std::string differences(const Scenario& scenario) {
+  std::vector<std::string> all;
+  for (const Quantity& quantity : quantities())
+    if (quantity.of(scenario) != quantity.of(Scenario{}))
+      all.push_back(describe(quantity, scenario));
+  if (!scenario.parameters.separates) all.emplace_back("no mass loss");
+  return all.empty() ? "the paper's parameters" : fmt::format("{}", fmt::join(all, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> provenance(const std::string& title, const Scene& scene) {
+  std::vector<std::string> lines = {title, "rotor " ROTOR_VERSION};
+  for (const auto& [name, scenario] : scene.runs)
+    lines.push_back(fmt::format("{}: equations {}, method {}, {}", name,
+                                name_of(scenario.equations), name_of(scenario.method),
+                                differences(scenario)));
+  for (const Column* column : scene.columns)
+    lines.push_back(fmt::format("{}: {}", column->name, column->meaning));
+  return lines;
+}
+
+std::vector<std::string_view> headings(std::string_view names,
+                                       const std::vector<const Column*>& columns) {
+  std::vector<std::string_view> all = {names};
+  for (const Column* column : columns) all.push_back(column->name);
+  return all;
+}
+
+}  // namespace rotor

@@ -1,0 +1,84 @@
+/// Where a function of time first becomes negative. The search passes over no crossing if it is
+/// given a bound on the function's curvature: a stretch counts as clear only if the function cannot
+/// reach zero there. Without a bound the curvature is estimated, generously.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace rotor {
+
+/// A function at one time.
+template <class S>
+struct ValueAndSlope {
+  S time{}, value{}, slope{};
+};
+
+/// |f''| between a and b as the cubic through both has it, doubled: what a function may hide that
+/// is as smooth as an integrator's step asks for.
+template <class S>
+S estimated_curvature(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
+  using std::abs, std::max;
+  const S h = b.time - a.time, rise = 6 * (b.value - a.value) / h;
+  return 2 * max(abs(rise - 4 * a.slope - 2 * b.slope), abs(rise - 2 * a.slope - 4 * b.slope)) / h;
+}
+
+/// Whether f is nowhere negative between a and b if |f''| <= curvature. The parabolas of that
+/// curvature through both ends are lower bounds; the least value that both leave possible is where
+/// they meet.
+template <class S>
+bool stays_clear(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b, const S& curvature) {
+  if (!(a.value >= 0 && b.value >= 0)) return false;
+  const S h = b.time - a.time, bend = curvature * h;  // by which the parabolas' slopes change
+  if (a.slope >= bend || -b.slope >= bend) return true;
+  const S meet = (a.value - b.value + (b.slope + bend / 2) * h) / (bend + b.slope - a.slope);
+  if (!(meet > 0 && meet < h)) return true;
+  return a.value + meet * (a.slope - curvature * meet / 2) > 0;
+}
+
+/// The zero of a function that falls from a to b, as the inverse cubic through both has it.
+template <class S>
+S estimated_zero(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
+  const S h = b.time - a.time;
+  if (!(a.slope < 0 && b.slope < 0)) return a.time + h / 2;
+  const S chord = (b.value - a.value) / h;
+  const S u = a.value / (a.value - b.value), v = 1 - u;
+  return a.time +
+         h * (u * u * (3 - 2 * u) + u * v * v * chord / a.slope - u * u * v * chord / b.slope);
+}
+
+/// The first time between a and b after which f < 0, to within `resolution` and on that side. If
+/// f = 0 at a already and does not rise, f has crossed there if it is negative at b, and is about
+/// to leave zero to the positive side if not. `f(time)` gives a ValueAndSlope; `curvature` bounds
+/// |f''|, if there is a bound.
+template <class S, class Function>
+std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S& resolution,
+                                const std::optional<S>& curvature, const Function& f) {
+  using std::abs;
+  if (a.value <= 0 && a.slope <= 0) return b.value < 0 ? std::optional(a.time) : std::nullopt;
+  for (int slow = 0;;) {
+    const S h = b.time - a.time;
+    const bool crosses = b.value < 0;
+    if (h <= resolution) return crosses ? std::optional(b.time) : std::nullopt;
+    const S bound = curvature ? *curvature : estimated_curvature(a, b);
+    if (!crosses && stays_clear(a, b, bound)) return std::nullopt;
+    if (crosses && abs(b.value) <= -b.slope * resolution &&
+        stays_clear(a, {b.time, S(0), b.slope}, bound))
+      return b.time;
+
+    S time = crosses && slow < 2 ? estimated_zero(a, b) + resolution / 2 : a.time + h / 2;
+    if (!(time > a.time && time < b.time)) time = a.time + h / 2;
+    const ValueAndSlope<S> middle = f(time);
+    if (middle.value < 0) {
+      b = middle;
+    } else if (const auto earlier = first_crossing(a, middle, resolution, curvature, f)) {
+      return earlier;
+    } else {
+      a = middle;
+    }
+    slow = b.time - a.time > h / 2 ? slow + 1 : 0;
+  }
+}
+
+}  // namespace rotor

@@ -1,0 +1,185 @@
+/// Steps of an Odeint error stepper over a smooth autonomous system: their error, their dense
+/// output, and where in them a function of the unknowns becomes negative. Knows nothing of what is
+/// integrated.
+///
+/// A system is called as system(x, rates, time), and tells by scale(x) the sizes that the errors of
+/// its unknowns are measured by.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "model/integration/crossing.hpp"
+#include "model/integration/hermite.hpp"
+
+namespace rotor {
+
+/// The unknowns at a time after the start of a step.
+template <class S, class Unknowns_>
+struct Point {
+  using Unknowns = Unknowns_;
+  S time{};
+  Unknowns x{}, rates{};
+
+  /// The unknowns some time later along the tangent.
+  Unknowns ahead(const S& by) const {
+    Unknowns later = x;
+    for (std::size_t i = 0; i < later.size(); ++i) later[i] += by * rates[i];
+    return later;
+  }
+};
+
+/// Takes steps, and tells their errors in units of what is allowed: the tolerance times the
+/// system's scale, and rounding.
+template <class S, class Stepper>
+class ErrorControl {
+ public:
+  using Unknowns = typename Stepper::state_type;
+  using Point = rotor::Point<S, Unknowns>;
+
+  explicit ErrorControl(const S& tolerance) : tolerance_(tolerance) {}
+
+  const S& tolerance() const { return tolerance_; }
+
+  /// From a point to the time of another, whose unknowns it sets. Returns the error, infinite if
+  /// the motion is not finite.
+  template <class System>
+  double step(const System& system, const Point& from, Point& to) {
+    using std::abs;
+    Unknowns errors;
+    stepper_.do_step(std::cref(system), from.x, from.rates, S(0), to.x, S(to.time - from.time),
+                     errors);
+    const Unknowns scale = system.scale(from.x);
+    const S rounding = 32 * std::numeric_limits<S>::epsilon();  // of the sums in a step
+    double largest = 0;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      const S allowed = scale[i] * tolerance_ + rounding * abs(to.x[i]);
+      const auto error = static_cast<double>(S(abs(errors[i]) / allowed));
+      if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, error);
+    }
+    return largest;
+  }
+
+  /// By how much the next step is to be longer than one of this error.
+  static double step_factor(double error) {
+    constexpr double safety = 0.9, least = 0.2, most = 4;
+    if (!(error < std::numeric_limits<double>::infinity())) return least;
+    const double exponent = -1. / Stepper::stepper_order_value;
+    return std::clamp(safety * std::pow(error, exponent), least, most);
+  }
+
+ private:
+  S tolerance_;
+  Stepper stepper_{};
+};
+
+/// A step that has been taken.
+template <class S, class Stepper, class System>
+class Step {
+ public:
+  using Control = ErrorControl<S, Stepper>;
+  using Unknowns = typename Control::Unknowns;
+  using Point = typename Control::Point;
+  using DenseOutput = HermitePolynomial<S, Unknowns, 4>;
+
+  /// Times are since the start of the step.
+  Step(Control& control, const System& system, const Point& start, const Point& end)
+      : control_(control), system_(system), start_(start), end_(end) {}
+
+  const System& system() const { return system_; }
+  const Point& start() const { return start_; }
+  const Point& end() const { return end_; }
+
+  /// As accurate as the step: of its order, through two points between its ends. Costs two steps.
+  const DenseOutput& dense_output() {
+    if (!dense_output_) {
+      std::array<typename DenseOutput::Node, 4> nodes;
+      Point point = start_;
+      for (std::size_t i = 0; i < 3; ++i) {
+        nodes[i] = {point.time, point.x, point.rates};
+        if (i < 2) point = step(point, end_.time * S(i + 1) / 3);
+      }
+      nodes[3] = {end_.time, end_.x, end_.rates};
+      dense_output_.emplace(nodes);
+    }
+    return *dense_output_;
+  }
+
+  Point at(const S& time) {
+    if (time == end_.time) return end_;
+    Point point{.time = time, .x = dense_output()(time)};
+    system_(point.x, point.rates, S(0));
+    return point;
+  }
+
+  /// Over which time a slope is taken as a difference.
+  S look_ahead() const {
+    using std::sqrt;
+    return end_.time * sqrt(std::numeric_limits<S>::epsilon());
+  }
+
+  /// value(x) at a time on the dense output, with its slope.
+  template <class Value>
+  ValueAndSlope<S> observe(const Value& value, const S& time) {
+    const S here = value(dense_output()(time)), later = value(dense_output()(time + look_ahead()));
+    return {time, here, (later - here) / look_ahead()};
+  }
+
+  /// Where value(x) first becomes negative between two times, if it does. `curvature` bounds its
+  /// second derivative, if there is a bound.
+  template <class Value>
+  std::optional<Point> crossing(const Value& value, const ValueAndSlope<S>& from,
+                                const ValueAndSlope<S>& until,
+                                const std::optional<S>& curvature = std::nullopt) {
+    // Found on the dense output, which costs no right-hand sides; then polished.
+    const auto time = first_crossing(from, until, look_ahead(), curvature,
+                                     [&](const S& t) { return observe(value, t); });
+    if (!time) return std::nullopt;
+    if (*time == 0) return start_;
+    return polished(step(start_, *time), value);
+  }
+
+ private:
+  Point step(const Point& from, const S& time) {
+    Point to{.time = time};
+    control_.step(system_, from, to);
+    system_(to.x, to.rates, S(0));
+    return to;
+  }
+
+  /// Newton's method from near the zero: by steps, and by the tangent once that is as exact. Ends
+  /// on the negative side, to rounding.
+  template <class Value>
+  Point polished(Point point, const Value& value) {
+    using std::abs;
+    const S resolution = 8 * end_.time * std::numeric_limits<S>::epsilon();
+    for (int n = 0; n < 8; ++n) {
+      const S here = value(point.x);
+      const S slope = (value(point.ahead(look_ahead())) - here) / look_ahead();
+      const S correction = -here / slope;
+      if (!(slope < 0) || abs(correction) > end_.time / 8) break;  // it only touches zero
+      if (here < 0 && abs(correction) <= resolution) break;
+      const S time = point.time + correction + resolution / 2;
+      if (abs(correction) > look_ahead()) {
+        point = step(point, time);
+      } else {
+        point.x = point.ahead(time - point.time);
+        point.time = time;
+        system_(point.x, point.rates, S(0));
+      }
+    }
+    return point;
+  }
+
+  Control& control_;
+  const System& system_;
+  const Point start_, end_;
+  std::optional<DenseOutput> dense_output_;
+};
+
+}  // namespace rotor

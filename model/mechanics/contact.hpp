@@ -1,0 +1,145 @@
+/// Contact of the rotor's rim with the stator ring: a spring and a dashpot along the normal,
+/// Coulomb friction across it. Source:
+/// "Overcritical high-speed rotor systems, full annular rub and accident",
+/// Sec. 2.3, Eqs. (15)-(25).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/mechanics/rotor.hpp"
+
+namespace rotor {
+
+/// State of the contact at one instant.
+enum class ContactState {
+  free,      ///< clear of the ring
+  sliding,   ///< in contact, the rim slides along the ring
+  rolling,   ///< in contact, the rim does not slide
+  indented,  ///< no force, but the ring's contact spot has not come back yet (Delta > 0)
+};
+
+/// Kinematics of the rim point K nearest to the ring. Only meaningful for a displaced rotor
+/// (rho > 0), which every contact implies.
+template <class S>
+struct RimPoint {
+  Vector<S> normal;   ///< from O_a through O to K
+  Vector<S> tangent;  ///< normal turned by a quarter turn in the sense of q3
+  S displacement;     ///< rho, m
+  S indentation;      ///< Delta, m; negative while there is a gap
+  S normal_velocity;  ///< v_Kn = Delta', m/s
+  S slip_velocity;    ///< v_Ktau, of the rim relative to the ring, m/s
+};
+
+/// Forces at K: F_n along the normal, negative in compression as in the paper, and F_tau along the
+/// tangent (N).
+template <class S>
+struct ContactForces {
+  S normal;
+  S friction;
+};
+
+template <class S>
+struct Ring {
+  S rotor_radius;  ///< r, m
+  S clearance;     ///< r_a - r, m
+  S stiffness;     ///< k_t, N/m
+  S damping;       ///< d_t, N s/m
+  S friction;      ///< mu
+
+  explicit Ring(const Parameters& p)
+      : rotor_radius(S(p.rotor_radius)),
+        clearance(S(p.stator_radius) - S(p.rotor_radius)),
+        stiffness(S(p.contact_stiffness)),
+        damping(S(p.contact_damping)),
+        friction(S(p.friction)) {}
+
+  bool is_clear_of(const Motion<S>& motion) const {
+    return motion.displacement.squaredNorm() <= clearance * clearance;
+  }
+
+  RimPoint<S> rim_point(const Motion<S>& motion) const {
+    const S rho = motion.displacement.norm();
+    const Vector<S> normal = motion.displacement / rho;  // Eq. (18)
+    const Vector<S> tangent = quarter_turn(normal);
+    return {.normal = normal,
+            .tangent = tangent,
+            .displacement = rho,
+            .indentation = rho - clearance,  // Eq. (20)
+            .normal_velocity = normal.dot(motion.velocity),
+            .slip_velocity =
+                tangent.dot(motion.velocity) + rotor_radius * motion.speed};  // Eqs. (15)-(19)
+  }
+
+  /// F_n as long as the ring is pressed, N. The ring cannot pull: a positive value is none.
+  S elastic_force(const RimPoint<S>& k) const {
+    return -stiffness * k.indentation - damping * k.normal_velocity;  // Eq. (21)
+  }
+
+  /// F_n, clamped at zero while a ring that is still indented would have to pull.
+  S normal_force(const RimPoint<S>& k) const {
+    if (k.indentation <= 0) return S(0);
+    using std::min;
+    return min<S>(S(0), elastic_force(k));
+  }
+
+  /// F_tau against a sliding rim. `direction` is the sign of the slip velocity.
+  S sliding_friction(const S& normal_force, int direction) const {
+    return S(direction) * friction * normal_force;  // Eqs. (22)-(24): F_n < 0
+  }
+
+  /// Generalised forces of the contact. F_n passes through O_a and has no moment about it.
+  Loads<S> loads(const RimPoint<S>& k, const ContactForces<S>& forces) const {
+    const Vector<S> friction_force = forces.friction * k.tangent;
+    return {forces.normal * k.normal + friction_force,
+            forces.friction * (k.displacement + rotor_radius)};  // Eq. (25)
+  }
+};
+
+/// What a friction of 1 N adds to the acceleration, which is linear in the friction.
+template <class S>
+inline Acceleration<S> friction_mobility(const Body<S>& body, const Motion<S>& motion,
+                                         const RimPoint<S>& k, const S& radius) {
+  const S arm = radius - motion.eccentricity.dot(k.normal);  // of the friction force about C
+  return {k.tangent / body.mass, arm / body.inertia};
+}
+
+/// Rate of v_Ktau, m/s^2. The tangent turns with the whirl of O.
+template <class S>
+inline S slip_acceleration(const Motion<S>& motion, const RimPoint<S>& k, const Acceleration<S>& a,
+                           const S& radius) {
+  const S whirl = k.tangent.dot(motion.velocity) / k.displacement;
+  return k.tangent.dot(acceleration_of_centre(a, motion)) - whirl * k.normal_velocity +
+         radius * a.angular;
+}
+
+/// 1/m_tau: how much the slip acceleration changes per newton of friction, 1/kg.
+template <class S>
+inline S slip_mobility(const Motion<S>& motion, const RimPoint<S>& k,
+                       const Acceleration<S>& mobility, const S& radius) {
+  return k.tangent.dot(mobility.mass_centre) +
+         (radius - motion.eccentricity.dot(k.normal)) * mobility.angular;
+}
+
+/// F_tau in rolling: the friction that keeps v_Ktau as it is. `a` is the acceleration without it.
+template <class S>
+inline S friction_without_slip(const Motion<S>& motion, const RimPoint<S>& k,
+                               const Acceleration<S>& a, const Acceleration<S>& mobility,
+                               const S& radius) {
+  const S slip_inertia = 1 / slip_mobility(motion, k, mobility, radius);  // m_tau
+  return -slip_inertia * slip_acceleration(motion, k, a, radius);
+}
+
+/// The same from the loads of the supports and F_n.
+template <class S>
+inline S friction_without_slip(const Body<S>& body, const Ring<S>& ring, const Motion<S>& motion,
+                               const RimPoint<S>& k, const Loads<S>& supports,
+                               const S& normal_force) {
+  Loads<S> loads = supports;
+  loads += ring.loads(k, {normal_force, S(0)});
+  return friction_without_slip(motion, k, acceleration(body, motion, loads),
+                               friction_mobility(body, motion, k, ring.rotor_radius),
+                               ring.rotor_radius);
+}
+
+}  // namespace rotor

@@ -1,0 +1,45 @@
+/// Separation of a piece of the rim, on the side opposite to the unbalance. Source:
+/// "Overcritical high-speed rotor systems, full annular rub and accident",
+/// Sec. 2.2, Eqs. (5)-(14).
+#pragma once
+
+#include "model/mechanics/rotating_frame.hpp"
+
+namespace rotor {
+
+template <class S>
+struct MassLoss {
+  S lost_mass;       ///< m_u, kg
+  Body<S> before;    ///< m, I_C, e_x
+  Body<S> after;     ///< m_1, I_C1, e_x1
+  S piece_distance;  ///< r + e_x, of the piece from C, m
+
+  explicit MassLoss(const Parameters& p) : before(Body<S>::of(p)) {
+    const S r = S(p.rotor_radius), m = before.mass, e = before.eccentricity;
+    const S e_1 = S(p.unbalance_factor) * e;
+    piece_distance = r + e;
+    lost_mass = m * (e_1 - e) / (r + e_1);  // Eq. (5)
+    after.mass = m - lost_mass;
+    after.eccentricity = e_1;
+    after.inertia = before.inertia - lost_mass * piece_distance * piece_distance -
+                    after.mass * (e_1 - e) * (e_1 - e);  // Eqs. (8), (11), (12)
+  }
+
+  /// v_DC: speed of the piece relative to C at the instant of separation, m/s.
+  S piece_velocity(const S& speed) const { return speed * piece_distance; }  // Eq. (7)
+
+  /// Delta_vy: change of the mass centre's velocity as the centre moves from C to C_1, m/s.
+  S velocity_jump(const S& speed) const {
+    return lost_mass * piece_velocity(speed) / after.mass;  // Eqs. (13), (14)
+  }
+
+  /// The state just after the separation. The body keeps its velocity field when the piece lets go,
+  /// so that q1', q2', q3' go on unchanged (Eq. (10)), and Eq. (1) alone, with e_x1 for e_x, raises
+  /// the velocity of the mass centre by Delta_vy. As printed, q2' is raised by Delta_vy once more.
+  State<S> separate(State<S> q, Equations equations) const {
+    if (equations == Equations::published) q[4] += velocity_jump(q[5]);
+    return q;
+  }
+};
+
+}  // namespace rotor

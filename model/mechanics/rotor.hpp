@@ -1,0 +1,146 @@
+/// The rotor as a rigid body in the plane: kinetic energy, loads of the supports, equations of
+/// motion. Source:
+/// "Overcritical high-speed rotor systems, full annular rub and accident",
+/// Sec. 2.1, Eqs. (1)-(4).
+///
+/// Everything is written with plane vectors, so that it holds in any orthonormal basis: the paper's
+/// rotating axes O_a xy, the stator's axes O_a x_a y_a, or the radial and tangential directions of
+/// a contact. A chart such as rotating_frame.hpp says which basis the components belong to.
+#pragma once
+
+#include "model/mechanics/parameters.hpp"
+#include "model/mechanics/plane.hpp"
+
+namespace rotor {
+
+/// Inertia of the rotor: m, I_C, e_x before the mass loss and m_1, I_C1, e_x1 after it.
+template <class S>
+struct Body {
+  S mass;          ///< kg
+  S inertia;       ///< about the mass centre C, kg m^2
+  S eccentricity;  ///< distance of C from the geometrical centre O, m
+
+  static Body of(const Parameters& p) { return {S(p.mass), S(p.inertia), S(p.eccentricity)}; }
+};
+
+/// Position and velocity of the rotor, the vectors with their components in one common basis.
+template <class S>
+struct Motion {
+  Vector<S> displacement;  ///< of O from O_a, m
+  Vector<S> velocity;      ///< of O relative to the stator, m/s
+  Vector<S> eccentricity;  ///< of C from O, m
+  Vector<S> down;          ///< unit vector of gravity, the direction of x_a
+  S speed;                 ///< q3', rad/s
+
+  Vector<S> mass_centre() const { return displacement + eccentricity; }
+  Vector<S> mass_centre_velocity() const {
+    return velocity + speed * quarter_turn(eccentricity);  // Eq. (1)
+  }
+};
+
+/// Generalised forces: Q_1, Q_2 as a vector (N), and Q_3, the moment about O_a (N m).
+template <class S>
+struct Loads {
+  Vector<S> force;
+  S moment;
+
+  Loads& operator+=(const Loads& other) {
+    force += other.force;
+    moment += other.moment;
+    return *this;
+  }
+};
+
+template <class S>
+struct Acceleration {
+  Vector<S> mass_centre;  ///< of C relative to the stator, m/s^2
+  S angular;              ///< q3'', rad/s^2
+
+  friend Acceleration operator+(const Acceleration& a, const Acceleration& b) {
+    return {a.mass_centre + b.mass_centre, a.angular + b.angular};
+  }
+  friend Acceleration operator*(const S& factor, const Acceleration& a) {
+    return {factor * a.mass_centre, factor * a.angular};
+  }
+};
+
+/// T, J.
+template <class S>
+S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
+  return (body.mass * motion.mass_centre_velocity().squaredNorm() +
+          body.inertia * motion.speed * motion.speed) /
+         2;  // Eq. (2)
+}
+
+/// The steady response of the mass centre to the unbalance: O_a C as a multiple of the
+/// eccentricity, both taken for complex numbers, so that it holds in any basis.
+template <class S>
+struct UnbalanceResponse {
+  Vector<S> factor;
+  Vector<S> slope;  ///< change of the factor with the speed, s
+};
+
+/// Everything that acts on the rotor while it is clear of the ring: springs and dampers of the
+/// supports, gravity, motor.
+template <class S>
+struct Supports {
+  S stiffness;               ///< k, N/m
+  S damping;                 ///< d, N s/m
+  S gravity;                 ///< g, m/s^2
+  S torque;                  ///< M_mot while the motor drives, N m
+  bool balanced_by_springs;  ///< whether the springs' preload takes its part of the gravity moment
+
+  Supports(const Parameters& p, Equations equations)
+      : stiffness(S(p.support_stiffness)),
+        damping(S(p.support_damping)),
+        gravity(S(p.gravity)),
+        torque(S(p.torque)),
+        balanced_by_springs(equations == Equations::consistent) {}
+
+  Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
+    const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;
+    return {force, -damping * cross(motion.displacement, motion.velocity) +
+                       gravity_moment(body, motion) + (motor_on ? torque : S(0))};  // Eq. (4)
+  }
+
+  /// Moment of gravity about O_a. Q_1 and Q_2 leave gravity out because the springs carry it at
+  /// equilibrium; as printed, Q_3 keeps the whole weight's moment all the same. The springs'
+  /// preload balances all of it but the part that the eccentricity makes.
+  S gravity_moment(const Body<S>& body, const Motion<S>& motion) const {
+    const Vector<S> arm = balanced_by_springs ? motion.eccentricity : motion.mass_centre();
+    return body.mass * gravity * cross(arm, motion.down);  // Eq. (4)
+  }
+
+  /// At a constant speed in rad/s, gravity's moment left out: (k + i w d) / (k - m w^2 + i w d),
+  /// the Jeffcott rotor's. There is none at the critical speed of supports without damping.
+  UnbalanceResponse<S> unbalance_response(const S& mass, const S& speed) const {
+    const Vector<S> force(stiffness, speed * damping), force_slope(0, damping);
+    const Vector<S> impedance = force - Vector<S>(mass * speed * speed, 0);
+    const Vector<S> impedance_slope = force_slope - Vector<S>(2 * mass * speed, 0);
+    const Vector<S> inverse =
+        Vector<S>(impedance.x(), -impedance.y()) * (1 / impedance.squaredNorm());
+    const Vector<S> factor = complex_product(force, inverse);
+    return {factor,
+            complex_product<S>(force_slope - complex_product(factor, impedance_slope), inverse)};
+  }
+};
+
+/// Solves the equations of motion for the accelerations. The mass matrix of Eq. (3) needs no
+/// general solver: force and moment balance about C are the same equations, and the moment balance
+/// stands alone.
+template <class S>
+inline Acceleration<S> acceleration(const Body<S>& body, const Motion<S>& motion,
+                                    const Loads<S>& loads) {
+  const S per_mass = 1 / body.mass, per_inertia = 1 / body.inertia;  // not kept waiting by loads
+  return {per_mass * loads.force,
+          per_inertia * (loads.moment - cross(motion.mass_centre(), loads.force))};  // Eq. (3)
+}
+
+/// Acceleration of O relative to the stator, m/s^2.
+template <class S>
+inline Vector<S> acceleration_of_centre(const Acceleration<S>& a, const Motion<S>& motion) {
+  return a.mass_centre - a.angular * quarter_turn(motion.eccentricity) +
+         motion.speed * motion.speed * motion.eccentricity;
+}
+
+}  // namespace rotor

@@ -1,0 +1,124 @@
+/// Coordinates of a rotor that touches the ring: polar ones of O in the rotating axes. The basis is
+/// the normal and the tangent at K.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "model/mechanics/rotating_frame.hpp"
+#include "model/phases/rotor_system.hpp"
+
+namespace rotor {
+
+template <class S>
+class ContactChart {
+ public:
+  /// Delta, which is known more sharply than rho (m); direction of O in the rotating axes and angle
+  /// of the rotor, both since the chart was centred (rad); Delta' and the slip velocity v_Ktau
+  /// (m/s); the speed (rad/s).
+  using Unknowns = std::array<S, 6>;
+
+  struct Kinematics {
+    Motion<S> motion;
+  };
+
+  ContactChart(const RotorSystem<S>& rotor, const State<S>& q)
+      : eccentricity_(rotor.body.eccentricity),
+        clearance_(rotor.ring.clearance),
+        radius_(rotor.ring.rotor_radius),
+        gravity_(rotor.supports.gravity != 0) {
+    using std::atan2;
+    centre(q[2], atan2(q[1], q[0]));
+  }
+
+  Unknowns unknowns(const State<S>& q) const {  // the chart is centred there
+    const Vector<S> displacement(q[0], q[1]);
+    const S rho = displacement.norm();
+    const Vector<S> normal = displacement / rho;
+    const Vector<S> velocity = Vector<S>(q[3], q[4]) + q[5] * quarter_turn(displacement);
+    return {rho - clearance_,
+            S(0),
+            S(0),
+            normal.dot(velocity),
+            quarter_turn(normal).dot(velocity) + radius_ * q[5],
+            q[5]};
+  }
+
+  State<S> state(const Unknowns& x) const {
+    using std::cos, std::sin;
+    const S c = cos(alpha_ + x[1]), s = sin(alpha_ + x[1]), rho = displacement(x);
+    const Vector<S> q = turned(Vector<S>(rho, 0), c, s);
+    const Vector<S> rate = turned(Vector<S>(x[3], tangential_velocity(x) - x[5] * rho), c, s);
+    return {q.x(), q.y(), q3_ + x[2], rate.x(), rate.y(), x[5]};
+  }
+
+  Kinematics kinematics(const Unknowns& x) const {
+    using std::cos, std::sin;
+    const S c = cos(x[1]), s = -sin(x[1]);
+    Vector<S> down(S(0), S(0));
+    if (gravity_) down = turned(turned(down_, c, s), S(cos(x[2])), S(-sin(x[2])));
+    return {{.displacement = Vector<S>(displacement(x), 0),
+             .velocity = Vector<S>(x[3], tangential_velocity(x)),
+             .eccentricity = turned(arm_, c, s),
+             .down = down,
+             .speed = x[5]}};
+  }
+
+  RimPoint<S> rim_point(const Unknowns& x) const {
+    return {.normal = Vector<S>(1, 0),
+            .tangent = Vector<S>(0, 1),
+            .displacement = displacement(x),
+            .indentation = x[0],
+            .normal_velocity = x[3],
+            .slip_velocity = x[4]};
+  }
+
+  Unknowns rates(const Unknowns& x, const Kinematics& at, const Acceleration<S>& a) const {
+    const Motion<S>& m = at.motion;
+    const Vector<S> of_O = acceleration_of_centre(a, m);
+    const S whirl = m.velocity.y() / m.displacement.x();  // of the basis, rad/s
+    return {x[3],
+            whirl - x[5],
+            x[5],
+            of_O.x() + whirl * m.velocity.y(),
+            of_O.y() - whirl * x[3] + radius_ * a.angular,
+            a.angular};
+  }
+
+  Unknowns scale(const S& length, const S& frequency, const S& speed) const {
+    return {length, S(1), S(1), length * frequency, radius_ * speed, speed};
+  }
+
+  /// The same without slip, or, of rates, without a change of the slip.
+  Unknowns without_slip(Unknowns x) const {
+    x[4] = 0;
+    return x;
+  }
+
+  /// Counts both angles from x: small ones are known more sharply, and cost less.
+  bool recentre(Unknowns& x) {
+    centre(q3_ + x[2], alpha_ + x[1]);
+    x[1] = x[2] = 0;
+    return false;  // the rates stay as they are
+  }
+
+ private:
+  void centre(const S& q3, const S& alpha) {
+    using std::cos, std::sin;
+    q3_ = q3;
+    alpha_ = alpha;
+    const S beta = q3 + alpha;  // direction of O in the stator's frame
+    arm_ = Vector<S>(eccentricity_ * cos(alpha), -eccentricity_ * sin(alpha));
+    down_ = Vector<S>(cos(beta), -sin(beta));
+  }
+
+  S displacement(const Unknowns& x) const { return clearance_ + x[0]; }
+  S tangential_velocity(const Unknowns& x) const { return x[4] - radius_ * x[5]; }
+
+  S eccentricity_, clearance_, radius_;
+  bool gravity_;
+  S q3_, alpha_;          ///< where the chart is centred
+  Vector<S> arm_, down_;  ///< of C from O, and gravity's direction, in the basis there
+};
+
+}  // namespace rotor

@@ -1,0 +1,49 @@
+/// The rotor and all that acts on it.
+#pragma once
+
+#include <cmath>
+
+#include "model/mechanics/contact.hpp"
+
+namespace rotor {
+
+template <class S>
+struct RotorSystem {
+  Body<S> body;
+  Supports<S> supports;
+  Ring<S> ring;
+  S motor_off;  ///< speed at which the motor is switched off, rad/s
+  bool motor_on = true;
+
+  /// Before the mass loss, the motor driving.
+  RotorSystem(const Parameters& p, Equations equations)
+      : body(Body<S>::of(p)),
+        supports(p, equations),
+        ring(p),
+        motor_off(radians_per_turn() * S(p.motor_off_Hz)) {}
+
+  static S radians_per_turn() {  // to the digits of S
+    using std::acos;
+    return 2 * acos(S(-1));
+  }
+
+  /// All loads but those of the contact.
+  Loads<S> loads(const Motion<S>& motion) const { return supports.loads(body, motion, motor_on); }
+
+  /// Becomes negative where the motor is to be switched off.
+  S motor_guard(const S& speed) const { return motor_on ? motor_off - speed : S(1); }
+
+  /// Fastest natural rate of change in flight, rad/s.
+  S flight_frequency(const S& speed) const {
+    using std::abs, std::max, std::sqrt;
+    return max({S(1), abs(speed), sqrt(supports.stiffness / body.mass)});
+  }
+
+  /// The same in contact.
+  S contact_frequency(const S& speed) const {
+    using std::max, std::sqrt;
+    return max(flight_frequency(speed), sqrt(ring.stiffness / body.mass));
+  }
+};
+
+}  // namespace rotor

@@ -1,0 +1,165 @@
+/// The phases in contact: the rim slides along the ring, or rolls on it. Friction is Filippov's:
+/// set-valued at zero slip, where rolling is a phase of its own.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "model/phases/contact_chart.hpp"
+#include "model/phases/phase.hpp"
+
+namespace rotor {
+
+/// What sliding and rolling have in common. F_n is not clamped: a guard ends the phase where it
+/// changes sign.
+template <class S, class Chart>
+struct Rub : Phase<S, Chart> {
+  using typename Phase<S, Chart>::Unknowns;
+  using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
+  static constexpr bool contact_in_rates = true, contact_in_guards = true;
+
+  S frequency(const Unknowns& x) const { return rotor.contact_frequency(x[5]); }
+
+  std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& rates) const {
+    const Ring<S>& ring = rotor.ring;
+    const auto k = chart.rim_point(x);
+    return {{{Extreme::displacement, k.displacement, k.normal_velocity},
+             {Extreme::normal_force, -ring.elastic_force(k),
+              ring.stiffness * x[3] + ring.damping * rates[3]}}};
+  }
+
+  /// The rim pressed against the ring.
+  struct Pressed {
+    Pressed(const Rub& phase, const Unknowns& x)
+        : at(phase.chart.kinematics(x)),
+          k(phase.chart.rim_point(x)),
+          normal_force(phase.rotor.ring.elastic_force(k)),
+          without_friction(acceleration(phase.rotor.body, at.motion, phase.loads(*this))),
+          per_newton(
+              friction_mobility(phase.rotor.body, at.motion, k, phase.rotor.ring.rotor_radius)) {}
+
+    typename Chart::Kinematics at;
+    RimPoint<S> k;
+    S normal_force;
+    Acceleration<S> without_friction;
+    Acceleration<S> per_newton;  ///< that friction adds
+  };
+
+  Unknowns rates(const Unknowns& x, const Pressed& p, const S& friction) const {
+    return chart.rates(x, p.at, p.without_friction + friction * p.per_newton);
+  }
+
+  /// F_tau that keeps the slip as it is.
+  S holding_friction(const Pressed& p) const {
+    return friction_without_slip(p.at.motion, p.k, p.without_friction, p.per_newton,
+                                 rotor.ring.rotor_radius);
+  }
+
+  /// Positive while friction can hold the rim: |F_tau| < mu |F_n|.
+  S grip(const Pressed& p, const S& holding_friction) const {
+    // A friction that rounding alone asks for is there even when F_n has vanished.
+    const S rounding =
+        64 * std::numeric_limits<S>::epsilon() * rotor.supports.stiffness * p.k.displacement;
+    const S limit = rotor.ring.friction * -p.normal_force + rounding;
+    return limit * limit - holding_friction * holding_friction;
+  }
+
+  /// A rim at rest on the ring rolls if friction can hold it. If not, it slides to where the
+  /// friction that would be needed does not want it.
+  Transition leave_zero_slip(const Unknowns& x) const {
+    const Pressed p(*this, x);
+    const S holding = holding_friction(p);
+    if (grip(p, holding) >= 0) return {Event::rolling_onset, ContactState::rolling};
+    return {Event::slip_reversal, ContactState::sliding, holding > 0 ? -1 : 1};
+  }
+
+ private:
+  /// All but friction.
+  Loads<S> loads(const Pressed& p) const {
+    Loads<S> all = rotor.loads(p.at.motion);
+    all += rotor.ring.loads(p.k, {p.normal_force, S(0)});
+    return all;
+  }
+};
+
+/// The rim slides in one direction, which is the sign of the slip velocity.
+template <class S, class Chart = ContactChart<S>>
+struct Sliding : Rub<S, Chart> {
+  using typename Rub<S, Chart>::Unknowns, typename Rub<S, Chart>::Pressed;
+  using Rub<S, Chart>::rotor, Rub<S, Chart>::chart;
+  int direction;
+
+  Sliding(const RotorSystem<S>& system, const Chart& coordinates, int direction_of_slip)
+      : Rub<S, Chart>{{system, coordinates}}, direction(direction_of_slip) {}
+
+  [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
+    const Pressed p(*this, x);
+    rates = this->rates(x, p, rotor.ring.sliding_friction(p.normal_force, direction));
+  }
+
+  static constexpr std::size_t event_count = 3;
+  std::array<S, event_count> guards(const Unknowns& x) const {
+    const RimPoint<S> k = chart.rim_point(x);
+    return {-rotor.ring.elastic_force(k),    // F_n = 0
+            S(direction) * k.slip_velocity,  // v_Ktau = 0
+            rotor.motor_guard(x[5])};        // f = f_max
+  }
+  Transition next(std::size_t guard, Unknowns& x) const {
+    switch (guard) {
+      case 0:
+        return {Event::release, ContactState::indented};
+      case 1:
+        x = chart.without_slip(x);
+        return this->leave_zero_slip(x);
+      default:
+        return {Event::motor_off, ContactState::sliding, direction};
+    }
+  }
+
+  /// Nearly as small as in flight.
+  Unknowns scale(const Unknowns& x) const {
+    return chart.scale(rotor.ring.clearance / 100, this->frequency(x),
+                       rotor.flight_frequency(x[5]) / 10);
+  }
+};
+
+/// The rim rolls without slip.
+template <class S, class Chart = ContactChart<S>>
+struct Rolling : Rub<S, Chart> {
+  using typename Rub<S, Chart>::Unknowns, typename Rub<S, Chart>::Pressed;
+  using Rub<S, Chart>::rotor, Rub<S, Chart>::chart;
+
+  Rolling(const RotorSystem<S>& system, const Chart& coordinates)
+      : Rub<S, Chart>{{system, coordinates}} {}
+
+  [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
+    const Pressed p(*this, x);
+    rates = chart.without_slip(this->rates(x, p, this->holding_friction(p)));
+  }
+
+  static constexpr std::size_t event_count = 3;
+  std::array<S, event_count> guards(const Unknowns& x) const {
+    const Pressed p(*this, x);
+    return {-p.normal_force,                           // F_n = 0
+            this->grip(p, this->holding_friction(p)),  // |F_tau| = mu |F_n|
+            rotor.motor_guard(x[5])};                  // f = f_max
+  }
+  Transition next(std::size_t guard, Unknowns& x) const {
+    switch (guard) {
+      case 0:
+        return {Event::release, ContactState::indented};
+      case 1:
+        return {Event::break_away, ContactState::sliding,
+                this->holding_friction(Pressed(*this, x)) > 0 ? -1 : 1};
+      default:
+        return {Event::motor_off, ContactState::rolling};
+    }
+  }
+
+  /// The radial oscillation is so much faster than the whirl that its errors average out.
+  Unknowns scale(const Unknowns& x) const {
+    return chart.scale(10 * rotor.ring.clearance, this->frequency(x), rotor.flight_frequency(x[5]));
+  }
+};
+
+}  // namespace rotor

@@ -1,0 +1,25 @@
+/// What a run has cost.
+#pragma once
+
+namespace rotor {
+
+struct Counters {
+  long steps = 0;                ///< that have been kept
+  long right_hand_sides = 0;     ///< in these and all other steps
+  long contact_evaluations = 0;  ///< of Eqs. (15)-(25), inside right-hand sides and in guards
+  long located_events = 0;
+
+  Counters& operator+=(const Counters& other) {
+    steps += other.steps;
+    right_hand_sides += other.right_hand_sides;
+    contact_evaluations += other.contact_evaluations;
+    located_events += other.located_events;
+    return *this;
+  }
+  Counters operator-(const Counters& other) const {
+    return {steps - other.steps, right_hand_sides - other.right_hand_sides,
+            contact_evaluations - other.contact_evaluations, located_events - other.located_events};
+  }
+};
+
+}  // namespace rotor

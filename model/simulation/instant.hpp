@@ -1,0 +1,31 @@
+/// The rotor at one instant of a run.
+#pragma once
+
+#include "model/mechanics/rotating_frame.hpp"
+#include "model/phases/transition.hpp"
+
+namespace rotor {
+
+/// What a method hands on, and what an observer is shown.
+template <class S>
+struct BasicInstant {
+  S time_s{0};
+  State<S> state{};  // at rest, in static equilibrium
+  Body<S> body{};
+  bool motor_on = true;
+  bool separated = false;  ///< whether the mass has been lost
+  ContactState contact = ContactState::free;
+  Event event = Event::none;  ///< what has just happened
+
+  Motion<S> motion() const { return RotatingFrame<S>::motion(body, state); }
+};
+
+using Instant = BasicInstant<double>;
+
+/// At t = 0, where every run starts.
+template <class S = double>
+BasicInstant<S> at_rest(const Parameters& p) {
+  return {.body = Body<S>::of(p)};
+}
+
+}  // namespace rotor

@@ -1,0 +1,47 @@
+/// Phases and the integration library.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "model/integration/first_event.hpp"
+#include "model/simulation/counters.hpp"
+
+namespace rotor {
+
+/// A phase as the integration library sees it, its evaluations counted.
+template <class S, class Phase>
+class PhaseSystem {
+ public:
+  using Unknowns = typename Phase::Unknowns;
+  static constexpr std::size_t event_count = Phase::event_count;
+
+  PhaseSystem(const Phase& phase, Counters& counters) : phase_(phase), counters_(counters) {}
+
+  const Phase& phase() const { return phase_; }
+
+  void operator()(const Unknowns& x, Unknowns& rates, const S& time) const {
+    ++counters_.right_hand_sides;
+    if constexpr (Phase::contact_in_rates) ++counters_.contact_evaluations;
+    phase_(x, rates, time);
+  }
+  auto events(const Unknowns& x) const {
+    if constexpr (Phase::contact_in_guards) ++counters_.contact_evaluations;
+    return phase_.guards(x);
+  }
+  std::optional<std::array<EventBound<S>, event_count>> event_bounds(const Unknowns& x,
+                                                                     const Unknowns& y,
+                                                                     const S& duration) const {
+    if constexpr (requires { phase_.event_bounds(x, y, duration); })
+      return phase_.event_bounds(x, y, duration);
+    else
+      return std::nullopt;
+  }
+  Unknowns scale(const Unknowns& x) const { return phase_.scale(x); }
+
+ private:
+  const Phase& phase_;
+  Counters& counters_;
+};
+
+}  // namespace rotor

@@ -1,0 +1,40 @@
+/// The stages of a run by any method: run-up, mass loss, rub. The methods are EventMethod, in its
+/// own precision, and PublishedMethod.
+#pragma once
+
+#include "model/mechanics/mass_loss.hpp"
+#include "model/simulation/observer.hpp"
+#include "model/simulation/scenario.hpp"
+
+namespace rotor {
+
+/// Through the mass loss that a scenario states, if it is still to come.
+template <class Method, class S>
+void pass_mass_loss(Method& method, const Scenario& scenario, BasicObserver<S>& observer) {
+  if (method.instant().separated || !scenario.loses_mass()) return;
+  const S separation_s(scenario.parameters.separation_time);
+  method.run_up(separation_s, observer);
+  method.advance(separation_s, observer);
+  observer.on_instant(method.instant());
+  const MassLoss<S> loss(scenario.parameters);
+  BasicInstant<S> at = method.instant();
+  at.state = loss.separate(at.state, scenario.equations);
+  at.body = loss.after;
+  at.separated = true;
+  at.event = Event::mass_loss;
+  if (at.contact == ContactState::rolling) at.contact = ContactState::sliding;  // until it proves
+  observer.on_instant(at);
+  method.restart(at);
+}
+
+/// To the end of a scenario, through its mass loss and all contacts.
+template <class Method, class S>
+void finish(Method& method, const Scenario& scenario, BasicObserver<S>& observer) {
+  const S end(scenario.until);
+  pass_mass_loss(method, scenario, observer);
+  if (!method.instant().separated) method.run_up(end, observer);
+  method.advance(end, observer);
+  observer.on_instant(method.instant());
+}
+
+}  // namespace rotor

@@ -1,0 +1,89 @@
+/// What each figure costs: that nothing is computed which its scene does not need, and that what
+/// figures have in common is computed once.
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "figures/data/thinning.hpp"
+#include "figures/scenes/production.hpp"
+#include "figures/scenes/recorder.hpp"
+#include "figures/scenes/scene.hpp"
+#include "verification/support/program.hpp"
+#include "verification/support/sines.hpp"
+
+namespace rotor {
+namespace {
+
+struct Cost {
+  ProductionReport report;
+  long pairs{};  ///< of sine and cosine
+  std::size_t samples{}, kept{};
+  double time_s =
+      std::numeric_limits<double>::infinity();  ///< least of some runs, of computing alone
+};
+
+/// Of the data of some scenes in one production.
+Cost cost(const std::vector<const Scene*>& scenes) {
+  constexpr int runs = 5;
+  Cost cost;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<Recorder> recorders;
+    recorders.reserve(64);  // the requests refer to them
+    std::vector<Request> requests;
+    for (const Scene* scene : scenes)
+      for (const SceneRun& scene_run : scene->runs)
+        requests.push_back(
+            {scene_run.scenario,
+             recorders.emplace_back(scene->window, scene->columns, scene_run.scenario, sampling)});
+    const long pairs_before = sine_cosine_pairs();
+    const auto begin = std::chrono::steady_clock::now();
+    cost.report = produce(requests);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    cost.time_s = std::min(cost.time_s, time.count());
+    cost.pairs = sine_cosine_pairs() - pairs_before;
+    cost.samples = cost.kept = 0;
+    for (const Recorder& recorder : recorders) {
+      cost.samples += recorder.table().rows();
+      cost.kept += thinned(recorder.table(), thinning).rows();
+    }
+  }
+  return cost;
+}
+
+void print(const std::string& name, const Cost& cost) {
+  const Counters& counted = cost.report.cost;
+  fmt::print("{:<22} {:>4} {:>4} {:>9} {:>9} {:>9} {:>6} {:>9} {:>8} {:>7} {:>7.1f}\n", name,
+             cost.report.run_ups, cost.report.runs, counted.steps, counted.right_hand_sides,
+             counted.contact_evaluations, counted.located_events, cost.pairs, cost.samples,
+             cost.kept, 1e3 * cost.time_s);
+  std::fflush(stdout);
+}
+
+int main(const Arguments& arguments) {
+  if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER with figNN.toml");
+  fmt::print("{:<22} {:>4} {:>4} {:>9} {:>9} {:>9} {:>6} {:>9} {:>8} {:>7} {:>7}\n", "data of",
+             "ups", "runs", "steps", "rhs", "contact", "events", "pairs", "samples", "kept", "ms");
+  std::vector<Scene> scenes;
+  for (int number = 2; number <= 17; ++number)
+    scenes.push_back(
+        read_scene(std::filesystem::path(arguments[0]) / fmt::format("fig{:02}.toml", number)));
+  std::vector<const Scene*> all, located;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    print(fmt::format("Fig. {}", i + 2), cost({&scenes[i]}));
+    all.push_back(&scenes[i]);
+    if (std::ranges::all_of(scenes[i].runs, [](const SceneRun& run) {
+          return run.scenario.method == Method::event;
+        }))
+      located.push_back(&scenes[i]);
+  }
+  print("all in one", cost(all));
+  print("all but the published", cost(located));
+  return 0;
+}
+
+}  // namespace
+}  // namespace rotor
+
+int main(int argc, char** argv) {
+  return rotor::run_program("scene-costs", rotor::main, argc, argv);
+}

@@ -1,0 +1,112 @@
+/// Contact and friction along the motion of random rotors.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "model/mechanics/mass_loss.hpp"
+#include "verification/support/follow.hpp"
+
+namespace rotor {
+namespace {
+
+/// A number between two bounds, evenly in its logarithm.
+double between(double least, double greatest) {
+  const int part = *rc::gen::inRange(0, 1001);
+  return least * std::pow(greatest / least, part / 1000.);
+}
+
+/// Checks every instant that it is shown.
+class Inspector : public Observer {
+ public:
+  explicit Inspector(const Scenario& scenario)
+      : ring_(scenario.parameters), supports_(scenario.parameters, scenario.equations) {}
+
+  void on_instant(const Instant& at) override {
+    if (at.contact != ContactState::sliding && at.contact != ContactState::rolling) return;
+    const auto m = at.motion();
+    const auto k = ring_.rim_point(m);
+    const double normal = ring_.elastic_force(k);
+    // Rounding of rho and of the velocities in the spring and the dashpot.
+    const double rounding = 1e-14 * (ring_.stiffness * k.displacement +
+                                     ring_.damping * (std::abs(k.normal_velocity) + 1));
+    RC_ASSERT(normal <= rounding);
+    if (at.contact == ContactState::rolling) {
+      RC_ASSERT(std::abs(k.slip_velocity) <= 1e-12 * (1 + std::abs(ring_.rotor_radius * m.speed)));
+      const double friction = friction_without_slip(
+          at.body, ring_, m, k, supports_.loads(at.body, m, at.motor_on), normal);
+      RC_ASSERT(std::abs(friction) <= ring_.friction * -normal * (1 + 1e-9) + 10 * rounding);
+    }
+    ++seen_;
+  }
+
+  bool wants_dense_output(const double&, const double&) const override { return true; }
+  void on_step(const DenseOutput& motion) override {
+    const double middle_s = (motion.from_s + motion.until_s) / 2;
+    const Instant at = motion.at(middle_s);
+    on_instant(at);
+    if (at.contact != ContactState::sliding) return;
+    // All of Coulomb's friction, against the slip. The motion shows it to 1e-4 of what it is in the
+    // piece, and to the rounding of the speed in the difference.
+    const double h = (motion.until_s - motion.from_s) / 100;
+    const double shown = friction_in(motion, middle_s, h),
+                 least = std::numeric_limits<double>::min();
+    const double here = coulomb(at);
+    const double most = std::max({std::abs(here), std::abs(coulomb(motion.at(motion.from_s))),
+                                  std::abs(coulomb(motion.at(motion.until_s))), least});
+    const double rounding =
+        1e-15 * std::abs(at.state[5]) / h * at.body.inertia / ring_.rotor_radius;
+    worst_friction_ = std::max(worst_friction_, (std::abs(shown - here) - rounding) / most);
+  }
+
+  long seen() const { return seen_; }
+  /// Largest deviation from Coulomb's friction in sliding, relative to it.
+  double worst_friction() const { return worst_friction_; }
+
+ private:
+  /// The friction that the motion shows: what turns the rotor beside all other loads.
+  double friction_in(const DenseOutput& motion, double time_s, double h) const {
+    const Instant at = motion.at(time_s);
+    const double turning =
+        (motion.at(time_s + h).state[5] - motion.at(time_s - h).state[5]) / (2 * h);
+    const auto m = at.motion();
+    const auto k = ring_.rim_point(m);
+    auto loads = supports_.loads(at.body, m, at.motor_on);
+    loads += ring_.loads(k, {ring_.normal_force(k), 0});
+    return (turning - acceleration(at.body, m, loads).angular) /
+           friction_mobility(at.body, m, k, ring_.rotor_radius).angular;
+  }
+
+  double coulomb(const Instant& at) const {
+    const auto k = ring_.rim_point(at.motion());
+    return std::copysign(ring_.friction * ring_.normal_force(k), -k.slip_velocity);
+  }
+
+  Ring<double> ring_;
+  Supports<double> supports_;
+  long seen_ = 0;
+  double worst_friction_ = 0;
+};
+
+RC_GTEST_PROP(RandomRub, NeverPullsNeverDrivesBySlipAndRollsWithinCoulombsLimit, ()) {
+  Scenario scenario;
+  Parameters& p = scenario.parameters;
+  p.friction = between(1e-3, 3);
+  p.contact_stiffness = between(1e6, 1e10);
+  p.contact_damping = between(1, 1e5);
+  p.stator_radius = p.rotor_radius + between(1e-4, 5e-3);
+  p.unbalance_factor = between(1.5, 6);
+  p.separates = false;
+  Instant at = at_rest(p);
+  at.body = MassLoss<double>(p).after;
+  at.separated = true;
+  at.motor_on = false;
+  const double clearance = p.stator_radius - p.rotor_radius;
+  at.state = {0.5 * clearance, 0.1 * clearance, 1, 0.1, 0.5 + 300 * clearance, between(10, 1000)};
+  Inspector inspector(scenario);
+  scenario.tolerance = 1e-9;
+  follow(scenario, at, 0.02, inspector);
+  RC_PRE(inspector.seen() > 0);
+  RC_ASSERT(inspector.worst_friction() < 1e-3);  // worst of 1500 rotors: 1e-4
+}
+
+}  // namespace
+}  // namespace rotor

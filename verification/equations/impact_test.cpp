@@ -1,0 +1,80 @@
+/// Closed forms of impacts, each to the accuracy of the integrator or of the form.
+#include <gtest/gtest.h>
+
+#include "verification/support/bare.hpp"
+
+namespace rotor {
+namespace {
+
+class Impact : public testing::TestWithParam<double> {};
+
+TEST_P(Impact, OfSpringAndDashpotHasTheDurationRestitutionAndDepthOfTheClosedForm) {
+  const double zeta = GetParam();
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  const double w_0 = std::sqrt(p.contact_stiffness / p.mass), v_0 = 0.7;
+  p.contact_damping = 2 * zeta * std::sqrt(p.contact_stiffness * p.mass);
+  const EventRecorder run = follow_from_state(scenario, {0, 0, 0, v_0, 0, 0}, 6e-3);
+  const Instant& touch = run.first(Event::touch_down);
+  const Instant& release = run.first(Event::release);
+  const double root = std::sqrt(1 - zeta * zeta);
+  const double restitution = std::exp(-2 * zeta * std::acos(zeta) / root);
+  EXPECT_NEAR(touch.time_s, 3e-3 / v_0, 1e-15);
+  EXPECT_NEAR((release.time_s - touch.time_s) / (2 * std::acos(zeta) / (w_0 * root)), 1, 1e-10);
+  EXPECT_NEAR(-release.state[3] / v_0 / restitution, 1, 1e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(Damping, Impact, testing::Values(0.01, 0.079, 0.3, 0.7, 0.95),
+                         [](const auto& zeta) {
+                           return "Zeta" + std::to_string(static_cast<int>(1000 * zeta.param));
+                         });
+
+/// An oblique impact on a wall that is as straight as a stiff ring is short of contact time.
+struct Oblique {
+  Oblique(double slip, double friction, double stiffness) {
+    scenario.parameters.friction = friction;
+    scenario.parameters.contact_stiffness = stiffness;
+    const double r = scenario.parameters.rotor_radius;
+    const EventRecorder run =
+        follow_from_state(scenario, {0, 0, 0, normal, 0, slip / r}, 3.5e-3 / normal);
+    after = run.first(Event::ring_clear);
+    touch = run.first(Event::touch_down);
+    slip_after = Ring<double>(scenario.parameters).rim_point(after.motion()).slip_velocity;
+    rolled = run.count(Event::rolling_onset) > 0;
+  }
+
+  /// I w - m r v_t, which friction cannot change.
+  double invariant(const Instant& at) const {
+    const Parameters& p = scenario.parameters;
+    const auto m = at.motion();
+    const auto k = Ring<double>(p).rim_point(m);
+    return p.inertia * m.speed - p.mass * p.rotor_radius * k.tangent.dot(m.velocity);
+  }
+
+  static constexpr double normal = 0.5;
+  Scenario scenario = bare();
+  Instant touch, after;
+  double slip_after = 0;
+  bool rolled = false;
+};
+
+TEST(ObliqueImpact, SlidesThroughoutAboveTheClosedFormsSlipAndEndsRollingBelowIt) {
+  const Parameters p;
+  const double lever = 1 + p.mass * p.rotor_radius * p.rotor_radius / p.inertia, mu = 0.1;
+  const double critical = mu * 2 * Oblique::normal * lever;  // restitution 1 without dashpot
+  const double stiffness = 1e13;
+  const Oblique fast(1.5 * critical, mu, stiffness), slow(0.5 * critical, mu, stiffness);
+  EXPECT_FALSE(fast.rolled);
+  // The ring's curve turns the normal by v_t t_c / rho: 1e-4 rad of what passes.
+  EXPECT_NEAR(fast.slip_after, 0.5 * critical, 1e-3 * critical);
+  EXPECT_TRUE(slow.rolled);
+  EXPECT_NEAR(slow.slip_after, 0, 1e-3 * critical);
+  EXPECT_NEAR(slow.invariant(slow.after) / slow.invariant(slow.touch), 1, 1e-3);
+  // The deviation is the contact's duration and shrinks as 1/sqrt(k_t).
+  const Oblique soft(1.5 * critical, mu, stiffness / 100);
+  EXPECT_LT(std::abs(fast.slip_after - 0.5 * critical),
+            0.2 * std::abs(soft.slip_after - 0.5 * critical));
+}
+
+}  // namespace
+}  // namespace rotor

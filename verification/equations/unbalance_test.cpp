@@ -1,0 +1,106 @@
+/// Closed forms of the response to an unbalance, each to the accuracy of the integrator.
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <complex>
+
+#include "verification/support/bare.hpp"
+
+namespace rotor {
+namespace {
+
+TEST(SteadyUnbalance, HasTheAmplitudeAndThePhaseLagOfTheJeffcottRotor) {
+  for (const double ratio : {0.5, 0.95, 1.05, 3., 15.}) {  // of speed to eigenfrequency
+    Scenario scenario = bare();
+    Parameters& p = scenario.parameters;
+    p.support_stiffness = 20e3;
+    p.support_damping = 60;
+    p.eccentricity = 0.15e-3;
+    p.inertia = 1e9;  // keeps the speed
+    p.stator_radius = 0.07;
+    const double w_n = std::sqrt(p.support_stiffness / p.mass), w = ratio * w_n;
+    const EventRecorder run = follow_from_state(scenario, {0, 0, 0, 0, 0, w}, 6);
+    // In the rotating axes: (k - m w^2 + i d w) q = m e w^2. Behind the unbalance: negative angle.
+    const std::complex<double> expected =
+        p.mass * p.eccentricity * w * w /
+        std::complex<double>(p.support_stiffness - p.mass * w * w, p.support_damping * w);
+    EXPECT_LT(std::arg(expected), 0);
+    // Free vibration has decayed to exp(-6 d / 2m) = 2e-16.
+    const double accuracy = 1e-11 * std::abs(expected) + 1e-15;
+    EXPECT_NEAR(run.last().state[0], expected.real(), accuracy) << ratio;
+    EXPECT_NEAR(run.last().state[1], expected.imag(), accuracy) << ratio;
+  }
+}
+
+TEST(SuddenUnbalance, TouchesTheRingWhenTheClosedFormSaysSo) {
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  p.support_stiffness = 20e3;
+  p.support_damping = 25;
+  p.eccentricity = 0.45e-3;
+  p.inertia = 1e9;
+  const double w = 900, w_n = std::sqrt(p.support_stiffness / p.mass);
+  const double decay = p.support_damping / (2 * p.mass);
+  const std::complex<double> i(0, 1);
+  const auto steady =
+      p.mass * p.eccentricity * w * w /
+      std::complex<double>(p.support_stiffness - p.mass * w * w, p.support_damping * w);
+  // z = steady e^{iwt} + (A e^{i w_d t} + B e^{-i w_d t}) e^{-decay t}, at rest at the centre
+  // first.
+  const double w_d = std::sqrt(w_n * w_n - decay * decay);
+  const std::complex<double> z0 = -steady, v0 = -i * w * steady;
+  const auto a = (v0 - (-decay - i * w_d) * z0) / (2. * i * w_d), b = z0 - a;
+  const auto gap = [&](double t) {
+    const auto z = steady * std::exp(i * w * t) +
+                   (a * std::exp(i * w_d * t) + b * std::exp(-i * w_d * t)) * std::exp(-decay * t);
+    return 3e-3 - std::abs(z);
+  };
+  double before = 0;
+  while (gap(before + 1e-5) > 0) before += 1e-5;
+  const auto [low, high] = boost::math::tools::bisect(
+      gap, before, before + 1e-5, boost::math::tools::eps_tolerance<double>(50));
+  // At rest at the centre: the velocity of O is zero.
+  const EventRecorder run = follow_from_state(scenario, {0, 0, 0, 0, 0, w}, 0.05);
+  EXPECT_NEAR(run.first(Event::touch_down).time_s, (low + high) / 2, 1e-13);
+}
+
+TEST(RunUp, ThroughTheCriticalSpeedIsDuhamelsIntegral) {
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  p.support_stiffness = 20e3;
+  p.support_damping = 25;
+  p.eccentricity = 0.15e-3;
+  const double acceleration = 30;
+  p.inertia = 1e9;
+  p.torque = acceleration * p.inertia;
+  p.motor_off_Hz = 1e6;
+  const double end = 3;
+  const EventRecorder run = follow_from_state(scenario, {0, 0, 0, 0, 0, 0}, end, true);
+  // C's equation: m c'' + d c' + k c = (k + d d/dt) e exp(i a t^2/2), from c = e at rest; O = c - e
+  // exp().
+  const double decay = p.support_damping / (2 * p.mass);
+  const double w_d = std::sqrt(p.support_stiffness / p.mass - decay * decay);
+  const std::complex<double> i(0, 1);
+  const auto e = [&](double t) { return p.eccentricity * std::exp(i * acceleration * t * t / 2.); };
+  const auto response = [&](double t) {
+    return std::exp(-decay * (end - t)) * std::sin(w_d * (end - t)) / (p.mass * w_d) *
+           (p.support_stiffness + p.support_damping * i * acceleration * t) * e(t);
+  };
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+  const auto part = [&](bool imaginary) {
+    return Rule::integrate(
+        [&](double t) { return imaginary ? response(t).imag() : response(t).real(); }, 0., end, 12,
+        1e-13);
+  };
+  const std::complex<double> free = p.eccentricity * std::exp(-decay * end) *
+                                    (std::cos(w_d * end) + decay / w_d * std::sin(w_d * end));
+  const std::complex<double> centre = free + std::complex<double>(part(false), part(true)) - e(end);
+  const auto O = in_stator_frame({run.last().state[0], run.last().state[1]}, run.last().state[2]);
+  EXPECT_GT(std::abs(centre), 1e-5);
+  EXPECT_NEAR(O.x(), centre.real(), 1e-13);  // of 7e-5 m: a hundred steps of 1e-15 m
+  EXPECT_NEAR(O.y(), centre.imag(), 1e-13);
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,117 @@
+/// Closed forms of rolling and of sliding whirl.
+#include <gtest/gtest.h>
+
+#include "verification/support/bare.hpp"
+
+namespace rotor {
+namespace {
+
+/// A rotor without unbalance that is pressed against the ring by its own whirl.
+State<double> whirling(const Parameters& p, double indentation, double speed, double slip) {
+  const double rho = p.stator_radius - p.rotor_radius + indentation;
+  const double tangential = slip - p.rotor_radius * speed;
+  return {rho, 0, 0, 0, tangential - speed * rho, speed};
+}
+
+TEST(RollingInTheRing, EndsWithTheSpeedThatTheInvariantLeaves) {
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  p.friction = 0.3;
+  p.contact_damping = 1e4;
+  const double speed = 300, slip = 5;
+  const double tangential = slip - p.rotor_radius * speed;
+  const double indentation = p.mass * tangential * tangential / 3.3e-3 / p.contact_stiffness;
+  const EventRecorder run =
+      follow_from_state(scenario, whirling(p, indentation, speed, slip), 0.05);
+  ASSERT_EQ(run.last().contact, ContactState::rolling);
+  // Friction F changes I w by F r and m v_t by F: I w - m r v_t stays as it is until v_t = -r w.
+  const double expected = (p.inertia * speed - p.mass * p.rotor_radius * tangential) /
+                          (p.inertia + p.mass * p.rotor_radius * p.rotor_radius);
+  EXPECT_NEAR(run.last().state[5] / expected, 1, 0.02);  // Delta, and v_t Delta' while it settles
+}
+
+TEST(RollingInTheRing, SlowsDownWithTheSupportsDampingAtTheClosedFormsRate) {
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  p.friction = 3;
+  p.contact_damping = 1e4;
+  p.contact_stiffness = 1e11;  // rho stays constant
+  p.support_damping = 25;
+  const double speed = 200, tangential = p.rotor_radius * speed;
+  const double indentation = p.mass * tangential * tangential / 3e-3 / p.contact_stiffness;
+  Instant at = at_rest(p);
+  at.motor_on = false;
+  at.contact = ContactState::rolling;
+  at.state = whirling(p, indentation, speed, 0);
+  const double duration = 0.2;
+  Observer nobody;
+  const Instant last = follow(scenario, at, duration, nobody).last;
+  ASSERT_EQ(last.contact, ContactState::rolling);
+  const double rate = p.support_damping / (p.mass + p.inertia / (p.rotor_radius * p.rotor_radius));
+  // Exact for constant rho; it changes by Delta / rho = 1e-3 over the run, and its rate is 5e-3 /
+  // s.
+  EXPECT_NEAR(std::log(speed / last.state[5]) / (rate * duration), 1, 5e-3);
+}
+
+/// Dry-friction whirl: a rotor without unbalance, too heavy to turn for friction to slow it down,
+/// that slides around the ring backwards at the rate Omega, held up by the supports' damping alone.
+struct SlidingWhirl : testing::Test {
+  SlidingWhirl() {
+    Parameters& p = scenario.parameters;
+    p.support_stiffness = Parameters{}.support_stiffness;
+    p.support_damping = 2 * zeta * p.mass * w_n();
+    p.contact_stiffness = beta * p.support_stiffness;
+    p.contact_damping = 0.2 * std::sqrt(p.contact_stiffness * p.mass);  // radial motion settles
+    p.friction = 0.4;
+    p.inertia = 1e9;
+  }
+
+  double w_n() const {
+    return std::sqrt(scenario.parameters.support_stiffness / scenario.parameters.mass);
+  }
+
+  /// How a whirl at that rate and indentation ends: rolling if it has grown, released if it dies.
+  Event fate(double whirl, double indentation) const {
+    const Parameters& p = scenario.parameters;
+    const double rho = p.stator_radius - p.rotor_radius + indentation;
+    const double speed = 5 * whirl * rho / p.rotor_radius;  // far from rolling
+    Instant at = at_rest(p);
+    at.motor_on = false;
+    at.contact = ContactState::sliding;
+    at.state = whirling(p, indentation, speed, p.rotor_radius * speed - whirl * rho);
+    EventRecorder run;
+    follow(scenario, at, 30, run);
+    const auto ends = [](const Instant& i) {
+      return i.event == Event::rolling_onset || i.event == Event::release;
+    };
+    const auto end = std::ranges::find_if(run.events(), ends);
+    return end == run.events().end() ? Event::none : end->event;
+  }
+
+  static constexpr double zeta = 0.1, beta = 100;
+  Scenario scenario = bare();
+};
+
+TEST_F(SlidingWhirl, GrowsAboveTheRateOfTheClosedFormAndDiesBelowIt) {
+  const Parameters& p = scenario.parameters;
+  const double whirl = w_n() * (zeta / p.friction + std::hypot(1, zeta / p.friction));
+  // Friction balances damping: mu k_t Delta = d Omega rho.
+  const double share = p.support_damping * whirl / (p.friction * p.contact_stiffness);
+  const double indentation = (p.stator_radius - p.rotor_radius) * share / (1 - share);
+  // A relative deviation of 1e-9 grows by e every 0.15 s or less, to its end within 30 s.
+  EXPECT_EQ(fate(whirl * (1 + 1e-9), indentation), Event::rolling_onset);
+  EXPECT_EQ(fate(whirl * (1 - 1e-9), indentation), Event::release);
+}
+
+TEST_F(SlidingWhirl, NeedsTheFrictionOfTheClosedFormHoweverDeepItBegins) {
+  const double whirl = w_n() * std::sqrt(1 + beta);  // of a rotor whose clearance does not count
+  const double least = 2 * zeta * std::sqrt(1 + beta) / beta, deep = 100 * 3e-3;
+  // The clearance, a hundredth of the indentation, moves the limit by about as much.
+  scenario.parameters.friction = 1.05 * least;
+  EXPECT_EQ(fate(whirl, deep), Event::rolling_onset);
+  scenario.parameters.friction = 0.95 * least;
+  EXPECT_EQ(fate(whirl, deep), Event::release);
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,111 @@
+/// Corner cases of the event-located method beyond those on a line (oscillation_test.cpp).
+#include <gtest/gtest.h>
+
+#include "model/simulation/switch_limit.hpp"
+#include "verification/support/balanced_run.hpp"
+
+namespace rotor {
+namespace {
+
+/// A run from an instant to a time, whose energy must be balanced.
+BalancedRun follow_motion(const Scenario& scenario, const Instant& from, double until_s) {
+  BalancedRun run(scenario, from, until_s);
+  EXPECT_LT(run.energy_residual(), 1e-9);  // a few thousand steps of the default tolerance
+  for (const double component : run.last().state) EXPECT_TRUE(std::isfinite(component));
+  return run;
+}
+
+/// Pressed against the ring by its own whirl, without unbalance, gravity and motor.
+struct Whirl : testing::Test {
+  Whirl() {
+    Parameters& p = scenario.parameters;
+    p.eccentricity = p.gravity = p.torque = 0;
+    p.separates = false;
+  }
+
+  Instant pressed(double speed, double slip) const {
+    const Parameters& p = scenario.parameters;
+    const double clearance = p.stator_radius - p.rotor_radius;
+    const double tangential = slip - p.rotor_radius * speed;
+    const double indentation = p.mass * tangential * tangential / clearance / p.contact_stiffness;
+    const double rho = clearance + indentation;
+    Instant at = at_rest(scenario.parameters);
+    at.motor_on = false;
+    at.contact = slip == 0 ? ContactState::rolling : ContactState::sliding;
+    at.state = {rho, 0, 0, 0, tangential - speed * rho, speed};
+    return at;
+  }
+
+  Scenario scenario;
+};
+
+TEST_F(Whirl, ThatRollsSlowsDownUntilTheSupportsTakeTheRotorFromTheRing) {
+  scenario.parameters.support_damping = 500;
+  const BalancedRun run = follow_motion(scenario, pressed(100, 0), 1);
+  EXPECT_EQ(run.last().contact, ContactState::free);
+  EXPECT_EQ(run.count(Event::release), 1);
+}
+
+TEST_F(Whirl, InTheOtherSenseRollsAsWell) {
+  const BalancedRun run = follow_motion(scenario, pressed(-300, 0), 0.05);
+  EXPECT_EQ(run.last().contact, ContactState::rolling);
+}
+
+TEST_F(Whirl, SlidesForEverWithoutFriction) {
+  scenario.parameters.friction = 0;
+  const BalancedRun run = follow_motion(scenario, pressed(300, 2), 0.05);
+  EXPECT_EQ(run.last().contact, ContactState::sliding);
+  EXPECT_EQ(run.last().state[5], 300);
+}
+
+TEST_F(Whirl, WithAnOverdampedContactEndsRollingAllTheSame) {
+  scenario.parameters.contact_damping = 1e7;  // 80 times critical
+  const BalancedRun run = follow_motion(scenario, pressed(300, 2), 0.05);
+  EXPECT_EQ(run.count(Event::rolling_onset), 1);
+  EXPECT_EQ(run.last().contact, ContactState::rolling);
+}
+
+TEST_F(Whirl, OfAnUnbalancedRotorWithLittleFrictionRollsAndSlidesInTurns) {
+  scenario.parameters.eccentricity = 1e-3;
+  scenario.parameters.friction = 0.01;
+  const BalancedRun run = follow_motion(scenario, pressed(100, 0), 0.05);
+  EXPECT_GT(run.count(Event::rolling_onset), 5);
+  EXPECT_GT(run.count(Event::break_away), 5);
+  EXPECT_EQ(run.count(Event::slip_reversal), 0);  // it breaks away to the right side
+}
+
+TEST_F(Whirl, ThatTheDashpotReleasesMeetsTheRingBeforeItHasComeBack) {
+  scenario.parameters.contact_damping = 2e5;
+  Instant at = pressed(300, 0);
+  at.state[3] = -4;  // leaves the ring faster than its spot springs back
+  const BalancedRun run = follow_motion(scenario, at, 0.01);
+  EXPECT_GE(run.count(Event::renewed_contact), 1);
+}
+
+TEST(Centre, IsNoSpecialPlaceOfFlight) {
+  Scenario scenario;
+  scenario.parameters.separates = false;
+  const BalancedRun run = follow_motion(scenario, at_rest(scenario.parameters), 0.5);
+  EXPECT_EQ(run.last().contact, ContactState::free);
+}
+
+TEST(Speed, MayPassThroughZero) {
+  Scenario scenario;
+  scenario.parameters.separates = false;
+  Instant at = at_rest(scenario.parameters);
+  at.state[5] = -5;
+  const BalancedRun run = follow_motion(scenario, at, 1);
+  const double rate = scenario.parameters.torque / scenario.parameters.inertia;
+  EXPECT_NEAR(run.last().state[5], -5 + rate, 1e-3 * rate);  // drag and gravity are that small
+}
+
+TEST(SwitchLimit, IsAThousandWithinAPeriod) {
+  SwitchLimit<double> limit;
+  limit.restart(3);
+  for (int n = 0; n < 1000; ++n) EXPECT_FALSE(limit.exceeded(3, 0.5)) << n;
+  EXPECT_TRUE(limit.exceeded(3.5, 0.5));
+  EXPECT_FALSE(limit.exceeded(3.75, 0.5));  // a period has passed: counted anew
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,65 @@
+/// What runs may cost.
+#include <gtest/gtest.h>
+
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/summary.hpp"
+#include "verification/support/sines.hpp"
+
+namespace rotor {
+namespace {
+
+/// What a run may cost. Compilers round differently, which shifts a step here and there.
+struct Cost {
+  const char* name;
+  double friction, separation_s, until_s;
+  long right_hand_sides, contact_evaluations, events, pairs;  ///< of sine and cosine
+};
+
+void PrintTo(const Cost& cost, std::ostream* out) { *out << cost.name; }
+
+class Costs : public testing::TestWithParam<Cost> {};
+
+TEST_P(Costs, AreNoHigherThanTheyWere) {
+  const Cost& cost = GetParam();
+  const Scenario scenario{
+      .parameters = {.friction = cost.friction, .separation_time = cost.separation_s},
+      .until = cost.until_s};
+  Observer nobody;
+  Simulation simulation(scenario);
+  if (scenario.loses_mass()) simulation.run_up(cost.separation_s, nobody);  // counted from there
+  const Counters before = simulation.counters();
+  const long pairs_before = sine_cosine_pairs();
+  simulation.finish(nobody);
+  const Counters counted = simulation.counters() - before;
+  constexpr double compilers = 1.01, merging = 1.08;  // of equal sines
+  EXPECT_LE(counted.right_hand_sides, compilers * static_cast<double>(cost.right_hand_sides));
+  EXPECT_LE(counted.contact_evaluations, compilers * static_cast<double>(cost.contact_evaluations));
+  EXPECT_LE(sine_cosine_pairs() - pairs_before, merging * static_cast<double>(cost.pairs));
+  EXPECT_EQ(counted.located_events, cost.events);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfScenes, Costs,
+    testing::Values(Cost{"run-up", 0.3, 99, 29.1, 137980, 0, 1, 157633},
+                    Cost{"rub at mu = 0.3", 0.3, 29.1, 29.2, 17977, 19820, 20, 42236},
+                    Cost{"rub at mu = 0.2", 0.2, 29.1, 29.35, 40474, 45166, 35, 96496},
+                    Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 26910, 24976, 121, 53467},
+                    Cost{"no contact", 0.3, 9.4, 10.4, 5647, 0, 0, 5692}));
+
+TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
+  const Scenario scenario{.until = 29.2, .tolerance = 1e-8};
+  Observer nobody;
+  SummaryObserver summary(scenario);
+  Simulation run_up(scenario);
+  run_up.run_up(29.1, nobody);
+  const auto right_hand_sides = [&](Observer& observer) {
+    Simulation simulation = run_up;
+    simulation.finish(observer);
+    return (simulation.counters() - run_up.counters()).right_hand_sides;
+  };
+  EXPECT_LT(static_cast<double>(right_hand_sides(summary)),
+            1.1 * static_cast<double>(right_hand_sides(nobody)));
+}
+
+}  // namespace
+}  // namespace rotor

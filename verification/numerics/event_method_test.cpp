@@ -1,0 +1,128 @@
+/// What the event-located method promises to those who watch it.
+#include <gtest/gtest.h>
+
+#include "figures/scenes/recorder.hpp"
+#include "figures/scenes/scene.hpp"
+#include "model/simulation/summary.hpp"
+#include "verification/support/follow.hpp"
+
+namespace rotor {
+namespace {
+
+TEST(EventMethod, RollsWithoutSlip) {
+  const Scenario scenario{};
+  struct Slip : Observer {
+    explicit Slip(const Parameters& p) : ring(p) {}
+    void on_instant(const Instant& at) override {
+      if (at.contact != ContactState::rolling) return;
+      first = std::min(first, at.time_s);
+      last = at.time_s;
+      largest = std::max(largest, std::abs(ring.rim_point(at.motion()).slip_velocity));
+    }
+    void on_step(const DenseOutput& motion) override {
+      for (int i = 0; i < 4; ++i)
+        on_instant(motion.at(motion.from_s + (motion.until_s - motion.from_s) * i / 4));
+    }
+    bool wants_dense_output(const double&, const double&) const override { return true; }
+
+    Ring<double> ring;
+    double first = 1e9, last = 0, largest = 0;
+  } slip(scenario.parameters);
+  run(scenario, slip);
+  EXPECT_GT(slip.last - slip.first, 0.2);
+  EXPECT_GT(slip.largest, 0);
+  EXPECT_LT(slip.largest, 1e-9);
+}
+
+TEST(EventMethod, GivesTheSameBitsWhoeverWatches) {
+  const Scenario scenario{};
+  Observer nobody;
+  const RunEnd unwatched = run(scenario, nobody);
+  Recorder recorder({.from_s = 29.11, .length_s = 0.05},
+                    {find_column("time_s"), find_column("normal_force_N"), find_column("rho_m")},
+                    scenario, 1e-4);
+  EXPECT_EQ(run(scenario, recorder).last.state, unwatched.last.state);
+  EXPECT_GT(recorder.table().rows(), 1000U);
+}
+
+TEST(EventMethod, GivesTheSameBitsWhereverTheRunWasInterrupted) {
+  const Scenario scenario{};
+  Observer nobody;
+  Simulation simulation(scenario);
+  for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, nobody);
+  simulation.pass_mass_loss(nobody);
+  for (const double stop : {29.1066, 29.12, 29.2}) simulation.approach(stop, nobody);
+  simulation.finish(nobody);
+  EXPECT_EQ(simulation.instant().state, run(scenario, nobody).last.state);
+}
+
+TEST(EventMethod, ShowsBothSidesOfEveryEventAndNoEventTwice) {
+  struct : EventRecorder {
+    void on_instant(const Instant& at) override {
+      EventRecorder::on_instant(at);
+      instants.push_back(at);
+    }
+    std::vector<Instant> instants;
+  } recorder;
+  run({.parameters = {.friction = 0.08}}, recorder);
+  const auto& seen = recorder.instants;
+  double last_event = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].event == Event::none) continue;
+    ASSERT_GT(i, 0U);
+    EXPECT_EQ(seen[i - 1].time_s, seen[i].time_s) << "before " << name_of(seen[i].event);
+    EXPECT_GT(seen[i].time_s, last_event) << name_of(seen[i].event);
+    last_event = seen[i].time_s;
+  }
+  // Each contact is begun once and released once before the next one; the 41st lasts.
+  EXPECT_EQ(recorder.count(Event::touch_down), 41);
+  EXPECT_EQ(recorder.count(Event::ring_clear), 40);
+}
+
+TEST(EventMethod, LocatesThePeakForceAsAZeroOfItsRate) {
+  const Scenario scenario{};
+  SummaryObserver observer(scenario);
+  run(scenario, observer);
+  // The greatest of densely taken samples stays below, by no more than their distance allows.
+  struct Force : Observer {
+    explicit Force(const Parameters& p) : ring(p) {}
+    void on_step(const DenseOutput& motion) override {
+      for (int i = 0; i <= 200; ++i) {
+        const Instant at = motion.at(motion.from_s + (motion.until_s - motion.from_s) * i / 200);
+        if (at.contact == ContactState::rolling || at.contact == ContactState::sliding)
+          largest = std::max(largest, -ring.normal_force(ring.rim_point(at.motion())));
+      }
+    }
+    bool wants_dense_output(const double& from_s, const double&) const override {
+      return from_s > 29.1;
+    }
+    Ring<double> ring;
+    double largest = 0;
+  } force(scenario.parameters);
+  run(scenario, force);
+  EXPECT_LE(force.largest, *observer.summary().peak_normal_force_N * (1 + 1e-9));
+  EXPECT_NEAR(force.largest / *observer.summary().peak_normal_force_N, 1, 1e-5);
+}
+
+TEST(EventMethod, EvaluatesNoContactLawWhileTheRotorStaysClearOfTheRing) {
+  Observer nobody;
+  const RunEnd end = run({.parameters = {.separation_time = 9.4}, .until = 9.8}, nobody);
+  EXPECT_EQ(end.counters.contact_evaluations, 0);
+}
+
+TEST(EventMethod, SaysWhereAMotionThatIsNotFiniteEndsIt) {
+  Observer nobody;
+  const Scenario scenario{};
+  Instant at = at_rest(scenario.parameters);
+  at.time_s = 1.5;
+  at.state[4] = std::numeric_limits<double>::quiet_NaN();
+  try {
+    follow(scenario, at, 2, nobody);
+    FAIL() << "went on with a motion that is not finite";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("t = 1.5"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,249 @@
+/// The integration library without any rotor: the search for zeros, on functions whose zeros are
+/// known; the interpolation it searches on; the stepper; steps and events of toy systems.
+#include <gtest/gtest.h>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "model/integration/first_event.hpp"
+#include "model/integration/verner.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double resolution = 1e-13;
+
+/// Searches f between 0 and 1. `bend` bounds |f''| if given.
+template <class F, class Slope>
+std::optional<double> crossing(const F& f, const Slope& slope,
+                               std::optional<double> bend = std::nullopt) {
+  const auto at = [&](double t) { return ValueAndSlope<double>{t, f(t), slope(t)}; };
+  return first_crossing(at(0), at(1), resolution, bend, at);
+}
+
+TEST(Crossing, IsFoundOnTheFarSide) {
+  const auto zero = crossing([](double t) { return std::cos(2 * t); },
+                             [](double t) { return -2 * std::sin(2 * t); });
+  ASSERT_TRUE(zero);
+  EXPECT_LE(std::cos(2 * *zero), 0);
+  EXPECT_NEAR(*zero, std::numbers::pi / 4, 2 * resolution);
+}
+
+TEST(Crossing, IsTheFirstOfSeveralInOneStep) {
+  // Zeros at 0.2, 0.5 and 0.9.
+  const auto f = [](double t) { return -(t - 0.2) * (t - 0.5) * (t - 0.9); };
+  const auto slope = [](double t) {
+    return -((t - 0.5) * (t - 0.9) + (t - 0.2) * (t - 0.9) + (t - 0.2) * (t - 0.5));
+  };
+  EXPECT_NEAR(crossing(f, slope).value_or(-1), 0.2, 2 * resolution);
+}
+
+TEST(Crossing, IsNotMissedHoweverShallowTheDip) {
+  for (const double depth : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
+    const auto f = [&](double t) { return (t - 0.37) * (t - 0.37) - depth; };
+    const auto slope = [](double t) { return 2 * (t - 0.37); };
+    const auto zero = crossing(f, slope, 2.);
+    ASSERT_TRUE(zero) << depth;
+    EXPECT_NEAR(*zero, 0.37 - std::sqrt(depth), 1e-9) << depth;
+    const auto above = [&](double t) { return (t - 0.37) * (t - 0.37) + depth; };
+    EXPECT_FALSE(crossing(above, slope, 2.)) << depth;
+  }
+}
+
+TEST(Crossing, IsFoundBetweenOscillationsByTheBoundOfTheCurvature) {
+  // Below zero for a hundredth of the step, in the 7th of 16 oscillations; nothing shows at the
+  // ends.
+  const double k = 2 * std::numbers::pi * 16;
+  const auto f = [&](double t) {
+    return 1.02 + std::cos(k * t) - 0.1 * std::exp(-400 * (t - 0.41) * (t - 0.41));
+  };
+  const auto slope = [&](double t) {
+    return -k * std::sin(k * t) + 80 * (t - 0.41) * std::exp(-400 * (t - 0.41) * (t - 0.41));
+  };
+  const auto zero = crossing(f, slope, k * k + 80);
+  ASSERT_TRUE(zero);
+  EXPECT_LE(f(*zero), 0);
+  EXPECT_GT(f(*zero - 1e-6), 0);
+  for (double t = 0; t < *zero - 1e-9; t += 1e-5) ASSERT_GE(f(t), 0) << t;
+}
+
+TEST(Crossing, DoesNotFireAgainWhereTheFunctionHasJustLeftZero) {
+  EXPECT_FALSE(crossing([](double t) { return t; }, [](double) { return 1.; }));
+  EXPECT_FALSE(crossing([](double t) { return t * t; }, [](double t) { return 2 * t; }));
+}
+
+TEST(Crossing, FiresAtOnceWhereTheFunctionFallsFromZero) {
+  EXPECT_EQ(crossing([](double t) { return -t; }, [](double) { return -1.; }), 0);
+}
+
+TEST(Crossing, IsFoundAtTheVeryEndOfAStep) {
+  const auto beyond = [](double t) { return 1 + 1e-15 - t; };
+  EXPECT_FALSE(crossing(beyond, [](double) { return -1.; }));
+  const auto before = [](double t) { return 1 - 1e-15 - t; };
+  EXPECT_NEAR(crossing(before, [](double) { return -1.; }).value_or(0), 1, resolution);
+}
+
+TEST(HermitePolynomial, ReproducesAPolynomialOfItsDegree) {
+  using Value = std::array<double, 1>;
+  const auto f = [](double t) { return Value{std::pow(t, 7) - 3 * std::pow(t, 4) + t}; };
+  const auto rate = [](double t) { return Value{7 * std::pow(t, 6) - 12 * std::pow(t, 3) + 1}; };
+  using Polynomial = HermitePolynomial<double, Value, 4>;
+  std::array<Polynomial::Node, 4> nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double t = static_cast<double>(i) / 3;
+    nodes[i] = {t, f(t), rate(t)};
+  }
+  const Polynomial polynomial(nodes);
+  // Values of size 1, differences divided by steps of 1/3: some hundred roundings.
+  for (double t = -0.1; t < 1.1; t += 0.03) EXPECT_NEAR(polynomial(t)[0], f(t)[0], 1e-13) << t;
+}
+
+TEST(Verner, StepsTheHarmonicOscillatorWithOrderEight) {
+  using State2 = std::array<long double, 2>;
+  const auto system = [](const State2& x, State2& rates, long double) { rates = {x[1], -x[0]}; };
+  const auto error_after_one = [&](int steps) {
+    Verner87<State2, long double> stepper;
+    State2 x = {1, 0};
+    for (int i = 0; i < steps; ++i) stepper.do_step(system, x, 0.L, 1.L / steps);
+    return static_cast<double>(std::abs(x[0] - std::cos(1.L)) + std::abs(x[1] + std::sin(1.L)));
+  };
+  const double order = std::log2(error_after_one(4) / error_after_one(8));
+  EXPECT_GT(order + 0.1, 8);
+}
+
+constexpr double gravity = 9.81;
+
+/// A ball that falls on the floor, x = {height, velocity}. Its event: it meets the floor.
+struct Ball {
+  using Unknowns = std::array<double, 2>;
+  static constexpr std::size_t event_count = 1;
+  void operator()(const Unknowns& x, Unknowns& rates, double /*time*/) const {
+    rates = {x[1], -gravity};
+  }
+  std::array<double, 1> events(const Unknowns& x) const { return {x[0]}; }
+  std::optional<std::array<EventBound<double>, 1>> event_bounds(const Unknowns&, const Unknowns&,
+                                                                double) const {
+    return std::nullopt;
+  }
+  Unknowns scale(const Unknowns&) const { return {1, 1}; }
+};
+
+/// A pendulum of unit frequency, x = {angle, rate}. Its event: it leaves the side that it is on.
+struct Pendulum {
+  using Unknowns = std::array<double, 2>;
+  static constexpr std::size_t event_count = 1;
+  double side = 1;
+
+  void operator()(const Unknowns& x, Unknowns& rates, double /*time*/) const {
+    rates = {x[1], -std::sin(x[0])};
+  }
+  std::array<double, 1> events(const Unknowns& x) const { return {side * x[0]}; }
+  std::optional<std::array<EventBound<double>, 1>> event_bounds(const Unknowns&, const Unknowns&,
+                                                                double) const {
+    return std::nullopt;
+  }
+  Unknowns scale(const Unknowns&) const { return {1, 1}; }
+  static double energy(const Unknowns& x) { return x[1] * x[1] / 2 - std::cos(x[0]); }
+};
+
+using Stepper2 = Verner87<std::array<double, 2>, double>;
+using Control2 = ErrorControl<double, Stepper2>;
+using Point2 = Control2::Point;
+
+/// When events of a toy system happen, and where. Steps have a length, each to its first event,
+/// which is reset by the caller.
+template <class System, class Reset>
+std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, std::size_t number,
+                              const Reset& reset) {
+  Control2 control(1e-14);
+  FirstEvent<double> first_event;
+  std::vector<Point2> all;
+  for (double time = 0; all.size() < number && time < 100;) {
+    Point2 start{.x = x}, end{.time = length};
+    system(start.x, start.rates, 0);
+    control.step(system, start, end);
+    system(end.x, end.rates, 0);
+    Step<double, Stepper2, System> step(control, system, start, end);
+    auto [stop, event] = first_event.in(step);
+    time += stop.time;
+    x = stop.x;
+    if (!event) continue;
+    stop.time = time;
+    all.push_back(stop);
+    reset(system, x);
+    first_event.reset();
+  }
+  return all;
+}
+
+/// Of a step of the toy systems: the weights of the pair, up to 123, are rounded.
+constexpr double rounding_of_a_step = 123 * std::numeric_limits<double>::epsilon();
+
+TEST(BouncingBall, MeetsTheFloorWhenTheClosedFormSaysSo) {
+  const double height = 1, restitution = 0.8;
+  const auto bounce = [&](const Ball&, Ball::Unknowns& x) { x = {0, -restitution * x[1]}; };
+  // In steps shorter and longer than the flights.
+  for (const double length : {0.1, 0.3, 1.}) {
+    const auto bounces = events_of(Ball{}, {height, 0}, length, 4, bounce);
+    ASSERT_EQ(bounces.size(), 4U);
+    double fall = std::sqrt(2 * height / gravity), time = fall;
+    for (const Point2& at : bounces) {
+      EXPECT_NEAR(at.time, time, 100 * rounding_of_a_step) << length;  // of some forty steps
+      EXPECT_LE(at.x[0], 0);  // on the far side, and close to it
+      EXPECT_GT(at.x[0], -rounding_of_a_step);
+      fall *= restitution;
+      time += 2 * fall;
+    }
+  }
+}
+
+TEST(Pendulum, KeepsItsEnergyAndItsPeriodThroughEvents) {
+  const double amplitude = 2;
+  const auto other_side = [](Pendulum& pendulum, const Pendulum::Unknowns&) {
+    pendulum.side = -pendulum.side;
+  };
+  const auto verticals = events_of(Pendulum{}, {amplitude, 0}, 0.05, 8, other_side);
+  ASSERT_EQ(verticals.size(), 8U);
+  const double period = 4 * boost::math::ellint_1(std::sin(amplitude / 2));
+  for (std::size_t n = 0; n < verticals.size(); ++n) {
+    const double accuracy = 1000 * rounding_of_a_step;  // of some 700 steps
+    EXPECT_NEAR(verticals[n].time / (period * (0.25 + 0.5 * static_cast<double>(n))), 1, accuracy);
+    EXPECT_NEAR(Pendulum::energy(verticals[n].x) / Pendulum::energy({amplitude, 0}), 1, accuracy);
+  }
+}
+
+TEST(Step, HasADenseOutputOfItsOwnOrder) {
+  const Pendulum system;
+  Control2 control(1e-10);
+  const auto largest_error = [&](double length) {
+    Point2 start{.x = {1, 0.5}}, end{.time = length};
+    system(start.x, start.rates, 0);
+    control.step(system, start, end);
+    system(end.x, end.rates, 0);
+    Step<double, Stepper2, Pendulum> step(control, system, start, end);
+    double largest = 0;
+    for (int i = 1; i < 10; ++i) {
+      Point2 exact = start;  // by ten short steps to there
+      for (int k = 1; k <= 10; ++k) {
+        Point2 next{.time = length * i * k / 100};
+        control.step(system, exact, next);
+        system(next.x, next.rates, 0);
+        exact = next;
+      }
+      largest = std::max(largest, std::abs(step.at(exact.time).x[0] - exact.x[0]));
+    }
+    return largest;
+  };
+  EXPECT_GT(std::log2(largest_error(0.25) / largest_error(0.125)) + 0.1, 8);
+}
+
+TEST(ErrorControl, CallsAMotionThatIsNotFiniteInfinitelyWrong) {
+  Control2 control(1e-10);
+  Point2 start{.x = {std::numeric_limits<double>::quiet_NaN(), 0}}, end{.time = 1};
+  EXPECT_EQ(control.step(Ball{}, start, end), std::numeric_limits<double>::infinity());
+  EXPECT_LT(control.step_factor(std::numeric_limits<double>::infinity()), 1);
+}
+
+}  // namespace
+}  // namespace rotor

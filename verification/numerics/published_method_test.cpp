@@ -1,0 +1,109 @@
+/// Runs of the published method against the landmarks of the paper and its own first-order error.
+#include <gtest/gtest.h>
+
+#include "model/simulation/summary.hpp"
+#include "verification/support/follow.hpp"
+
+namespace rotor {
+namespace {
+
+struct Result {
+  Summary summary;
+  Instant last;
+  Counters counters;
+};
+
+Result run_whole(Scenario scenario) {
+  scenario.method = Method::rk4;
+  SummaryObserver observer(scenario);
+  const RunEnd end = run(scenario, observer);
+  return {observer.summary(), end.last, end.counters};
+}
+
+// First order at contacts with h = 5e-6 s: a time is off by a step or so, and a force of 2 kHz by
+// one part in a hundred.
+constexpr double time_error_s = 1e-5;
+constexpr double force_error = 0.01;
+
+TEST(PublishedMethod, RollsAfterSevenContactsAtHighFriction) {
+  const auto [summary, last, counters] = run_whole({.parameters = {.friction = 0.3}});
+  EXPECT_NEAR(*summary.first_contact_s, 29.1046, 0.00005 + time_error_s);
+  EXPECT_EQ(summary.collisions, 7);
+  EXPECT_NEAR(*summary.rolling_onset_s, 29.1277, 0.00005 + time_error_s);
+  EXPECT_NEAR(*summary.peak_normal_force_N, 454.8e3, 454.8e3 * force_error);
+  EXPECT_NEAR(*summary.rolling_onset_force_N, 400e3, 400e3 * force_error);
+  EXPECT_NEAR(*summary.rolling_onset_speed_Hz, 45.1, 45.1 * 2 * force_error);
+}
+
+TEST(PublishedMethod, RollsAfterTwelveContactsAtIntermediateFriction) {
+  EXPECT_EQ(run_whole({.parameters = {.friction = 0.2}}).summary.collisions, 12);
+}
+
+TEST(PublishedMethod, CollidesManyTimesAndNeverRollsAtLowFriction) {
+  const auto summary = run_whole({.parameters = {.friction = 0.08}}).summary;
+  EXPECT_GE(summary.collisions, 39);  // 39 to 43, as the step has it
+  EXPECT_LE(summary.collisions, 43);
+  EXPECT_FALSE(summary.rolling_onset_s);
+  EXPECT_NEAR(*summary.peak_normal_force_N, 143.6e3, 143.6e3 * force_error);
+}
+
+TEST(PublishedMethod, LosesTheMassOnce) {
+  EventRecorder recorder;
+  const Scenario scenario{
+      .parameters = {.separation_time = 1}, .method = Method::rk4, .until = 1.1};
+  run(scenario, recorder);
+  EXPECT_EQ(recorder.count(Event::mass_loss), 1);
+}
+
+TEST(PublishedMethod, SwitchesTheMotorOffAtTheFirstStepAt150Hz) {
+  const auto summary = run_whole({.until = 29}).summary;
+  EXPECT_NEAR(*summary.motor_off_s, 28.31, 0.005);
+  EXPECT_FALSE(summary.first_contact_s);
+  EXPECT_FALSE(summary.speed_at_separation_Hz);
+}
+
+TEST(PublishedMethod, FindsNoContactWithoutTheSecondVelocityJumpAt75Hz) {
+  Scenario scenario{.parameters = {.separation_time = 14.15}, .until = 14.4};
+  EXPECT_NEAR(*run_whole(scenario).summary.peak_normal_force_N, 136e3, 136e3 * force_error);
+  scenario.equations = Equations::consistent;
+  const auto summary = run_whole(scenario).summary;
+  EXPECT_FALSE(summary.first_contact_s);
+  EXPECT_LT(*summary.max_displacement_m, 2.6e-3);
+}
+
+TEST(PublishedMethod, GivesTheSameBitsWhereverTheRunWasInterrupted) {
+  const Scenario scenario{.method = Method::rk4};
+  Observer nobody;
+  Simulation simulation(scenario);
+  for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, nobody);
+  simulation.pass_mass_loss(nobody);
+  for (const double stop : {29.1066, 29.12, 29.2}) simulation.approach(stop, nobody);
+  simulation.finish(nobody);
+  EXPECT_EQ(simulation.instant().state, run_whole(scenario).last.state);
+}
+
+TEST(PublishedMethod, CountsItsWork) {
+  const Counters counters = run_whole({}).counters;
+  EXPECT_EQ(counters.steps, 291000 + 50000);
+  EXPECT_EQ(counters.right_hand_sides, 4 * counters.steps);
+}
+
+TEST(PublishedMethod, EvaluatesNoContactLawWhileTheRotorStaysClearOfTheRing) {
+  EXPECT_EQ(run_whole({.parameters = {.separation_time = 9.4}, .until = 9.8})
+                .counters.contact_evaluations,
+            0);
+}
+
+TEST(PublishedMethod, SaysWhereARunDiverges) {
+  const Scenario stiff{.parameters = {.contact_stiffness = 1e13}};
+  try {
+    run_whole(stiff);
+    FAIL() << "a step far beyond the limit of stability must not go unnoticed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("diverged at t = 29.1"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,134 @@
+/// Prints what a reviewer wants to see: the outcome of the tests by class, what the audit shows,
+/// what the model makes of every published number, which it writes as well, and what the paper
+/// leaves open: `report TESTS TABLE REGISTER OUT`, where TESTS is GoogleTest's JSON.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "figures/data/csv.hpp"
+#include "figures/data/files.hpp"
+#include "verification/paper/published_values.hpp"
+#include "verification/support/program.hpp"
+
+namespace rotor {
+namespace {
+
+struct TestOutcome {
+  std::string suite, name, file;
+  bool failed;
+  double time_s;
+};
+
+/// Empty if the tests ended before they could say.
+std::vector<TestOutcome> read_outcomes(const std::filesystem::path& results) {
+  std::vector<TestOutcome> outcomes;
+  std::ifstream file(results);
+  if (!file) return outcomes;
+  const auto document = nlohmann::json::parse(file);
+  for (const auto& suite : document.at("testsuites"))
+    for (const auto& test : suite.at("testsuite"))
+      outcomes.push_back(
+          {test.at("classname").get<std::string>(), test.at("name").get<std::string>(),
+           std::filesystem::path(test.at("file").get<std::string>()).stem().string(),
+           test.contains("failures"), std::stod(test.at("time").get<std::string>())});
+  return outcomes;
+}
+
+/// The class of a test is the file that it stands in.
+void print_by_class(const std::vector<TestOutcome>& outcomes) {
+  struct Class {
+    int tests = 0, failed = 0;
+    double time_s = 0;
+  };
+  std::map<std::string, Class> classes;
+  for (const TestOutcome& outcome : outcomes) {
+    std::string name = outcome.file.substr(0, outcome.file.rfind("_test"));
+    std::ranges::replace(name, '_', ' ');
+    Class& its = classes[name];
+    ++its.tests;
+    its.failed += outcome.failed;
+    its.time_s += outcome.time_s;
+  }
+  fmt::print("\n{:<24}{:>6}{:>8}{:>8}\n", "Tests by class", "tests", "failed", "s");
+  for (const auto& [name, its] : classes)
+    fmt::print("  {:<22}{:>6}{:>8}{:>8.1f}\n", name, its.tests, its.failed, its.time_s);
+}
+
+/// The name of a test as words.
+std::string in_words(const std::string& name) {
+  std::string words;
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
+  for (const char c : name.substr(0, name.find('/'))) {
+    const bool begins = is_upper(c) || (is_digit(c) && !words.empty() && !is_digit(words.back()));
+    if (begins && !words.empty()) words += ' ';
+    words += c;
+  }
+  return words;
+}
+
+void print_audit(const std::vector<TestOutcome>& outcomes) {
+  fmt::print("\nWhat the audit of the paper shows (Audit in verification/paper/audit_test.cpp)\n");
+  std::string last;
+  for (const TestOutcome& outcome : outcomes) {
+    const std::string words = in_words(outcome.name);
+    const bool audits = outcome.suite.find("Audit") != std::string::npos;
+    if (!audits || (words == last && !outcome.failed)) continue;  // one line for several cases
+    fmt::print("  {} {}\n", outcome.failed ? "FAILED" : "holds:", words);
+    last = words;
+  }
+}
+
+/// Whether all rows have the verdicts that the table expects.
+bool print_and_write_numbers(const std::filesystem::path& table, const std::filesystem::path& out) {
+  const auto values = published_values(table);
+  bool as_expected = true;
+  for (const std::string verdict : {"reproduced", "close", "differs", "refuted"}) {
+    const auto of_it = [&](const PublishedValue& value) { return value.verdict == verdict; };
+    const auto simulated = [&](const PublishedValue& value) {
+      return of_it(value) && value.kind == "simulated";
+    };
+    fmt::print("\nPublished numbers {}: {}, of them {} simulated\n", verdict,
+               std::ranges::count_if(values, of_it), std::ranges::count_if(values, simulated));
+    for (const PublishedValue& value : values) {
+      if (!of_it(value)) continue;
+      as_expected = as_expected && value.verdict == value.expected_verdict;
+      fmt::print("  {:<70} {:>12} {:<7} {:>10.5g}  {}\n", value.quantity, value.printed, value.unit,
+                 value.computed, value.reason);
+    }
+  }
+  FileTransaction files;
+  files.write(out, to_csv(values));
+  files.commit();
+  return as_expected;
+}
+
+void print_register(const std::filesystem::path& assumptions) {
+  fmt::print("\nWhat the paper leaves open, and what follows from either choice\n");
+  for (const CsvRow& row : read_csv(assumptions))
+    fmt::print("  {}: {}: {} {}; {}: {} {}\n", row["quantity"], row["taken"], row["value_taken"],
+               row["unit"], row["other"], row["value_other"], row["unit"]);
+}
+
+int main(const Arguments& arguments) {
+  if (arguments.size() != 4)
+    throw std::runtime_error(
+        "needs the tests' results, the table of published values, the register of assumptions and "
+        "an output file");
+  const std::vector<TestOutcome> outcomes = read_outcomes(arguments[0]);
+  if (outcomes.empty())
+    fmt::print("\nThe tests ended before their time: there is no {}.\n", arguments[0]);
+  print_by_class(outcomes);
+  print_audit(outcomes);
+  print_register(arguments[2]);
+  return print_and_write_numbers(arguments[1], arguments[3]) ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace rotor
+
+int main(int argc, char** argv) { return rotor::run_program("report", rotor::main, argc, argv); }

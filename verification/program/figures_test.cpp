@@ -1,0 +1,45 @@
+/// The paper's figures: their scenes and scripts, and what they share.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "figures/scenes/production.hpp"
+#include "figures/scenes/scene.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path figure_file(int number, std::string_view ending) {
+  return fs::path(ROTOR_SCENES) /
+         ("fig" + std::to_string(number / 10) + std::to_string(number % 10) + std::string(ending));
+}
+
+TEST(Figures, AreSixteenEachWithASceneAndAScript) {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator(ROTOR_SCENES))
+    scenes += entry.path().extension() == ".toml";
+  EXPECT_EQ(scenes, 16);
+  for (int number = 2; number <= 17; ++number) {
+    EXPECT_NO_THROW(read_scene(figure_file(number, ".toml"))) << number;
+    EXPECT_TRUE(fs::exists(figure_file(number, ".gp"))) << number;
+  }
+}
+
+TEST(Figures, ShareTheirRunUpsAndTheirEqualRuns) {
+  Observer nobody;
+  std::vector<Request> requests;
+  for (int number = 2; number <= 17; ++number)
+    for (const SceneRun& run : read_scene(figure_file(number, ".toml")).runs)
+      requests.push_back({run.scenario, nobody});
+  const ProductionReport report = produce(requests);
+  EXPECT_EQ(requests.size(), 30U);
+  EXPECT_EQ(report.run_ups, 2);  // one by each method
+  // Four ends without mass loss or with one of its own (Figs. 2, 17 b; 12; 13), Figs. 14-16, Fig.
+  // 17 a, and at 29.1 s three frictions and two more stiffnesses; the three frictions by rk4 too.
+  EXPECT_EQ(report.runs, 11 + 3);
+}
+
+}  // namespace
+}  // namespace rotor

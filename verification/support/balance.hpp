@@ -1,0 +1,115 @@
+/// The balances of a run's energy and angular momentum: what they are, and what they must be from
+/// the work and the moments of the loads. Works from the outside, by quadrature along the motion;
+/// the model carries none of it.
+#pragma once
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "model/simulation/observer.hpp"
+#include "model/simulation/scenario.hpp"
+
+namespace rotor {
+
+class BalanceObserver : public Observer {
+ public:
+  explicit BalanceObserver(const Scenario& scenario)
+      : supports_(scenario.parameters, scenario.equations), ring_(scenario.parameters) {}
+
+  bool wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const override {
+    return true;
+  }
+
+  void on_step(const DenseOutput& motion) override {
+    constexpr unsigned points = 7;  // exact for polynomials of degree 13
+    using Rule = boost::math::quadrature::gauss<double, points>;
+    const auto rate = [&](double Contents::*of) {
+      return Rule::integrate([&](double t) { return rates(motion.at(t)).*of; }, motion.from_s,
+                             motion.until_s);
+    };
+    expected_.energy += rate(&Contents::energy);
+    expected_.angular_momentum += rate(&Contents::angular_momentum);
+  }
+
+  /// Begins at the start, and anew after the mass loss, whose jump is not a load's.
+  void on_instant(const Instant& at) override {
+    const Contents now = contents(at);
+    if (!begun_ || at.event == Event::mass_loss) {
+      expected_ = now;
+      begun_ = true;
+    }
+    largest_.energy = std::max(largest_.energy, std::abs(now.energy));
+    largest_.angular_momentum = std::max(largest_.angular_momentum, std::abs(now.angular_momentum));
+    residual_.energy = std::max(residual_.energy, std::abs(now.energy - expected_.energy));
+    residual_.angular_momentum = std::max(
+        residual_.angular_momentum, std::abs(now.angular_momentum - expected_.angular_momentum));
+  }
+
+  /// Largest deviation at any event and at the end, relative to the largest content.
+  double energy_residual() const { return relative(residual_.energy, largest_.energy); }
+  double angular_momentum_residual() const {
+    return relative(residual_.angular_momentum, largest_.angular_momentum);
+  }
+
+ private:
+  struct Contents {
+    double energy = 0;            ///< J
+    double angular_momentum = 0;  ///< about O_a, N m s
+  };
+
+  static double relative(double residual, double content) {
+    return residual == 0 ? 0 : residual / content;  // a rotor at rest has nothing to lose
+  }
+
+  bool conserves_gravity() const { return supports_.balanced_by_springs; }
+
+  /// Kinetic energy, springs of supports and contact, and gravity as far as it has a potential.
+  Contents contents(const Instant& at) const {
+    const Motion<double> m = at.motion();
+    const double rho = m.displacement.norm();
+    const double indentation =
+        at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
+    double energy = kinetic_energy(at.body, m) + supports_.stiffness * rho * rho / 2 +
+                    ring_.stiffness * indentation * indentation / 2;
+    if (conserves_gravity())
+      energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);
+    return {energy, at.body.mass * cross(m.mass_centre(), m.mass_centre_velocity()) +
+                        at.body.inertia * m.speed};
+  }
+
+  /// Power and moment of everything that has no potential.
+  Contents rates(const Instant& at) const {
+    const Motion<double> m = at.motion();
+    const Loads<double> supports = supports_.loads(at.body, m, at.motor_on);
+    double power = -supports_.damping * m.velocity.squaredNorm() +
+                   (at.motor_on ? supports_.torque * m.speed : 0);
+    if (!conserves_gravity()) power += supports_.gravity_moment(at.body, m) * m.speed;
+    double moment = supports.moment;
+    if (at.contact != ContactState::free) {
+      const RimPoint<double> k = ring_.rim_point(m);
+      if (at.contact == ContactState::indented) {
+        power += ring_.stiffness * k.indentation * k.normal_velocity;  // spring against dashpot
+      } else {
+        const double normal = ring_.elastic_force(k), friction = friction_at(at, m, k, normal);
+        power +=
+            -ring_.damping * k.normal_velocity * k.normal_velocity + friction * k.slip_velocity;
+        moment += friction * (k.displacement + ring_.rotor_radius);
+      }
+    }
+    return {power, moment};
+  }
+
+  double friction_at(const Instant& at, const Motion<double>& m, const RimPoint<double>& k,
+                     double normal) const {
+    if (at.contact == ContactState::sliding)
+      return ring_.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1);
+    return friction_without_slip(at.body, ring_, m, k, supports_.loads(at.body, m, at.motor_on),
+                                 normal);
+  }
+
+  Supports<double> supports_;
+  Ring<double> ring_;
+  bool begun_ = false;
+  Contents expected_, largest_, residual_;
+};
+
+}  // namespace rotor

@@ -1,0 +1,29 @@
+/// Runs of a rotor and a ring alone, for comparison with closed forms.
+#pragma once
+
+#include "verification/support/follow.hpp"
+
+namespace rotor {
+
+/// A scenario without anything but the rotor and the ring: no supports, gravity, motor, unbalance,
+/// friction or damping.
+inline Scenario bare() {
+  Scenario scenario{.tolerance = 1e-13};
+  Parameters& p = scenario.parameters;
+  p.support_stiffness = p.support_damping = p.gravity = p.torque = p.eccentricity = 0;
+  p.friction = p.contact_damping = 0;
+  return scenario;
+}
+
+/// What becomes of a state clear of the ring after some time.
+inline EventRecorder follow_from_state(const Scenario& scenario, const State<double>& state,
+                                       double duration_s, bool motor_on = false) {
+  Instant at = at_rest(scenario.parameters);
+  at.state = state;
+  at.motor_on = motor_on;
+  EventRecorder events;
+  follow(scenario, at, duration_s, events);
+  return events;
+}
+
+}  // namespace rotor

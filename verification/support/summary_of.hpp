@@ -1,0 +1,16 @@
+/// Summaries of runs.
+#pragma once
+
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/summary.hpp"
+
+namespace rotor {
+
+/// Of a scenario's run from rest.
+inline Summary summary_of(const Scenario& scenario) {
+  SummaryObserver observer(scenario);
+  run(scenario, observer);
+  return observer.summary();
+}
+
+}  // namespace rotor

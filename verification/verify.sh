@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# What `make verify` does once everything is built: runs the tests, prints and keeps the report, and
+# sends random rotors through the engine. The status is 0 if all is as it should be.
+set -uo pipefail
+build=$1
+report=$build/report
+data=reference-data
+mkdir -p "$report"
+rm -f "$report/verification.json"
+failed=0
+RC_PARAMS=seed=1 "$build/verification" --gtest_brief=1 \
+  --gtest_output="json:$report/verification.json" || failed=1
+"$build/report-numbers" "$report/verification.json" $data/published-values.csv \
+  $data/assumptions.csv "$report/published-values.csv" | tee "$report/report.txt" || failed=1
+"$build/stress" rotors 300 "$report" | tee -a "$report/report.txt" || failed=1
+echo
+echo "This report: $report/report.txt"
+exit $failed
