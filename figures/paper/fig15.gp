@@ -1,5 +1,5 @@
-# The begin of Fig. 14.
-set title caption(15, "Displacement ρ of O, begin of Fig. 14: mass loss at t_1 = 9.4 s, f = 49.8 Hz", \
+# The beginning of Fig. 14.
+set title caption(15, "Displacement ρ of O, beginning of Fig. 14: mass loss at t_1 = 9.4 s, f = 49.8 Hz", \
   "motor still driving; dotted: clearance r_a − r = 3 mm")
 set xrange [9.3:9.8]
 set yrange [0:3.3]

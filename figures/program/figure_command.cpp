@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <regex>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
@@ -34,11 +35,12 @@ std::map<int, fs::path> scene_files(const fs::path& folder) {
   if (!fs::is_directory(folder))
     throw InputError(fmt::format("--scenes {}: there is no such folder", folder.string()));
   std::map<int, fs::path> files;
-  const std::regex figure("fig([0-9]{2,4})\\.toml");
-  std::smatch match;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename();
-    if (std::regex_match(name, match, figure)) files[std::stoi(match[1])] = entry.path();
+    int number = 0;
+    std::from_chars(name.data() + std::min(name.size(), std::size_t{3}), name.data() + name.size(),
+                    number);
+    if (name == fmt::format("fig{:02}.toml", number)) files[number] = entry.path();
   }
   return files;
 }

@@ -1,4 +1,4 @@
-/// Scene files: what a figure, or a run of one's own, consists of.
+/// Scene files: what a figure, or any other run, consists of.
 #pragma once
 
 #include <filesystem>

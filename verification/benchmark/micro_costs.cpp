@@ -62,11 +62,11 @@ void one_touch_down(benchmark::State& state) {
   at.body = s.rotor.body;
   at.separated = true;
   at.state = {2.9e-3, 0, 0, 1, -942 * 2.9e-3, 942};
-  Observer nobody;
+  Observer null_observer;
   long right_hand_sides = 0;
   for (auto _ : state) {
     EventMethod<double> method(Scenario{}, 1e-10, at);
-    method.advance(2e-4, nobody);
+    method.advance(2e-4, null_observer);
     right_hand_sides += method.counters().right_hand_sides;
   }
   state.counters["right-hand sides"] =

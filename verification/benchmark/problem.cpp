@@ -30,9 +30,9 @@ std::vector<Problem> problems() {
 
   Problem rolling{"rolling", Scenario{}, {}};
   rolling.scenario.until = 29.15;
-  BasicObserver<Extended> nobody;
+  BasicObserver<Extended> null_observer;
   rolling.start =
-      follow_with<Extended>(rolling.scenario, 1e-15L, all[1].start, 29.15L, nobody).last;
+      follow_with<Extended>(rolling.scenario, 1e-15L, all[1].start, 29.15L, null_observer).last;
   rolling.scenario.until = 29.35;
   all.push_back(rolling);
   return all;

@@ -26,8 +26,8 @@ class Symmetry : public testing::Test {
   }
 
   Instant after(double duration_s, const Instant& from) const {
-    Observer nobody;
-    return follow(scenario_, from, from.time_s + duration_s, nobody).last;
+    Observer null_observer;
+    return follow(scenario_, from, from.time_s + duration_s, null_observer).last;
   }
 
   static void expect_equal(const State<double>& a, const State<double>& b, double accuracy) {

@@ -22,15 +22,15 @@ Instant separated() { return after_mass_loss_with<double>(Scenario{}, 1e-13); }
 
 State<double> by_fixed_steps(const Instant& from, double until_s, double step) {
   const Scenario scenario{.method = Method::rk4, .step_rub = step};
-  Observer nobody;
+  Observer null_observer;
   PublishedMethod method(scenario, from);
-  method.advance(until_s, nobody);
+  method.advance(until_s, null_observer);
   return method.instant().state;
 }
 
 RunEnd by_events(const Instant& from, double until_s, double tolerance) {
-  Observer nobody;
-  return follow_with<double>(Scenario{}, tolerance, from, until_s, nobody);
+  Observer null_observer;
+  return follow_with<double>(Scenario{}, tolerance, from, until_s, null_observer);
 }
 
 State<double> exact(const Instant& from, double until_s) {

@@ -24,12 +24,13 @@ TEST_P(Costs, AreNoHigherThanTheyWere) {
   const Scenario scenario{
       .parameters = {.friction = cost.friction, .separation_time = cost.separation_s},
       .until = cost.until_s};
-  Observer nobody;
+  Observer null_observer;
   Simulation simulation(scenario);
-  if (scenario.loses_mass()) simulation.run_up(cost.separation_s, nobody);  // counted from there
+  if (scenario.loses_mass())
+    simulation.run_up(cost.separation_s, null_observer);  // counted from there
   const Counters before = simulation.counters();
   const long pairs_before = sine_cosine_pairs();
-  simulation.finish(nobody);
+  simulation.finish(null_observer);
   const Counters counted = simulation.counters() - before;
   constexpr double compilers = 1.01, merging = 1.08;  // of equal sines
   EXPECT_LE(counted.right_hand_sides, compilers * static_cast<double>(cost.right_hand_sides));
@@ -48,17 +49,17 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
   const Scenario scenario{.until = 29.2, .tolerance = 1e-8};
-  Observer nobody;
+  Observer null_observer;
   SummaryObserver summary(scenario);
   Simulation run_up(scenario);
-  run_up.run_up(29.1, nobody);
+  run_up.run_up(29.1, null_observer);
   const auto right_hand_sides = [&](Observer& observer) {
     Simulation simulation = run_up;
     simulation.finish(observer);
     return (simulation.counters() - run_up.counters()).right_hand_sides;
   };
   EXPECT_LT(static_cast<double>(right_hand_sides(summary)),
-            1.1 * static_cast<double>(right_hand_sides(nobody)));
+            1.1 * static_cast<double>(right_hand_sides(null_observer)));
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ TEST(EventMethod, RollsWithoutSlip) {
 
 TEST(EventMethod, GivesTheSameBitsWhoeverWatches) {
   const Scenario scenario{};
-  Observer nobody;
-  const RunEnd unwatched = run(scenario, nobody);
+  Observer null_observer;
+  const RunEnd unwatched = run(scenario, null_observer);
   Recorder recorder({.from_s = 29.11, .length_s = 0.05},
                     {find_column("time_s"), find_column("normal_force_N"), find_column("rho_m")},
                     scenario, 1e-4);
@@ -47,13 +47,13 @@ TEST(EventMethod, GivesTheSameBitsWhoeverWatches) {
 
 TEST(EventMethod, GivesTheSameBitsWhereverTheRunWasInterrupted) {
   const Scenario scenario{};
-  Observer nobody;
+  Observer null_observer;
   Simulation simulation(scenario);
-  for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, nobody);
-  simulation.pass_mass_loss(nobody);
-  for (const double stop : {29.1066, 29.12, 29.2}) simulation.approach(stop, nobody);
-  simulation.finish(nobody);
-  EXPECT_EQ(simulation.instant().state, run(scenario, nobody).last.state);
+  for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, null_observer);
+  simulation.pass_mass_loss(null_observer);
+  for (const double stop : {29.1066, 29.12, 29.2}) simulation.approach(stop, null_observer);
+  simulation.finish(null_observer);
+  EXPECT_EQ(simulation.instant().state, run(scenario, null_observer).last.state);
 }
 
 TEST(EventMethod, ShowsBothSidesOfEveryEventAndNoEventTwice) {
@@ -105,19 +105,19 @@ TEST(EventMethod, LocatesThePeakForceAsAZeroOfItsRate) {
 }
 
 TEST(EventMethod, EvaluatesNoContactLawWhileTheRotorStaysClearOfTheRing) {
-  Observer nobody;
-  const RunEnd end = run({.parameters = {.separation_time = 9.4}, .until = 9.8}, nobody);
+  Observer null_observer;
+  const RunEnd end = run({.parameters = {.separation_time = 9.4}, .until = 9.8}, null_observer);
   EXPECT_EQ(end.counters.contact_evaluations, 0);
 }
 
 TEST(EventMethod, SaysWhereAMotionThatIsNotFiniteEndsIt) {
-  Observer nobody;
+  Observer null_observer;
   const Scenario scenario{};
   Instant at = at_rest(scenario.parameters);
   at.time_s = 1.5;
   at.state[4] = std::numeric_limits<double>::quiet_NaN();
   try {
-    follow(scenario, at, 2, nobody);
+    follow(scenario, at, 2, null_observer);
     FAIL() << "went on with a motion that is not finite";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("t = 1.5"), std::string::npos) << error.what();

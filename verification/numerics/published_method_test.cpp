@@ -73,12 +73,12 @@ TEST(PublishedMethod, FindsNoContactWithoutTheSecondVelocityJumpAt75Hz) {
 
 TEST(PublishedMethod, GivesTheSameBitsWhereverTheRunWasInterrupted) {
   const Scenario scenario{.method = Method::rk4};
-  Observer nobody;
+  Observer null_observer;
   Simulation simulation(scenario);
-  for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, nobody);
-  simulation.pass_mass_loss(nobody);
-  for (const double stop : {29.1066, 29.12, 29.2}) simulation.approach(stop, nobody);
-  simulation.finish(nobody);
+  for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, null_observer);
+  simulation.pass_mass_loss(null_observer);
+  for (const double stop : {29.1066, 29.12, 29.2}) simulation.approach(stop, null_observer);
+  simulation.finish(null_observer);
   EXPECT_EQ(simulation.instant().state, run_whole(scenario).last.state);
 }
 

@@ -13,8 +13,8 @@ std::vector<ReferenceLandmark> reference(const std::string& run) {
   return reference_run(ROTOR_REFERENCE_DATA "/high-precision.csv", run);
 }
 
-/// Largest relative error of a state: of the position in parts of the clearance, of the velocity,
-/// of the speed and of the angle in parts of themselves.
+/// Largest relative error of a state: of the position relative to the clearance, of the velocity,
+/// of the speed and of the angle relative to themselves.
 double relative_error(const State<double>& q, const State<long double>& exact_one) {
   State<double> exact{};
   std::ranges::copy(exact_one, exact.begin());
@@ -72,13 +72,14 @@ TEST(Reference, IsGoodToTenDigitsAndMore) {
 
 TEST(EventMethod, GainsADigitForEveryDigitOfTheToleranceDownToRounding) {
   const State<long double> exact = reference("fig03: mu = 0.3").back().state;
-  Observer nobody;
+  Observer null_observer;
   // Seven contacts and 1,000 rad of whirl in rolling multiply the errors of steps: 360 is the worst
   // seen, and five times that allowed. Rounding, multiplied by the contacts, stays below 1e-9.
   const double multiplied = 5 * 360, rounding = 1e-9;
   for (int digits = 4; digits <= 13; ++digits) {
     const double tolerance = std::pow(10, -digits);
-    const double error = relative_error(run({.tolerance = tolerance}, nobody).last.state, exact);
+    const double error =
+        relative_error(run({.tolerance = tolerance}, null_observer).last.state, exact);
     EXPECT_LT(error, multiplied * tolerance + rounding) << tolerance;
   }
 }

@@ -28,11 +28,11 @@ TEST(Figures, AreSixteenEachWithASceneAndAScript) {
 }
 
 TEST(Figures, ShareTheirRunUpsAndTheirEqualRuns) {
-  Observer nobody;
+  Observer null_observer;
   std::vector<Request> requests;
   for (int number = 2; number <= 17; ++number)
     for (const SceneRun& run : read_scene(figure_file(number, ".toml")).runs)
-      requests.push_back({run.scenario, nobody});
+      requests.push_back({run.scenario, null_observer});
   const ProductionReport report = produce(requests);
   EXPECT_EQ(requests.size(), 30U);
   EXPECT_EQ(report.run_ups, 2);  // one by each method

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -66,7 +65,7 @@ const std::vector<SourceFile>& sources() {
   static const std::vector<SourceFile> all = [] {
     std::vector<SourceFile> found;
     const fs::path root = ROTOR_SOURCES;
-    const std::regex include("#include [<\"]([^>\"]+)[>\"].*");
+    const std::string include = "#include ";
     for (const char* folder : {"model", "figures", "verification"})
       for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
         const std::string ending = entry.path().extension();
@@ -76,9 +75,11 @@ const std::vector<SourceFile>& sources() {
         SourceFile file{
             .path = path.string(), .room = (*part / *std::next(part)).string(), .includes = {}};
         std::ifstream stream(entry.path());
-        std::smatch match;
         for (std::string line; std::getline(stream, line); ++file.lines)
-          if (std::regex_match(line, match, include)) file.includes.push_back(match[1]);
+          if (line.starts_with(include)) {
+            const std::size_t name = include.size() + 1;  // behind the quote
+            file.includes.push_back(line.substr(name, line.find_first_of(">\"", name) - name));
+          }
         found.push_back(file);
       }
     return found;

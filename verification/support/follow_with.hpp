@@ -24,8 +24,8 @@ BasicRunEnd<S> follow_with(const Scenario& scenario, const S& tolerance,
 template <class S>
 BasicInstant<S> after_mass_loss_with(const Scenario& scenario, const S& tolerance) {
   EventMethod<S> method(scenario, tolerance, at_rest<S>(scenario.parameters));
-  BasicObserver<S> nobody;
-  pass_mass_loss(method, scenario, nobody);
+  BasicObserver<S> null_observer;
+  pass_mass_loss(method, scenario, null_observer);
   return method.instant();
 }
 
