@@ -78,11 +78,12 @@ void Recorder::on_step(const DenseOutput& motion) {
 void Recorder::sample(const DenseOutput& motion, double from_s, const Row& from, double until_s,
                       const Row& until) {
   const double share = (until_s - from_s) / (motion.until_s - motion.from_s);
-  const int parts = static_cast<int>(std::ceil(share * motion.arcs));
+  const auto parts = static_cast<long>(std::ceil(share * static_cast<double>(motion.arcs)));
   double left_s = from_s;
   Row left = from;
-  for (int n = 1; n <= parts; ++n) {
-    const double right_s = n == parts ? until_s : from_s + (until_s - from_s) * n / parts;
+  for (long n = 1; n <= parts; ++n) {
+    const double part = static_cast<double>(n) / static_cast<double>(parts);
+    const double right_s = n == parts ? until_s : from_s + (until_s - from_s) * part;
     const Row right = n == parts ? until : row(motion.at(right_s));
     refine(motion, left_s, left, right_s, right, 0);
     add(right);

@@ -48,15 +48,23 @@ S estimated_zero(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
          h * (u * u * (3 - 2 * u) + u * v * v * chord / a.slope - u * u * v * chord / b.slope);
 }
 
-/// The first time between a and b after which f < 0, to within `resolution` and on that side. If
-/// f = 0 at a already and does not rise, f has crossed there if it is negative at b, and is about
-/// to leave zero to the positive side if not. `f(time)` gives a ValueAndSlope; `curvature` bounds
-/// |f''|, if there is a bound.
+/// The first time between a and b after which f < 0, to within `resolution` and on that side. A
+/// function that is zero at a already, or beyond by rounding, has crossed there if it is negative
+/// from then on; if it is positive for a while, it has left zero, and may cross later. `f(time)`
+/// gives a ValueAndSlope; `curvature` bounds |f''|, if there is a bound.
 template <class S, class Function>
 std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S& resolution,
                                 const std::optional<S>& curvature, const Function& f) {
   using std::abs;
-  if (a.value <= 0 && a.slope <= 0) return b.value < 0 ? std::optional(a.time) : std::nullopt;
+  if (a.value <= 0 && a.slope <= 0) {
+    if (b.value >= 0) return std::nullopt;
+    ValueAndSlope<S> left = b;
+    while (left.value <= 0) {
+      if (left.time - a.time <= resolution) return a.time;
+      left = f(a.time + (left.time - a.time) / 2);
+    }
+    a = left;
+  }
   for (int slow = 0;;) {
     const S h = b.time - a.time;
     const bool crosses = b.value < 0;

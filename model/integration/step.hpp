@@ -141,7 +141,7 @@ class Step {
                                      [&](const S& t) { return observe(value, t); });
     if (!time) return std::nullopt;
     if (*time == 0) return start_;
-    return polished(step(start_, *time), value);
+    return polished(step(start_, *time), value, from.time, until.time);
   }
 
  private:
@@ -152,10 +152,10 @@ class Step {
     return to;
   }
 
-  /// Newton's method from near the zero: by steps, and by the tangent once that is as exact. Ends
-  /// on the negative side, to rounding.
+  /// Newton's method from near the zero, between two times: by steps, and by the tangent once that is
+  /// as exact. Ends on the negative side, to rounding.
   template <class Value>
-  Point polished(Point point, const Value& value) {
+  Point polished(Point point, const Value& value, const S& least, const S& greatest) {
     using std::abs;
     const S resolution = 8 * end_.time * std::numeric_limits<S>::epsilon();
     for (int n = 0; n < 8; ++n) {
@@ -164,7 +164,8 @@ class Step {
       const S correction = -here / slope;
       if (!(slope < 0) || abs(correction) > end_.time / 8) break;  // it only touches zero
       if (here < 0 && abs(correction) <= resolution) break;
-      const S time = point.time + correction + resolution / 2;
+      const S time = std::clamp<S>(point.time + correction + resolution / 2, least, greatest);
+      if (time == point.time) break;
       if (abs(correction) > look_ahead()) {
         point = step(point, time);
       } else {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/mechanics/rotor.hpp"
 
@@ -81,6 +82,13 @@ struct Ring {
     if (k.indentation <= 0) return S(0);
     using std::min;
     return min<S>(S(0), elastic_force(k));
+  }
+
+  /// Whether the ring is still indented where F_n vanishes, by more than rounding can tell. A ring
+  /// without damping has sprung back by then.
+  bool is_indented_at_release(const RimPoint<S>& k) const {
+    const S rounding = 16 * std::numeric_limits<S>::epsilon() * k.displacement;
+    return -damping * k.normal_velocity > stiffness * rounding;
   }
 
   /// F_tau against a sliding rim. `direction` is the sign of the slip velocity.

@@ -42,13 +42,15 @@ struct Flight : Phase<S, Chart> {
     rates = chart.rates(x, at, acceleration(rotor.body, at.motion, rotor.loads(at.motion)));
   }
 
-  S frequency(const Unknowns& x) const { return rotor.flight_frequency(x[5]); }
+  S swing(const Unknowns& x, const S& h) const {
+    return rotor.swing(rotor.supports.stiffness, x[5], h);
+  }
 
   /// Every contact multiplies the errors that it begins with, and a flight is cheap: its lengths
   /// are measured by a small part of the clearance. The speed hardly changes, but its ripple must
   /// not pass unnoticed under long steps.
   Unknowns scale(const Unknowns& x) const {
-    const S w = frequency(x);
+    const S w = rotor.flight_frequency(x[5]);
     return chart.scale(rotor.ring.clearance / 300, w, w / 100);
   }
 };
@@ -142,8 +144,9 @@ struct FreeFlight : Flight<S, Chart> {
   }
 };
 
-/// Without force, the ring still being indented.
-template <class S, class Chart = FlightChart<S>>
+/// Without force, the ring still being indented: by how little, only the coordinates of contact
+/// know.
+template <class S, class Chart = ContactChart<S>>
 struct IndentedFlight : Flight<S, Chart> {
   using typename Flight<S, Chart>::Unknowns;
   using Flight<S, Chart>::rotor, Flight<S, Chart>::chart;
@@ -154,7 +157,7 @@ struct IndentedFlight : Flight<S, Chart> {
 
   static constexpr std::size_t event_count = 3;
   std::array<S, event_count> guards(const Unknowns& x) const {
-    const RimPoint<S> k = rotor.ring.rim_point(chart.kinematics(x).motion);
+    const RimPoint<S> k = chart.rim_point(x);
     return {k.indentation,                // Delta = 0
             rotor.ring.elastic_force(k),  // k_t Delta + d_t Delta' = 0
             rotor.motor_guard(x[5])};     // f = f_max

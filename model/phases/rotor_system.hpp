@@ -44,6 +44,16 @@ struct RotorSystem {
     using std::max, std::sqrt;
     return max(flight_frequency(speed), sqrt(ring.stiffness / body.mass));
   }
+
+  /// Through what angle a motion may swing in a step of length h, rad, if it vibrates naturally
+  /// with that stiffness and is seen from the stator while the rotor turns. Vibrations that swing
+  /// further in one step are below its tolerance.
+  S swing(const S& vibrating_stiffness, const S& speed, const S& h) const {
+    using std::abs, std::min, std::sqrt;
+    const S furthest(16);  // at the loosest tolerance steps reach about a third of it
+    const S rotation = body.eccentricity > 0 ? S(abs(speed)) : S(0);
+    return min(furthest, S(h * sqrt(vibrating_stiffness / body.mass))) + h * rotation;
+  }
 };
 
 }  // namespace rotor

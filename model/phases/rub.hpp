@@ -18,7 +18,9 @@ struct Rub : Phase<S, Chart> {
   using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
   static constexpr bool contact_in_rates = true, contact_in_guards = true;
 
-  S frequency(const Unknowns& x) const { return rotor.contact_frequency(x[5]); }
+  S swing(const Unknowns& x, const S& h) const {
+    return rotor.swing(rotor.ring.stiffness, x[5], h);
+  }
 
   std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& rates) const {
     const Ring<S>& ring = rotor.ring;
@@ -64,6 +66,12 @@ struct Rub : Phase<S, Chart> {
     return limit * limit - holding_friction * holding_friction;
   }
 
+  /// F_n has vanished.
+  Transition release(const Unknowns& x) const {
+    const bool indented = rotor.ring.is_indented_at_release(chart.rim_point(x));
+    return {Event::release, indented ? ContactState::indented : ContactState::free};
+  }
+
   /// A rim at rest on the ring rolls if friction can hold it. If not, it slides to where the
   /// friction that would be needed does not want it.
   Transition leave_zero_slip(const Unknowns& x) const {
@@ -107,7 +115,7 @@ struct Sliding : Rub<S, Chart> {
   Transition next(std::size_t guard, Unknowns& x) const {
     switch (guard) {
       case 0:
-        return {Event::release, ContactState::indented};
+        return this->release(x);
       case 1:
         x = chart.without_slip(x);
         return this->leave_zero_slip(x);
@@ -118,7 +126,7 @@ struct Sliding : Rub<S, Chart> {
 
   /// Nearly as small as in flight.
   Unknowns scale(const Unknowns& x) const {
-    return chart.scale(rotor.ring.clearance / 100, this->frequency(x),
+    return chart.scale(rotor.ring.clearance / 100, rotor.contact_frequency(x[5]),
                        rotor.flight_frequency(x[5]) / 10);
   }
 };
@@ -147,7 +155,7 @@ struct Rolling : Rub<S, Chart> {
   Transition next(std::size_t guard, Unknowns& x) const {
     switch (guard) {
       case 0:
-        return {Event::release, ContactState::indented};
+        return this->release(x);
       case 1:
         return {Event::break_away, ContactState::sliding,
                 this->holding_friction(Pressed(*this, x)) > 0 ? -1 : 1};
@@ -158,7 +166,8 @@ struct Rolling : Rub<S, Chart> {
 
   /// The radial oscillation is so much faster than the whirl that its errors average out.
   Unknowns scale(const Unknowns& x) const {
-    return chart.scale(10 * rotor.ring.clearance, this->frequency(x), rotor.flight_frequency(x[5]));
+    return chart.scale(10 * rotor.ring.clearance, rotor.contact_frequency(x[5]),
+                       rotor.flight_frequency(x[5]));
   }
 };
 

@@ -104,7 +104,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
       return in(FreeFlight<S>(rotor_, chart), chart, flight_step_);
     }
     case ContactState::indented: {
-      auto& chart = this->chart<FlightChart<S>>();
+      auto& chart = this->chart<ContactChart<S>>();
       return in(IndentedFlight<S>(rotor_, chart), chart, contact_step_);
     }
     case ContactState::sliding: {

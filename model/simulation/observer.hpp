@@ -12,13 +12,13 @@ namespace rotor {
 template <class S>
 struct BasicDenseOutput {
   S from_s, until_s;
-  int arcs;  ///< parts of equal length in which its curves swing by a radian at most
+  long arcs;  ///< parts of equal length in which its curves swing by a radian at most
 
   virtual ~BasicDenseOutput() = default;
   virtual BasicInstant<S> at(const S& time_s) const = 0;
 
  protected:
-  BasicDenseOutput(const S& from, const S& until, int arcs_in_it)
+  BasicDenseOutput(const S& from, const S& until, long arcs_in_it)
       : from_s(from), until_s(until), arcs(arcs_in_it) {}
 };
 

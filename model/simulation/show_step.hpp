@@ -13,9 +13,8 @@ namespace rotor {
 
 /// Into how many arcs to divide a time in a phase, for each to have one maximum at most.
 template <class Phase, class S>
-int arcs(const Phase& phase, const typename Phase::Unknowns& x, const S& duration) {
-  using std::ceil;
-  return static_cast<int>(ceil(duration * phase.frequency(x)));
+long arcs(const Phase& phase, const typename Phase::Unknowns& x, const S& duration) {
+  return 1 + static_cast<long>(phase.swing(x, duration));
 }
 
 /// A bound of what an arc reaches that is curved to one side.
@@ -66,12 +65,12 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& duration,
   }
   // In contact the ends of a step have to tell, or every step would cost an interpolation: at loose
   // tolerances it may swing by more than an arc, and hide a maximum.
-  const int parts = std::remove_cvref_t<decltype(phase)>::contact_in_rates
-                        ? 1
-                        : arcs(phase, step.start().x, duration);
+  const long parts = std::remove_cvref_t<decltype(phase)>::contact_in_rates
+                         ? 1L
+                         : arcs(phase, step.start().x, duration);
   std::vector<BasicMaximum<S>> found;
   Point left = step.start();
-  for (int n = 1; n <= parts; ++n) {
+  for (long n = 1; n <= parts; ++n) {
     const Point right = step.at(n == parts ? duration : duration * S(n) / S(parts));
     const auto at_left = phase.extremes(left.x, left.rates);
     const auto at_right = phase.extremes(right.x, right.rates);

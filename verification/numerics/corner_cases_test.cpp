@@ -82,6 +82,19 @@ TEST_F(Whirl, ThatTheDashpotReleasesMeetsTheRingBeforeItHasComeBack) {
   EXPECT_GE(run.count(Event::renewed_contact), 1);
 }
 
+// Without damping the ring has sprung back where the force vanishes: there is no indented phase
+// then, which would chatter in rounding.
+TEST_F(Whirl, BouncesAThousandTimesOnARingWithoutDamping) {
+  Parameters& p = scenario.parameters;
+  p.friction = p.contact_damping = p.support_damping = 0;
+  Instant at = pressed(50, 1);
+  at.state[3] = 1;  // m/s against the ring, ten times what its load of 7 kN presses it in
+  const BalancedRun run = follow_motion(scenario, at, 3);
+  EXPECT_GT(run.count(Event::touch_down), 1000);
+  EXPECT_EQ(run.count(Event::ring_clear), 0);
+  EXPECT_EQ(run.count(Event::renewed_contact), 0);
+}
+
 TEST(Centre, IsNoSpecialPlaceOfFlight) {
   Scenario scenario;
   scenario.parameters.separates = false;

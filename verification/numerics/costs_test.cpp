@@ -47,6 +47,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 26910, 24976, 121, 53467},
                     Cost{"no contact", 0.3, 9.4, 10.4, 5647, 0, 0, 5692}));
 
+TEST(Costs, DoNotFollowTheClockWhereNothingMoves) {
+  Scenario scenario{.until = 1e12};
+  scenario.parameters.eccentricity = scenario.parameters.gravity = scenario.parameters.torque = 0;
+  SummaryObserver summary(scenario);
+  EXPECT_LT(run(scenario, summary).counters.right_hand_sides, 2000);
+}
+
 TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
   const Scenario scenario{.until = 29.2, .tolerance = 1e-8};
   Observer null_observer;

@@ -73,6 +73,13 @@ TEST(Crossing, DoesNotFireAgainWhereTheFunctionHasJustLeftZero) {
   EXPECT_FALSE(crossing([](double t) { return t * t; }, [](double t) { return 2 * t; }));
 }
 
+TEST(Crossing, IsFoundAfterAFunctionHasLeftZeroTooSlowlyForItsSlopeToShowIt) {
+  // t^2 (1/2 - t), its slope at zero being wrong by rounding.
+  const auto f = [](double t) { return t * t * (0.5 - t); };
+  const auto slope = [](double t) { return t == 0 ? -1e-20 : t * (1 - 3 * t); };
+  EXPECT_NEAR(crossing(f, slope).value_or(-1), 0.5, 2 * resolution);
+}
+
 TEST(Crossing, FiresAtOnceWhereTheFunctionFallsFromZero) {
   EXPECT_EQ(crossing([](double t) { return -t; }, [](double) { return -1.; }), 0);
 }

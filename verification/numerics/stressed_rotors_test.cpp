@@ -32,9 +32,10 @@ TEST(Flight, ThroughTheCriticalSpeedWithinATurnSubtractsNoResponseThere) {
   EXPECT_LT(run.energy_residual(), 1e-9);
 }
 
-// Found by the stress test: without friction the contacts of this one become so slight, 1e-15 m,
-// that double precision cannot tell any more whether the ring is pressed.
-TEST(Bouncing, ThatDiesAwayInRoundingIsEndedByTheRuleForThat) {
+// Found by the stress test: without friction the bounces of this one die away until they are 1e-17
+// m deep, and are lasting contact then. Between chart and chart their depth was lost in rounding
+// once.
+TEST(Bouncing, DiesAwayToLastingContact) {
   const Scenario scenario{.parameters = {.mass = 0.10154665087853357,
                                          .inertia = 3.127751613935601e-05,
                                          .eccentricity = 0.000118334550164863,
@@ -51,15 +52,10 @@ TEST(Bouncing, ThatDiesAwayInRoundingIsEndedByTheRuleForThat) {
                                          .unbalance_factor = 2.094176457171393},
                           .equations = Equations::published,
                           .tolerance = 1e-9};
-  EventRecorder run;
-  try {
-    follow(scenario, separated_at_speed(scenario, 0), 0.01, run);
-    ADD_FAILURE() << "went on";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("more than 1000 changes between free, sliding and"),
-              std::string::npos);
-  }
+  const BalancedRun run(scenario, separated_at_speed(scenario, 0), 0.01);
   EXPECT_GT(run.count(Event::touch_down), 500);
+  EXPECT_EQ(run.last().contact, ContactState::sliding);
+  EXPECT_LT(run.energy_residual(), 1e-6);  // of the tolerance 1e-9, through a thousand contacts
 }
 
 // Found by the stress test: a slip that leaves zero too slowly to be told from rounding within a

@@ -38,8 +38,8 @@ class RandomScenarios {
     p.mass = between(0.1, 1000);
     p.inertia = p.mass * p.rotor_radius * p.rotor_radius * between(0.1, 2);
     p.contact_stiffness = between(1e5, 1e13);
-    p.contact_damping = one_in(10) ? 0 : between(1, 1e7);
-    p.friction = one_in(10) ? 0 : between(1e-3, 10);
+    p.contact_damping = one_in(3) ? 0 : between(1, 1e7);
+    p.friction = one_in(3) ? 0 : between(1e-3, 10);
     p.stator_radius = p.rotor_radius + between(1e-6, 1e-2);
     p.eccentricity = one_in(10) ? 0 : between(1e-7, 1e-3);
     p.unbalance_factor = between(1, 5);
