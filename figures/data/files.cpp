@@ -1,54 +1,201 @@
 #include "figures/data/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
+
+#include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
 
 namespace rotor {
 namespace {
 
-std::filesystem::path draft_of(std::filesystem::path file) { return file += ".part"; }
+namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::filesystem::path& file, std::string_view reason) {
-  throw std::runtime_error(fmt::format("{}: cannot be written: {}", file.string(), reason));
+/// What a path leads to, through links, whether it exists or not.
+fs::path resolved(fs::path file) {
+  constexpr int most_links = 40;
+  std::error_code error;
+  for (int links = 0; links < most_links && fs::is_symlink(file, error); ++links) {
+    const fs::path to = fs::read_symlink(file, error);
+    file = to.is_absolute() ? to : file.parent_path() / to;
+  }
+  const fs::path absolute = fs::absolute(file, error).lexically_normal();
+  const fs::path folder = fs::weakly_canonical(absolute.parent_path(), error);
+  return folder / absolute.filename();
+}
+
+/// Whether a file is written in its place: no regular file, or one that stands for a descriptor.
+bool is_written_in_place(const fs::path& file) {
+  struct stat status {};
+  const std::string name = fs::absolute(file).lexically_normal().string();
+  if (name.starts_with("/dev/") || name.starts_with("/proc/")) return true;
+  return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+/// What tells files apart however they are called; empty for a device, which any number may share.
+std::string identity(const fs::path& file) {
+  struct stat status {};
+  const bool exists =
+      file == "-" ? ::fstat(STDOUT_FILENO, &status) == 0 : ::stat(file.c_str(), &status) == 0;
+  if (!exists) return resolved(file).string();
+  if (S_ISCHR(status.st_mode) && file != "-") return "";
+  return fmt::format("{}:{}", status.st_dev, status.st_ino);
 }
 
 }  // namespace
 
-FileTransaction::~FileTransaction() {
-  std::error_code ignored;
-  for (const auto& file : files_) std::filesystem::remove(draft_of(file), ignored);
-  for (const auto& folder : folders_) std::filesystem::remove(folder, ignored);  // if empty
+OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
+  if (file.empty()) fail("its name is empty");
+  if (file == "-") {
+    descriptor_ = ::dup(STDOUT_FILENO);
+    if (descriptor_ < 0) fail_by_errno();
+    return;
+  }
+  if (fs::is_directory(file)) fail("it is a folder");
+  try {
+    is_written_in_place(file) ? open_in_place() : open_draft();
+  } catch (...) {
+    for (const fs::path& folder : folders_) {
+      std::error_code ignored;
+      fs::remove(folder, ignored);
+    }
+    throw;
+  }
 }
 
-void FileTransaction::write(const std::filesystem::path& file, std::string_view content) {
+void OutputFile::open_in_place() {
+  descriptor_ = ::open(target_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (descriptor_ < 0) fail_by_errno();
+}
+
+void OutputFile::open_draft() {
+  target_ = resolved(named_);
+  struct stat status {};
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  if (exists && status.st_nlink > 1)
+    fail("it has several hard links, which replacing it would cut; remove it, or write elsewhere");
+  if (exists && ::access(target_.c_str(), W_OK) != 0) fail_by_errno();
+  create_folders();
+  remove_stale_drafts();
+  const mode_t mode = exists ? status.st_mode & 07777U : 0666U;
+  for (int attempt = 0; descriptor_ < 0; ++attempt) {
+    draft_ = target_.parent_path() /
+             fmt::format(".{}.{}-{}.part", target_.filename().string(), ::getpid(), attempt);
+    descriptor_ = ::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor_ < 0 && errno != EEXIST) {
+      draft_.clear();
+      fail_by_errno();
+    }
+  }
+  if (exists && (::fchown(descriptor_, status.st_uid, status.st_gid) != 0 ||
+                 ::fchmod(descriptor_, mode) != 0)) {
+    const int reason = errno;
+    ::close(descriptor_);
+    ::unlink(draft_.c_str());
+    fail(fmt::format("its owner and mode cannot be kept: {}", std::strerror(reason)));
+  }
+}
+
+/// What a process has left that was killed: its name tells which one.
+void OutputFile::remove_stale_drafts() const {
+  const std::string start = fmt::format(".{}.", target_.filename().string());
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(target_.parent_path(), ignored)) {
+    const std::string name = entry.path().filename();
+    int process = 0, attempt = 0, length = 0;
+    if (!name.starts_with(start) ||
+        std::sscanf(name.c_str() + start.size(), "%d-%d.part%n", &process, &attempt, &length) < 2 ||
+        start.size() + static_cast<std::size_t>(length) != name.size())
+      continue;
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry, ignored);
+  }
+}
+
+void OutputFile::create_folders() {
+  const fs::path parent = target_.parent_path();
   std::error_code error;
-  for (auto folder = file.parent_path(); !folder.empty() && !std::filesystem::exists(folder);
+  for (fs::path folder = parent; !folder.empty() && !fs::exists(folder, error);
        folder = folder.parent_path())
     folders_.push_back(folder);
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  if (error) fail(file, error.message());
-  if (std::filesystem::is_directory(file)) fail(file, "it is a directory");
-  if (std::ranges::find(files_, file) != files_.end()) fail(file, "it is asked for twice");
-  files_.push_back(file);
-  std::ofstream stream(draft_of(file), std::ios::binary);
-  stream << content << std::flush;
-  if (!stream) fail(file, std::strerror(errno));
+  fs::create_directories(parent, error);
+  if (error) fail(error.message());
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  std::error_code ignored;
+  if (!draft_.empty()) fs::remove(draft_, ignored);
+  for (const fs::path& folder : folders_) fs::remove(folder, ignored);  // if empty
+}
+
+void OutputFile::write(std::string_view text) {
+  constexpr std::size_t enough = 1U << 16U;
+  buffer_ += text;
+  if (buffer_.size() >= enough) flush();
+}
+
+void OutputFile::flush() {
+  for (std::string_view left = buffer_; !left.empty();) {
+    const ssize_t written = ::write(descriptor_, left.data(), left.size());
+    if (written < 0 && errno == EINTR && !is_interrupted()) continue;
+    if (written < 0) fail_by_errno();
+    left.remove_prefix(static_cast<std::size_t>(written));
+  }
+  buffer_.clear();
+}
+
+void OutputFile::commit() {
+  flush();
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail_by_errno();
+  if (!draft_.empty() && ::rename(draft_.c_str(), target_.c_str()) != 0) fail_by_errno();
+  draft_.clear();
+  folders_.clear();
+}
+
+void OutputFile::fail(std::string_view reason) const {
+  throw std::runtime_error(fmt::format("{}: cannot be written: {}",
+                                       named_ == "-" ? "standard output" : shown(named_.string()),
+                                       reason));
+}
+
+void OutputFile::fail_by_errno() const {
+  if (errno == EINTR && is_interrupted()) throw Interrupted();
+  fail(std::strerror(errno));
+}
+
+void FileTransaction::require_distinct(const std::vector<fs::path>& files) {
+  std::vector<std::string> identities;
+  for (const fs::path& file : files) {
+    const std::string its = identity(file);
+    if (!its.empty() && std::find(identities.begin(), identities.end(), its) != identities.end())
+      throw std::runtime_error(
+          fmt::format("{}: cannot be written: it is asked for twice", shown(file.string())));
+    identities.push_back(its);
+  }
+}
+
+OutputFile& FileTransaction::open(const fs::path& file) {
+  return *files_.emplace_back(std::make_unique<OutputFile>(file));
+}
+
+void FileTransaction::write_to_all(std::string_view text) {
+  for (const auto& file : files_) file->write(text);
 }
 
 void FileTransaction::commit() {
-  for (const auto& file : files_) {
-    std::error_code error;
-    std::filesystem::rename(draft_of(file), file, error);
-    if (error) fail(file, error.message());
-  }
+  for (const auto& file : files_) file->flush();  // what fails does so before any takes its place
+  for (const auto& file : files_) file->commit();
   files_.clear();
-  folders_.clear();
 }
 
 }  // namespace rotor

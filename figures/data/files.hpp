@@ -1,28 +1,63 @@
 /// How files get written here: whole or not at all.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace rotor {
 
-/// Files that appear together: each is written beside its place first, and commit() moves them
-/// there, one after the other. Without commit() nothing is left behind and nothing existing is
-/// touched.
-class FileTransaction {
+/// A file that is being written. A regular one is written beside its place under a name of its own,
+/// and takes the place when it is committed, with the mode and the owner of what was there; before
+/// that nothing existing is touched, and without it nothing is left behind. Links are followed.
+/// What is no regular file, such as a device or a pipe, is written straight away; so is "-", which
+/// is standard output. All throw std::runtime_error, naming the file and the reason.
+class OutputFile {
  public:
-  FileTransaction() = default;
-  FileTransaction(const FileTransaction&) = delete;
-  FileTransaction& operator=(const FileTransaction&) = delete;
-  ~FileTransaction();
+  explicit OutputFile(const std::filesystem::path& file);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
 
-  /// Throws std::runtime_error, naming the file, if it cannot be written or has been already.
-  void write(const std::filesystem::path& file, std::string_view content);
+  void write(std::string_view text);
+  /// After this, all that was written has left the program.
+  void flush();
   void commit();
 
  private:
-  std::vector<std::filesystem::path> files_, folders_;  // folders that had to be created
+  void open_in_place();
+  void open_draft();
+  void remove_stale_drafts() const;
+  void create_folders();
+  [[noreturn]] void fail(std::string_view reason) const;
+  [[noreturn]] void fail_by_errno() const;
+
+  std::filesystem::path named_;                 ///< as it was asked for
+  std::filesystem::path target_;                ///< what that leads to
+  std::filesystem::path draft_;                 ///< empty if it is written straight away
+  std::vector<std::filesystem::path> folders_;  ///< that had to be created
+  int descriptor_ = -1;
+  std::string buffer_;
+};
+
+/// Files that appear together, when all have been written.
+class FileTransaction {
+ public:
+  /// To be called before any work, for the files that will be opened: throws if two are the same,
+  /// or if one cannot be written.
+  static void require_distinct(const std::vector<std::filesystem::path>& files);
+
+  OutputFile& open(const std::filesystem::path& file);
+  void write(const std::filesystem::path& file, std::string_view text) { open(file).write(text); }
+  void write_to_all(std::string_view text);
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
 }  // namespace rotor

@@ -17,6 +17,7 @@ class Table {
   std::size_t rows() const { return values_.size() / columns_; }
   std::span<const double> row(std::size_t i) const { return {&values_[i * columns_], columns_}; }
   void add(double value) { values_.push_back(value); }
+  void add(std::span<const double> row) { values_.insert(values_.end(), row.begin(), row.end()); }
 
  private:
   std::size_t columns_;

@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
+#include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
+#include "figures/data/thinning.hpp"
 #include "figures/program/commands.hpp"
+#include "figures/program/progress.hpp"
 #include "figures/scenes/production.hpp"
 #include "figures/scenes/provenance.hpp"
 #include "figures/scenes/recorder.hpp"
@@ -18,22 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string csv(int number, const Scene& scene, const std::vector<Recorder>& recorders) {
-  std::vector<NamedTable> tables;
-  for (std::size_t i = 0; i < recorders.size(); ++i) {
-    if (recorders[i].table().rows() == 0)
-      throw InputError(fmt::format("figure {}: nothing of the run \"{}\" lies in the window",
-                                   number, scene.runs[i].name));
-    tables.push_back({scene.runs[i].name, thinned(recorders[i].table(), thinning)});
-  }
-  return to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene),
-                headings("run", scene.columns), tables);
-}
-
 /// The scene files of a folder, by the number of the figure.
 std::map<int, fs::path> scene_files(const fs::path& folder) {
   if (!fs::is_directory(folder))
-    throw InputError(fmt::format("--scenes {}: there is no such folder", folder.string()));
+    throw InputError(fmt::format("--scenes {}: there is no such folder", shown(folder.string())));
   std::map<int, fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename();
@@ -48,6 +41,9 @@ std::map<int, fs::path> scene_files(const fs::path& folder) {
 /// Those that are asked for. A scene may state equations and methods of its own.
 std::map<int, Scene> read_scenes(const FigureOptions& options) {
   const std::map<int, fs::path> files = scene_files(options.scenes);
+  if (files.empty())
+    throw InputError(
+        fmt::format("--scenes {}: there is no figNN.toml in this folder", shown(options.scenes)));
   std::vector<int> all;
   for (const auto& [number, file] : files) all.push_back(number);
   Scenario defaults;
@@ -67,24 +63,39 @@ std::map<int, Scene> read_scenes(const FigureOptions& options) {
 
 void write_figures(const FigureOptions& options) {
   const std::map<int, Scene> scenes = read_scenes(options);
+  const auto file_of = [&](int number) {
+    return fs::path(options.out) / fmt::format("fig{:02}.csv", number);
+  };
 
-  std::map<int, std::vector<Recorder>> recorders;
+  std::map<int, std::vector<NamedTable>> tables;
+  std::deque<Recorder> recorders;
   std::vector<Request> requests;
   for (const auto& [number, scene] : scenes) {
-    auto& own = recorders[number];
-    own.reserve(scene.runs.size());  // the requests refer to them
-    for (const SceneRun& scene_run : scene.runs) {
-      Recorder& recorder =
-          own.emplace_back(scene.window, scene.columns, scene_run.scenario, sampling);
-      requests.push_back({scene_run.scenario, recorder});
+    auto& own = tables[number];
+    own.reserve(scene.runs.size());  // the recorders refer to them
+    for (const auto& [name, scenario] : scene.runs) {
+      Table& table = own.emplace_back(NamedTable{name, Table(scene.columns.size())}).table;
+      requests.push_back(
+          {scenario, recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
+                                            [&table](auto row) { table.add(row); })});
     }
   }
-  const ProductionReport report = produce(requests);
+  Interruptible interruptible;
+  const ProductionReport report = produce(requests, &interruptible);
+  if (is_interrupted()) throw Interrupted();
 
   FileTransaction files;
-  for (const auto& [number, scene] : scenes)
-    files.write(fs::path(options.out) / fmt::format("fig{:02}.csv", number),
-                csv(number, scene, recorders.at(number)));
+  for (const auto& [number, scene] : scenes) {
+    for (NamedTable& table : tables.at(number)) {
+      if (table.table.rows() == 0)
+        throw InputError(fmt::format("figure {}: nothing of the run \"{}\" lies in the window",
+                                     number, table.name));
+      table.table = thinned(table.table, thinning);
+    }
+    files.write(file_of(number),
+                to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene),
+                       headings("run", scene.columns), tables.at(number)));
+  }
   files.commit();
   fmt::print(stderr,
              "data of {} figure(s): {} run-up(s) in {:.3f} s, {} run(s) after it in {:.3f} s, {} "

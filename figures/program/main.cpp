@@ -1,9 +1,16 @@
 /// The command line: `rotor figure` writes the data of the paper's figures, `rotor run` runs any
 /// rotor. What it states ends in the structures of options.hpp.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <csignal>
 
+#include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/scenes/scene.hpp"
 
@@ -32,15 +39,25 @@ CLI::Validator without_leading_zeros() {
           ""};
 }
 
-CLI::Validator allowed_by(const Quantity& quantity) {
-  return {[&quantity](const std::string& text) -> std::string {
-            double value = 0;
-            const bool number = CLI::detail::lexical_cast(text, value);
-            return number && quantity.allows(value)
-                       ? ""
-                       : fmt::format("must be {}, not {}", quantity.range(), text);
-          },
-          "", ""};
+CLI::Validator not_empty() {
+  return {
+      [](const std::string& text) -> std::string { return text.empty() ? "must name a file" : ""; },
+      "", ""};
+}
+
+/// All of the text as a number, without anything around it.
+std::optional<double> number_in(std::string_view text) {
+  double value = 0;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole ? std::optional(value) : std::nullopt;
+}
+
+std::string dashed(std::string_view name) {
+  std::string option = "--" + std::string(name);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
 }
 
 void add_options(CLI::App& command, CommonOptions& options) {
@@ -61,7 +78,9 @@ void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = ROTOR_SCENES;
   command.add_option("numbers", options.numbers, "figures; all if none is given")
       ->transform(without_leading_zeros());
-  command.add_option("--out", options.out, "folder for figNN.csv")->capture_default_str();
+  command.add_option("--out", options.out, "folder for figNN.csv")
+      ->check(not_empty())
+      ->capture_default_str();
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->capture_default_str();
   add_options(command, static_cast<CommonOptions&>(options));
@@ -69,26 +88,34 @@ void add_options(CLI::App& command, FigureOptions& options) {
 }
 
 void add_options(CLI::App& command, RunOptions& options) {
-  auto* scene = command.add_option("--scene", options.scene,
-                                   "scene file (TOML); options override what it states");
+  auto* scene = command
+                    .add_option("--scene", options.scene,
+                                "scene file (TOML); options override what it states")
+                    ->check(not_empty());
   command.add_option("--run", options.run_name, "which [[run]] of the scene, if it has several")
       ->needs(scene);
-  for (const Quantity& quantity : quantities()) {
-    std::string option = "--" + std::string(quantity.name);
-    std::ranges::replace(option, '_', '-');
+  for (const Quantity& quantity : quantities())
     command
-        .add_option_function<double>(
-            option, [&](double value) { options.numbers[&quantity] = value; },
+        .add_option_function<std::string>(
+            dashed(quantity.name),
+            [&](const std::string& text) {
+              const auto value = number_in(text);
+              if (!value || !quantity.allows(*value))
+                throw InputError(fmt::format("{}: must be {}, not {}", dashed(quantity.name),
+                                             quantity.range(), shown(text)));
+              options.numbers[&quantity] = *value;
+            },
             fmt::format("{}{}{}", quantity.meaning, quantity.symbol.empty() ? "" : ", ",
                         quantity.symbol))
         ->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit))
-        ->default_str(fmt::format("{}", quantity.of(Scenario{})))
-        ->check(allowed_by(quantity));
-  }
+        ->default_str(fmt::format("{}", quantity.of(Scenario{})));
   command.add_flag("--no-separation", options.no_separation, "no mass is lost");
   add_options(command, static_cast<CommonOptions&>(options));
-  auto* trace = command.add_option("--trace", options.trace,
-                                   "write the motion inside the window to this CSV file");
+  auto* trace = command
+                    .add_option("--trace", options.trace,
+                                "write the motion inside the window to this CSV file; - is "
+                                "standard output")
+                    ->check(not_empty());
   command
       .add_option("--columns", options.columns,
                   "columns of the trace, comma-separated; the scene's, or all, if not given")
@@ -99,10 +126,14 @@ void add_options(CLI::App& command, RunOptions& options) {
                   "beginning of the trace; the scene's, or 0 s, if not given")
       ->type_name("s")
       ->needs(trace);
-  command.add_option("--events", options.events,
-                     "write time, kind, state, normal force and slip of the located events to "
-                     "this CSV file");
+  command
+      .add_option("--events", options.events,
+                  "write time, kind, state, normal force and slip of the located events to this "
+                  "CSV file")
+      ->check(not_empty());
   command.add_flag("--json", options.json, "print the summary as JSON");
+  command.add_flag("--keep-partial", options.keep_partial,
+                   "when interrupted, write what was computed until then, marked as cut short");
 }
 
 /// A command whose options are filled in, and which is run then.
@@ -114,7 +145,39 @@ void add_command(CLI::App& app, const char* name, const char* does, Options& opt
   command->callback([&options, run] { run(options); });
 }
 
+/// What to say of words that mean nothing here: what they probably should have been.
+std::string about_extras(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining(true);
+  const auto commands = app.get_subcommands();
+  if (extras.empty()) return "";
+  const std::string& word = extras.front();
+  std::vector<std::string> names;
+  if (commands.empty()) {
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return fmt::format("{}: there is no such command{}; the commands are: {}", shown(word),
+                       suggestion(word, names), fmt::join(names, ", "));
+  }
+  for (const CLI::Option* option : commands.front()->get_options()) {
+    const std::string name = option->get_name();
+    if (name.starts_with('-')) names.push_back(name);
+  }
+  const std::string option = word.substr(0, word.find('='));
+  return fmt::format("{}: there is no such option of {}{}; rotor {} --help lists them",
+                     shown(option), commands.front()->get_name(), suggestion(option, names),
+                     commands.front()->get_name());
+}
+
+/// Files must not be opened in the place of standard streams that were closed: what is printed
+/// would end in them. What stands there instead cannot be written.
+void occupy_standard_streams() {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor)
+    if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) < 0) std::abort();
+}
+
 int main(int argc, char** argv) {
+  occupy_standard_streams();
+  std::signal(SIGPIPE, SIG_IGN);  // a lost reader is an error like any other
+  note_interruptions();
   CLI::App app("Overcritical rotor, mass loss, rub: the paper's figures, and any other case.");
   app.set_version_flag("--version", "rotor " ROTOR_VERSION);
   app.require_subcommand(1);
@@ -123,15 +186,29 @@ int main(int argc, char** argv) {
   RunOptions run;
   add_command(app, "figure", "Write the data of the paper's figures as CSV", figure, write_figures);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
+  int status = 0;
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // help, version
+    status = app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    const std::string extras = about_extras(app);
+    const std::string message = extras.empty() ? error.what() : extras;
+    constexpr std::size_t line = 400;
+    fmt::print(stderr, "rotor: {}\n", one_line(message.substr(0, line)));
+    status = error.get_exit_code();
+  } catch (const Interrupted& error) {
+    fmt::print(stderr, "rotor: {}\n", error.what());
+    status = 128 + interrupting_signal();  // as shells have it
   } catch (const std::exception& error) {
     fmt::print(stderr, "rotor: {}\n", error.what());
-    return 1;
+    status = 1;
   }
-  return 0;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "rotor: standard output cannot be written: {}\n", std::strerror(errno));
+    status = status == 0 ? 1 : status;
+  }
+  return status;
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct RunOptions : CommonOptions {
   std::vector<std::string> columns;
   std::optional<double> from_s;
   bool json = false;
+  bool keep_partial = false;  ///< what was computed when the run is interrupted
 };
 
 }  // namespace rotor

@@ -3,7 +3,10 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
+#include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
+#include "figures/program/progress.hpp"
 #include "figures/program/summary_json.hpp"
 #include "figures/scenes/audience.hpp"
 #include "figures/scenes/event_log.hpp"
@@ -53,12 +56,12 @@ Scene requested_scene(const RunOptions& options) {
   return result;
 }
 
-void print_summary(const nlohmann::ordered_json& summary, bool as_json) {
+void print_summary(const nlohmann::ordered_json& summary, bool as_json, std::FILE* to) {
   if (as_json) {
-    fmt::print("{}\n", summary.dump(2));
+    fmt::print(to, "{}\n", summary.dump(2));
   } else {
     for (const auto& [key, value] : summary.items())
-      fmt::print("{:<24} {}\n", key, value.is_null() ? "-" : value.dump());
+      fmt::print(to, "{:<24} {}\n", key, value.is_null() ? "-" : value.dump());
   }
 }
 
@@ -70,31 +73,53 @@ void CommonOptions::apply_to(Scenario& scenario) const {
 }
 
 void run_rotor(const RunOptions& options) {
-  Scene scene = requested_scene(options);
-  const auto& [name, scenario] = scene.runs.front();
-  Recorder trace(scene.window, scene.columns, scenario, sampling);
-  EventLog events(scenario);
-  SummaryObserver summary(scenario);
-  Audience audience;
-  audience.add(summary);
-  if (!options.trace.empty()) audience.add(trace);
-  if (!options.events.empty()) audience.add(events);
-  const RunEnd end = run(scenario, audience);
+  const Scene scene = requested_scene(options);
+  const std::string& name = scene.runs.front().name;
+  const Scenario& scenario = scene.runs.front().scenario;
+  std::vector<std::filesystem::path> outputs;
+  for (const std::string& file : {options.trace, options.events})
+    if (!file.empty()) outputs.emplace_back(file);
+  FileTransaction::require_distinct(outputs);
 
+  // What is written goes out as it is computed: a long trace takes no memory.
   FileTransaction files;
-  if (!options.trace.empty() && trace.table().rows() == 0)
-    throw InputError(
-        fmt::format("--trace {}: nothing of the run lies in the window", options.trace));
-  if (!options.trace.empty())
-    files.write(options.trace, to_csv(provenance("Trace of a run", scene),
-                                      headings("run", scene.columns), {{name, trace.table()}}));
+  SummaryObserver summary(scenario);
+  RunProgress progress(scenario.until);
+  Audience audience;
+  audience.add(progress);
+  audience.add(summary);
+  std::optional<Recorder> trace;
+  if (!options.trace.empty()) {
+    OutputFile& file = files.open(options.trace);
+    file.write(csv_head(provenance("Trace of a run", scene), headings("run", scene.columns)));
+    trace.emplace(scene.window, scene.columns, scenario, sampling,
+                  [&](auto row) { file.write(csv_row(name, row)); });
+    audience.add(*trace);
+  }
+  std::optional<EventLog> events;
   if (!options.events.empty()) {
-    scene.columns = EventLog::columns();
-    files.write(options.events, to_csv(provenance("Events of a run", scene),
-                                       headings("event", scene.columns), events.tables()));
+    OutputFile& file = files.open(options.events);
+    Scene log = scene;
+    log.columns = EventLog::columns();
+    file.write(csv_head(provenance("Events of a run", log), headings("event", log.columns)));
+    events.emplace(scenario,
+                   [&](std::string_view event, auto row) { file.write(csv_row(event, row)); });
+    audience.add(*events);
+  }
+
+  const RunEnd end = run(scenario, audience);
+  if (end.stopped) {
+    if (!options.keep_partial) throw Interrupted();
+    files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
+                                   end.last.time_s, scenario.until));
+  } else if (trace && trace->rows() == 0) {
+    throw InputError(
+        fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }
   files.commit();
-  print_summary(to_json(summary.summary(), end.counters, scenario), options.json);
+  const bool standard_output_is_taken = options.trace == "-" || options.events == "-";
+  print_summary(to_json(summary.summary(), end, scenario), options.json,
+                standard_output_is_taken ? stderr : stdout);
 }
 
 }  // namespace rotor

@@ -4,7 +4,7 @@
 
 namespace rotor {
 
-nlohmann::ordered_json to_json(const Summary& summary, const Counters& cost,
+nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end,
                                const Scenario& scenario) {
   nlohmann::ordered_json json;
   const auto put = [&json](const char* key, const std::optional<double>& value) {
@@ -27,16 +27,17 @@ nlohmann::ordered_json to_json(const Summary& summary, const Counters& cost,
   put("final_kinetic_energy_J", summary.final_kinetic_energy_J);
   put("final_q1_m", summary.final_q1_m);
   put("final_q2_m", summary.final_q2_m);
-  json["right_hand_sides"] = cost.right_hand_sides;
-  json["contact_evaluations"] = cost.contact_evaluations;
-  json["steps"] = cost.steps;
-  json["located_events"] = cost.located_events;
+  json["right_hand_sides"] = end.counters.right_hand_sides;
+  json["contact_evaluations"] = end.counters.contact_evaluations;
+  json["steps"] = end.counters.steps;
+  json["located_events"] = end.counters.located_events;
   json["equations"] = name_of(scenario.equations);
   json["method"] = name_of(scenario.method);
   if (scenario.method == Method::event)
     json["tolerance"] = scenario.tolerance;
   else
     json["tolerance"] = nullptr;
+  if (end.stopped) json["cut_short_at_s"] = end.last.time_s;
   return json;
 }
 

@@ -3,14 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/simulation/counters.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/simulation/simulation.hpp"
 #include "model/simulation/summary.hpp"
 
 namespace rotor {
 
 /// What has not happened is null.
-nlohmann::ordered_json to_json(const Summary& summary, const Counters& cost,
-                               const Scenario& scenario);
+nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const Scenario& scenario);
 
 }  // namespace rotor

@@ -20,6 +20,12 @@ class Audience : public Observer {
     for (Observer* observer : all_) observer->on_instant(at);
   }
 
+  bool goes_on(const double& time_s) override {
+    bool all = true;
+    for (Observer* observer : all_) all = observer->goes_on(time_s) && all;
+    return all;
+  }
+
   bool wants_dense_output(const double& from_s, const double& until_s) const override {
     return std::any_of(all_.begin(), all_.end(), [&](const Observer* observer) {
       return observer->wants_dense_output(from_s, until_s);

@@ -7,9 +7,9 @@ namespace rotor {
 void EventLog::on_instant(const Instant& at) {
   if (at.event == Event::none) return;
   View view(at, context_);
-  Table row(columns().size());
-  for (const Column* column : columns()) row.add(column->value(view));
-  tables_.push_back({std::string(name_of(at.event)), row});
+  std::vector<double> row;
+  for (const Column* column : columns()) row.push_back(column->value(view));
+  sink_(name_of(at.event), row);
 }
 
 std::vector<const Column*> EventLog::columns() {

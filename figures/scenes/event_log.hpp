@@ -1,9 +1,12 @@
 /// Lists what happens in a run.
 #pragma once
 
+#include <functional>
+#include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "figures/data/table.hpp"
 #include "figures/scenes/columns.hpp"
 #include "model/simulation/observer.hpp"
 
@@ -11,18 +14,19 @@ namespace rotor {
 
 class EventLog : public Observer {
  public:
-  explicit EventLog(const Scenario& scenario) : context_(scenario) {}
+  /// Who takes the events: what has happened, and the values of columns().
+  using Sink = std::function<void(std::string_view event, std::span<const double>)>;
+
+  EventLog(const Scenario& scenario, Sink sink) : context_(scenario), sink_(std::move(sink)) {}
 
   void on_instant(const Instant& at) override;
 
   /// Time, state, normal force and slip.
   static std::vector<const Column*> columns();
-  /// One table for each event, named after its kind.
-  const std::vector<NamedTable>& tables() const { return tables_; }
 
  private:
   ColumnContext context_;
-  std::vector<NamedTable> tables_;
+  Sink sink_;
 };
 
 }  // namespace rotor

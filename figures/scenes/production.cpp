@@ -37,20 +37,22 @@ T& find_or_add(std::vector<T>& all, const Condition& condition, const T& otherwi
   return found != all.end() ? *found : all.emplace_back(otherwise);
 }
 
-std::vector<Family> families(const std::vector<Request>& requests) {
+std::vector<Family> families(const std::vector<Request>& requests, Observer* monitor) {
   std::vector<Family> all;
   for (const Request& request : requests) {
     const Scenario& scenario = request.scenario;
     const Scenario part = run_up_part(scenario);
+    Branch newcomer{scenario, {}};
+    if (monitor) newcomer.audience.add(*monitor);
     Family& family =
         find_or_add(all, [&](const Family& other) { return other.run_up == part; }, {part, {}});
     Group& group = find_or_add(family.groups,
                                [&](const Group& other) {
                                  return differ_in_their_end_alone(other.front().scenario, scenario);
                                },
-                               {{scenario, {}}});
+                               {newcomer});
     Branch& branch = find_or_add(
-        group, [&](const Branch& other) { return other.scenario == scenario; }, {scenario, {}});
+        group, [&](const Branch& other) { return other.scenario == scenario; }, newcomer);
     branch.audience.add(request.observer);
   }
   for (Family& family : all) {
@@ -122,9 +124,9 @@ void produce(Family& family, ProductionReport& report) {
 
 }  // namespace
 
-ProductionReport produce(const std::vector<Request>& requests) {
+ProductionReport produce(const std::vector<Request>& requests, Observer* monitor) {
   ProductionReport report;
-  for (Family& family : families(requests)) produce(family, report);
+  for (Family& family : families(requests, monitor)) produce(family, report);
   return report;
 }
 

@@ -23,7 +23,8 @@ struct ProductionReport {
 };
 
 /// Runs all requests. Every observer is shown the same, to the bit, as by a run of its own. Throws
-/// as `run` does.
-ProductionReport produce(const std::vector<Request>& requests);
+/// as `run` does. A monitor, if there is one, watches all runs: where it does not let one go on,
+/// none does.
+ProductionReport produce(const std::vector<Request>& requests, Observer* monitor = nullptr);
 
 }  // namespace rotor

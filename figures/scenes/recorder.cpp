@@ -13,13 +13,13 @@ constexpr double time_rounding = 1e-11;
 }  // namespace
 
 Recorder::Recorder(const Window& window, std::vector<const Column*> columns,
-                   const Scenario& scenario, double tolerance)
+                   const Scenario& scenario, double tolerance, RowSink sink)
     : window_(window),
       open_(!window.from_rolling_onset),
       columns_(std::move(columns)),
       tolerance_(tolerance),
       context_(scenario),
-      table_(columns_.size()),
+      sink_(std::move(sink)),
       least_(columns_.size(), std::numeric_limits<double>::infinity()),
       greatest_(columns_.size(), -std::numeric_limits<double>::infinity()) {}
 
@@ -133,8 +133,9 @@ void Recorder::add(const Row& row) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     least_[i] = std::min(least_[i], row[i]);
     greatest_[i] = std::max(greatest_[i], row[i]);
-    table_.add(row[i]);
   }
+  sink_({row.data(), row.size()});
+  ++rows_;
 }
 
 }  // namespace rotor

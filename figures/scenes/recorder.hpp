@@ -1,13 +1,13 @@
-/// Records the columns that are asked for, inside the window that is asked for.
+/// Records the columns that are asked for, inside the window that is asked for, as they come.
 #pragma once
 
 #include <array>
 #include <boost/container/small_vector.hpp>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "figures/data/table.hpp"
 #include "figures/data/thinning.hpp"
 #include "figures/scenes/columns.hpp"
 #include "model/simulation/observer.hpp"
@@ -24,12 +24,15 @@ struct Window {
   double length_s = std::numeric_limits<double>::infinity();
 };
 
+/// Who takes the rows.
+using RowSink = std::function<void(std::span<const double>)>;
+
 class Recorder : public Observer {
  public:
   /// Between the rows, each column is within `tolerance` of the motion where that is known,
   /// relative to the column's range so far.
   Recorder(const Window& window, std::vector<const Column*> columns, const Scenario& scenario,
-           double tolerance);
+           double tolerance, RowSink sink);
 
   void on_instant(const Instant& at) override;
   bool wants_dense_output(const double& from_s, const double& until_s) const override;
@@ -37,7 +40,7 @@ class Recorder : public Observer {
   double threshold(Extreme of, const double& from_s, const double& until_s) const override;
   void on_maximum(const Maximum& maximum) override;
 
-  const Table& table() const { return table_; }
+  long rows() const { return rows_; }
 
  private:
   using Row = boost::container::small_vector<double, 8>;
@@ -59,7 +62,8 @@ class Recorder : public Observer {
   std::vector<const Column*> columns_;
   double tolerance_;
   ColumnContext context_;
-  Table table_;
+  RowSink sink_;
+  long rows_ = 0;
   std::vector<Instant> maxima_;  ///< in the step that comes next
   Row last_;
   Row least_, greatest_;             ///< of each column so far

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "figures/scenes/names.hpp"
 #include "figures/scenes/recorder.hpp"
 #include "model/simulation/scenario.hpp"
 
@@ -24,19 +24,8 @@ struct Scene {
   std::vector<SceneRun> runs;
 };
 
-/// Says what is wrong with an input, where, and what would be right.
-struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// Reads a TOML scene file. What it does not state is taken from `defaults`. Throws InputError.
 Scene read_scene(const std::filesystem::path& file, const Scenario& defaults = {});
-
-Equations parse_equations(std::string_view name);  ///< throws InputError
-Method parse_method(std::string_view name);        ///< throws InputError
-std::string_view name_of(Equations equations);
-std::string_view name_of(Method method);
-std::string_view name_of(Event event);
 
 /// The columns of those names. Throws InputError, naming all columns, for one that does not exist.
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names);

@@ -44,6 +44,7 @@ class EventMethod {
 
   const BasicInstant<S>& instant() const { return at_; }
   const Counters& counters() const { return counters_; }
+  bool stopped() const { return stopped_; }  ///< by an observer
 
  private:
   using Unknowns = std::array<S, 6>;
@@ -76,6 +77,7 @@ class EventMethod {
   S flight_step_{0}, contact_step_{0};
   Counters counters_;
   SwitchLimit<S> switch_limit_;
+  bool stopped_ = false;
 };
 
 extern template class EventMethod<double>;

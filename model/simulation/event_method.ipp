@@ -58,7 +58,7 @@ void EventMethod<S, Stepper>::run_up(const S& until_s, BasicObserver<S>& observe
 
 template <class S, class Stepper>
 void EventMethod<S, Stepper>::advance(const S& until_s, BasicObserver<S>& observer, Extent extent) {
-  while (at_.time_s < until_s) {
+  while (at_.time_s < until_s && !stopped_) {
     const std::optional<Transition> next = follow_phase(until_s, observer, extent);
     if (!next) return;
     limit_switches();
@@ -150,7 +150,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
     system(end.x, end.rates, S(0));
     Step<S, Stepper, PhaseSystem<S, Phase>> taken(control_, system, start_, end);
     auto [stop, event] = first_event_.in(taken);
-    const S duration = stop.time;
+    const S end_s = last && !event ? until_s : S(at_.time_s + stop.time);
     std::optional<Transition> next;
     if (event) next = phase.next(*event, stop.x);
     if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
@@ -159,10 +159,11 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
     }
     count_step();
     if (!last) step = next_step;
-    show_step(taken, at_, duration, observer);
-    at_.time_s = last && !event ? until_s : at_.time_s + duration;
+    show_step(taken, at_, end_s, observer);
+    at_.time_s = end_s;
     start_ = {.time = S(0), .x = stop.x, .rates = stop.rates};
-    if (event || last) {
+    stopped_ = !observer.goes_on(at_.time_s);
+    if (event || last || stopped_) {
       at_.state = chart.state(start_.x);
       counters_.located_events += event.has_value();
       phase_is_new_ = true;

@@ -89,17 +89,19 @@ double PublishedMethod::step_end_s() const {
 
 void PublishedMethod::run_up(double until_s, Observer& observer) {
   set_step(scenario_.step_run_up);
-  while (step_end_s() <= until_s + rounding * step_)
+  while (!stopped_ && step_end_s() <= until_s + rounding * step_)
     if (!take_step(step_, step_end_s(), false, observer)) break;
 }
 
 void PublishedMethod::approach(double until_s, Observer& observer) {
   set_step(scenario_.step_rub);
-  while (step_end_s() < until_s - rounding * step_) take_step(step_, step_end_s(), true, observer);
+  while (!stopped_ && step_end_s() < until_s - rounding * step_)
+    take_step(step_, step_end_s(), true, observer);
 }
 
 void PublishedMethod::advance(double until_s, Observer& observer) {
   approach(until_s, observer);
+  if (stopped_) return;
   const double left = (until_s - at_.time_s) / step_;
   if (left > rounding)
     take_step(left > 1 - rounding ? step_ : left * step_, until_s, true, observer);
@@ -125,6 +127,7 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   at_.contact = contact;
   if (state[5] >= 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
   observer.on_instant(at_);
+  stopped_ = !observer.goes_on(at_.time_s);
   return true;
 }
 

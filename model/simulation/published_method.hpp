@@ -32,6 +32,7 @@ class PublishedMethod {
 
   const Instant& instant() const { return at_; }
   const Counters& counters() const { return counters_; }
+  bool stopped() const { return stopped_; }  ///< by an observer
 
  private:
   void set_step(double step);
@@ -48,6 +49,7 @@ class PublishedMethod {
   double step_ = 0, origin_s_ = 0;
   long steps_ = 0;  ///< since then
   Counters counters_;
+  bool stopped_ = false;
 };
 
 }  // namespace rotor

@@ -55,7 +55,7 @@ constexpr std::array all_quantities = {
              in<&Parameters::separation_time>, 0, closed},
     Quantity{"until", "", "s", "end of the run", in<&Scenario::until>, 0, open},
     Quantity{"tolerance", "", "", "event: error allowed in a step, relative to each phase's scale",
-             in<&Scenario::tolerance>, 0, open, 1e-3},
+             in<&Scenario::tolerance>, 1e-15, closed, 1e-3},
     Quantity{"step_run_up", "h", "s", "rk4: step until the mass loss or the first contact",
              in<&Scenario::step_run_up>, 0, open},
     Quantity{"step_rub", "h", "s", "rk4: step from then on", in<&Scenario::step_rub>, 0, open},
@@ -117,6 +117,9 @@ void check(const Scenario& scenario) {
     };
     require_few("step_run_up", scenario.step_run_up);
     require_few("step_rub", scenario.step_rub);
+    require(scenario.step_run_up <= scenario.until,
+            fmt::format("step_run_up = {} s: must not be longer than the run, {} s",
+                        scenario.step_run_up, scenario.until));
   }
   const MassLoss<double> loss(p);
   require(

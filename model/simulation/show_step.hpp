@@ -48,11 +48,12 @@ class DenseOutputOf : public BasicDenseOutput<S> {
 
 /// The maxima that an observer wants to see, in order.
 template <class S, class Step>
-void show_maxima(Step& step, const BasicInstant<S>& start, const S& duration,
+void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
                  BasicObserver<S>& observer) {
   using Point = typename Step::Point;
   using Unknowns = typename Step::Unknowns;
   const auto& phase = step.system().phase();
+  const S duration = until_s - start.time_s;
   const auto threshold = [&](Extreme of, const S& from, const S& until) {
     return observer.threshold(of, start.time_s + from, start.time_s + until);
   };
@@ -88,7 +89,7 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& duration,
       if (const auto maximum =
               step.crossing(rate, step.observe(rate, left.time), step.observe(rate, right.time))) {
         found.push_back({l.of, bound, start});
-        found.back().at.time_s += maximum->time;
+        found.back().at.time_s = min(until_s, S(start.time_s + maximum->time));
         found.back().at.state = phase.chart.state(maximum->x);
       }
     }
@@ -103,13 +104,12 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& duration,
   }
 }
 
-/// Shows an observer what it wants to see of a step that starts at an instant, for some time.
+/// Shows an observer what it wants to see of a step that starts at an instant, until a time.
 template <class S, class Step>
-void show_step(Step& step, const BasicInstant<S>& start, const S& duration,
+void show_step(Step& step, const BasicInstant<S>& start, const S& until_s,
                BasicObserver<S>& observer) {
   if constexpr (requires(typename Step::Unknowns x) { step.system().phase().extremes(x, x); })
-    show_maxima(step, start, duration, observer);
-  const S until_s = start.time_s + duration;
+    show_maxima(step, start, until_s, observer);
   if (observer.wants_dense_output(start.time_s, until_s))
     observer.on_step(DenseOutputOf<S, Step>(start, until_s, step));
 }

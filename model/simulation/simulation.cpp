@@ -75,6 +75,10 @@ const Counters& Simulation::counters() const {
   return state_->visit([](auto& method) -> const Counters& { return method.counters(); });
 }
 
+bool Simulation::stopped() const {
+  return state_->visit([](auto& method) { return method.stopped(); });
+}
+
 RunEnd run(const Scenario& scenario, Observer& observer) {
   return run(scenario, at_rest(scenario.parameters), observer);
 }
@@ -83,7 +87,7 @@ RunEnd run(const Scenario& scenario, const Instant& from, Observer& observer) {
   observer.on_instant(from);
   Simulation simulation(scenario, from);
   simulation.finish(observer);
-  return {simulation.instant(), simulation.counters()};
+  return {simulation.instant(), simulation.counters(), simulation.stopped()};
 }
 
 }  // namespace rotor

@@ -40,6 +40,7 @@ class Simulation {
 
   const Instant& instant() const;
   const Counters& counters() const;
+  bool stopped() const;  ///< by an observer
 
  private:
   struct State;  // which drags the steppers in
@@ -51,6 +52,7 @@ template <class S>
 struct BasicRunEnd {
   BasicInstant<S> last;
   Counters counters;
+  bool stopped = false;  ///< by the observer
 };
 
 using RunEnd = BasicRunEnd<double>;

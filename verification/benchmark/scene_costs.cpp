@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <deque>
 
 #include "figures/data/thinning.hpp"
 #include "figures/scenes/production.hpp"
@@ -27,14 +28,16 @@ Cost cost(const std::vector<const Scene*>& scenes) {
   constexpr int runs = 5;
   Cost cost;
   for (int run = 0; run < runs; ++run) {
-    std::vector<Recorder> recorders;
-    recorders.reserve(64);  // the requests refer to them
+    std::deque<Recorder> recorders;
+    std::deque<Table> tables;
     std::vector<Request> requests;
     for (const Scene* scene : scenes)
       for (const SceneRun& scene_run : scene->runs)
         requests.push_back(
             {scene_run.scenario,
-             recorders.emplace_back(scene->window, scene->columns, scene_run.scenario, sampling)});
+             recorders.emplace_back(scene->window, scene->columns, scene_run.scenario, sampling,
+                                    [&table = tables.emplace_back(scene->columns.size())](
+                                        auto row) { table.add(row); })});
     const long pairs_before = sine_cosine_pairs();
     const auto begin = std::chrono::steady_clock::now();
     cost.report = produce(requests);
@@ -42,9 +45,9 @@ Cost cost(const std::vector<const Scene*>& scenes) {
     cost.time_s = std::min(cost.time_s, time.count());
     cost.pairs = sine_cosine_pairs() - pairs_before;
     cost.samples = cost.kept = 0;
-    for (const Recorder& recorder : recorders) {
-      cost.samples += recorder.table().rows();
-      cost.kept += thinned(recorder.table(), thinning).rows();
+    for (const Table& table : tables) {
+      cost.samples += table.rows();
+      cost.kept += thinned(table, thinning).rows();
     }
   }
   return cost;

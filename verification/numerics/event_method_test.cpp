@@ -40,9 +40,9 @@ TEST(EventMethod, GivesTheSameBitsWhoeverWatches) {
   const RunEnd unwatched = run(scenario, null_observer);
   Recorder recorder({.from_s = 29.11, .length_s = 0.05},
                     {find_column("time_s"), find_column("normal_force_N"), find_column("rho_m")},
-                    scenario, 1e-4);
+                    scenario, 1e-4, [](auto) {});
   EXPECT_EQ(run(scenario, recorder).last.state, unwatched.last.state);
-  EXPECT_GT(recorder.table().rows(), 1000U);
+  EXPECT_GT(recorder.rows(), 1000);
 }
 
 TEST(EventMethod, GivesTheSameBitsWhereverTheRunWasInterrupted) {

@@ -1,75 +1,72 @@
 /// The program, and bad input to it.
-#include <array>
-#include <cstdio>
-#include <sstream>
-
-#include "verification/support/in_folder.hpp"
+#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
-
-class CommandLine : public InFolder {
- protected:
-  struct Outcome {
-    int status;
-    std::string output;
-  };
-
-  /// Runs the program in the folder. Standard error comes with the output.
-  Outcome rotor(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + folder_.string() + "' && '" ROTOR_PROGRAM "' " + arguments + " 2>&1";
-    FILE* pipe = ::popen(command.c_str(), "r");
-    std::string output;
-    std::array<char, 4096> buffer{};
-    while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe))
-      output.append(buffer.data(), size);
-    return {::pclose(pipe), output};
-  }
-
-  /// Of a CSV in the folder: the header row, then the data.
-  std::vector<std::string> rows_of(std::string_view name) const {
-    std::ifstream file(folder_ / name);
-    std::vector<std::string> rows;
-    for (std::string line; std::getline(file, line);)
-      if (!line.starts_with("# ")) rows.push_back(line);
-    return rows;
-  }
-
-  void expect_refusal(const std::string& arguments, std::string_view message) const {
-    const auto [status, output] = rotor(arguments);
-    EXPECT_NE(status, 0) << arguments;
-    EXPECT_NE(output.find(message), std::string::npos) << arguments << ": " << output;
-    EXPECT_TRUE(fs::is_empty(folder_)) << arguments;
-  }
-};
 
 TEST_F(CommandLine, RefusesBadInputAndWritesNothing) {
   expect_refusal("run --mass 0 --trace t.csv", "--mass: must be a finite number greater than 0 kg");
   expect_refusal("run --friction nan --trace t.csv",
                  "--friction: must be a finite number not below 0");
   expect_refusal("run --friction high --trace t.csv", "--friction: must be a finite number");
+  expect_refusal("run --friction ' 3'", "--friction: must be a finite number not below 0, not  3");
+  expect_refusal("run --friction '3 '", "--friction: must be a finite number not below 0, not 3 ");
+  expect_refusal("run --friction ''", "--friction: must be a finite number not below 0, not");
+  expect_refusal("run --tolerance 1e-18", "--tolerance: must be a finite number not below 1e-15");
   expect_refusal("run --stator-radius 0.05 --trace t.csv", "must be larger than rotor_radius");
   expect_refusal("run --equations newton --trace t.csv", "must be one of: published, consistent");
-  expect_refusal("run --weight 5 --trace t.csv", "--weight");
   expect_refusal("run --columns time --trace t.csv",
-                 "there is no column \"time\"; there are: time_s");
+                 "there is no column \"time\"; did you mean time_s?; there are: time_s");
   expect_refusal("run --until 1 --from 2 --trace t.csv", "--from 2: must lie inside the run");
-  expect_refusal("run --scene nowhere.toml", "nowhere.toml");
-  expect_refusal("run --until 0.1 --trace .", "it is a directory");
+  expect_refusal("run --until 0.1 --trace .", "it is a folder");
+  expect_refusal("run --until 0.1 --trace ''", "--trace: must name a file");
+  expect_refusal("run --until 0.1 --events ''", "--events: must name a file");
   expect_refusal("run --until 0.1 --columns time_s", "--columns requires --trace");
   expect_refusal("run --until 0.1 --method rk4 --events e.csv", "only --method event");
-  expect_refusal("run --until 0.1 --trace a/t.csv --events a/t.csv", "asked for twice");
+  expect_refusal("run --until 0.1 --method rk4 --step-run-up 0.2",
+                 "step_run_up = 0.2 s: must not be longer than the run");
+}
+
+TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
+  expect_refusal("run --frcition 0.2",
+                 "--frcition: there is no such option of run; did you mean "
+                 "--friction?");
+  expect_refusal("run --weight 5", "--weight: there is no such option of run");
+  expect_refusal("foo", "foo: there is no such command; the commands are: figure, run");
+  expect_refusal("rnu", "rnu: there is no such command; did you mean run?");
+  expect_refusal("run --mass " + std::string(100'000, '9') + "x",
+                 "--mass: must be a finite number");
+  expect_refusal("run --" + std::string(100'000, 'a'), "there is no such option");
+}
+
+TEST_F(CommandLine, ReadsScenesFromRegularFilesAlone) {
+  fs::create_directory(folder_ / "scenes");
+  expect_refusal("run --scene nowhere.toml", "nowhere.toml: cannot be read: there is no such file");
+  expect_refusal("run --scene scenes", "scenes: cannot be read: it is no regular file");
+  expect_refusal("run --scene /dev/zero", "/dev/zero: cannot be read: it is no regular file");
+  expect_refusal("run --scene ''", "--scene: must name a file");
   expect_refusal("figure 18 --out f", "the figures are 2, 3, 4");
   expect_refusal("figure --scenes nowhere --out f", "--scenes nowhere: there is no such folder");
+  expect_refusal("figure --scenes scenes --out f", "--scenes scenes: there is no figNN.toml");
+  fs::create_directory(folder_ / "scenes" / "fig02.toml");
+  expect_refusal("figure --scenes scenes --out f", "fig02.toml: cannot be read: it is no regular");
+}
+
+TEST_F(CommandLine, RefusesScenesThatNoParserStands) {
+  std::string keys = "a";
+  for (int i = 0; i < 50'000; ++i) keys += ".a";
+  write("deep.toml", "title = \"a\"\n" + keys + " = 1\n");
+  expect_refusal("run --scene deep.toml", "deep.toml:2: is nested deeper than any scene needs");
+  write("arrays.toml", "columns = " + std::string(50'000, '[') + "\n");
+  expect_refusal("run --scene arrays.toml", "arrays.toml:1: is nested deeper");
+  write("large.toml", "title = \"" + std::string(2'000'000, 'a') + "\"\n");
+  expect_refusal("run --scene large.toml", "large.toml: cannot be read: it is larger than");
 }
 
 TEST_F(CommandLine, LeavesAnExistingFileAloneWhenARunFails) {
   write("t.csv", "precious");
   EXPECT_NE(rotor("run --method rk4 --contact-stiffness 1e13 --trace t.csv").status, 0);
-  std::string content;
-  std::ifstream(folder_ / "t.csv") >> content;
-  EXPECT_EQ(content, "precious");
+  EXPECT_EQ(content("t.csv"), "precious");
 }
 
 TEST_F(CommandLine, ListsTheEventsOfARun) {
@@ -109,10 +106,9 @@ TEST_F(CommandLine, LeavesAFiguresSceneItsOwnMethod) {
         "\"fixed\"\nmethod = \"rk4\"");
   const auto [status, output] = rotor("figure --scenes . --out . --method event");
   EXPECT_EQ(status, 0) << output;
-  std::stringstream csv;
-  csv << std::ifstream(folder_ / "fig21.csv").rdbuf();
-  EXPECT_NE(csv.str().find("fixed: equations published, method rk4"), std::string::npos);
-  EXPECT_NE(csv.str().find("located: equations published, method event"), std::string::npos);
+  const std::string csv = content("fig21.csv");
+  EXPECT_NE(csv.find("fixed: equations published, method rk4"), std::string::npos);
+  EXPECT_NE(csv.find("located: equations published, method event"), std::string::npos);
 }
 
 }  // namespace

@@ -1,19 +1,26 @@
 /// The paper's figures: their scenes and scripts, and what they share.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "figures/scenes/production.hpp"
 #include "figures/scenes/scene.hpp"
+#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
 
-namespace fs = std::filesystem;
-
 fs::path figure_file(int number, std::string_view ending) {
   return fs::path(ROTOR_SCENES) /
          ("fig" + std::to_string(number / 10) + std::to_string(number % 10) + std::string(ending));
+}
+
+class FigureData : public CommandLine {};
+
+TEST_F(FigureData, DoNotDependOnWhichFiguresAreAskedForTogether) {
+  EXPECT_EQ(rotor("figure --out all").status, 0);
+  for (int number = 2; number <= 17; ++number) {
+    EXPECT_EQ(rotor("figure --out one " + std::to_string(number)).status, 0);
+    const std::string name = figure_file(number, ".csv").filename();
+    EXPECT_FALSE(content("one/" + name).empty());
+    EXPECT_EQ(content("one/" + name), content("all/" + name)) << name;
+  }
 }
 
 TEST(Figures, AreSixteenEachWithASceneAndAScript) {

@@ -5,10 +5,10 @@
 #include <map>
 
 #include "figures/data/files.hpp"
-#include "verification/robustness/random_scenarios.hpp"
 #include "verification/robustness/stress.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/follow.hpp"
+#include "verification/support/random_scenarios.hpp"
 #include "verification/support/starts.hpp"
 
 namespace rotor {

@@ -1,0 +1,21 @@
+/// Ctrl-C and its like: long work looks here from time to time, and cleans up behind itself.
+#pragma once
+
+#include <stdexcept>
+
+namespace rotor {
+
+/// From now on SIGINT and SIGTERM are noted instead of ending the program; the second one ends it.
+void note_interruptions();
+
+/// Whether there has been one.
+bool is_interrupted();
+
+/// Which signal has been noted, or 0.
+int interrupting_signal();
+
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted; nothing has been written") {}
+};
+
+}  // namespace rotor

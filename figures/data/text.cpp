@@ -1,0 +1,60 @@
+#include "figures/data/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace rotor {
+namespace {
+
+/// How many letters have to be inserted, removed, replaced or exchanged with their neighbour
+/// (Damerau and Levenshtein).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), 0U);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t k = 1; k <= b.size(); ++k) {
+      const std::size_t replaced = last[k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
+      row[k] = std::min({replaced, last[k] + 1, row[k - 1] + 1});
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+        row[k] = std::min(row[k], before[k - 2] + 1);
+    }
+    before = last;
+    last = row;
+  }
+  return last.back();
+}
+
+}  // namespace
+
+std::string one_line(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    line += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return line;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t most = 60;
+  return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
+}
+
+std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names) {
+  constexpr std::size_t longest = 60;
+  if (mistyped.size() > longest || names.empty()) return "";
+  const auto how_far = [&](const std::string& name) {
+    const bool abbreviated = mistyped.size() > 3 && name.find(mistyped) != std::string::npos;
+    return abbreviated ? 1 : distance(mistyped, name);
+  };
+  const auto nearest =
+      std::min_element(names.begin(), names.end(),
+                       [&](const auto& a, const auto& b) { return how_far(a) < how_far(b); });
+  const bool is_near = how_far(*nearest) <= std::max<std::size_t>(2, mistyped.size() / 3);
+  return is_near ? fmt::format("; did you mean {}?", *nearest) : "";
+}
+
+}  // namespace rotor

@@ -1,0 +1,20 @@
+/// What messages do with texts that users give.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rotor {
+
+/// The text, or its beginning if it is longer than a message should repeat, control characters made
+/// visible.
+std::string shown(std::string_view text);
+
+/// The same as one line, however long.
+std::string one_line(std::string_view text);
+
+/// "; did you mean NAME?" if one of the names is what was probably meant, or nothing.
+std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
+
+}  // namespace rotor

@@ -1,0 +1,23 @@
+/// How kinds of things are called in options, scene files and CSV.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+#include "model/phases/transition.hpp"
+#include "model/simulation/scenario.hpp"
+
+namespace rotor {
+
+/// Says what is wrong with an input, where, and what would be right.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+Equations parse_equations(std::string_view name);  ///< throws InputError
+Method parse_method(std::string_view name);        ///< throws InputError
+std::string_view name_of(Equations equations);
+std::string_view name_of(Method method);
+std::string_view name_of(Event event);
+
+}  // namespace rotor

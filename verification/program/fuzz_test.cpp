@@ -1,0 +1,163 @@
+/// Random scenes and command lines: whatever is given is done, or refused in one clear line. A
+/// seeded few of them here; ROTOR_FUZZ=N in the environment tries N instead.
+#include <cstdlib>
+#include <random>
+
+#include "figures/scenes/scene.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+long count(long usual) {
+  const char* asked = std::getenv("ROTOR_FUZZ");
+  return asked ? std::strtol(asked, nullptr, 10) : usual;
+}
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : random_(seed) {}
+
+  std::size_t below(std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_);
+  }
+  bool one_in(std::size_t n) { return below(n) == 0; }
+
+  template <class T>
+  const T& of(const std::vector<T>& all) {
+    return all[below(all.size())];
+  }
+
+  /// A number as people write them, or something like it.
+  std::string number() {
+    static const std::vector<std::string> odd = {
+        "0",  "-0", "-1", "1e308", "1e-308", "inf", "nan", "1e400", "0x10",       "1_000", "+3",
+        "3.", ".5", "1e", "true",  "\"5\"",  "[1]", "{}",  "''",    "1979-05-27", "--",    "1 2"};
+    if (one_in(4)) return of(odd);
+    const double exponent = std::uniform_real_distribution<double>(-6, 6)(random_);
+    return std::to_string(std::pow(10, exponent));
+  }
+
+  std::string bytes(std::size_t most) {
+    std::string text(below(most), ' ');
+    for (char& c : text) c = static_cast<char>(below(256));
+    return text;
+  }
+
+  /// The text with some bytes changed, doubled or lost.
+  std::string damaged(std::string text) {
+    for (std::size_t n = below(4); n > 0 && !text.empty(); --n) {
+      const std::size_t at = below(text.size());
+      if (one_in(3))
+        text.erase(at, 1 + below(8));
+      else if (one_in(2))
+        text.insert(at, text.substr(below(text.size()), below(20)));
+      else
+        text[at] = static_cast<char>(below(256));
+    }
+    return text;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities()) names.emplace_back(quantity.name);
+  return names;
+}
+
+/// A scene that is nearly right.
+std::string random_scene(Random& random) {
+  static const std::vector<std::string> names = quantity_names();
+  static const std::vector<std::string> words = {
+      "title = \"a\"",
+      "columns = [\"time_s\", \"rho_m\"]",
+      "columns = [\"time_s\"]",
+      "columns = []",
+      "columns = 3",
+      "window = { from_s = 0, until_s = 1 }",
+      "window = { from = \"rolling_onset\", length_s = 0.1 }",
+      "window = 3",
+      "[parameters]",
+      "[[run]]",
+      "[run]",
+      "name = \"b\"",
+      "equations = \"consistent\"",
+      "method = \"rk4\"",
+      "no_separation = true",
+      "no_separation = 3",
+      "a.b.c = 1",
+      "[a.b]",
+      "title = \"\"\"\n\"\"\"",
+      "parameters = 3"};
+  std::string text;
+  for (std::size_t n = random.below(12); n > 0; --n)
+    text += (random.one_in(2) ? random.of(words) : random.of(names) + " = " + random.number()) +
+            (random.one_in(20) ? "\r\n" : "\n");
+  if (random.one_in(3)) text = random.damaged(text);
+  return random.one_in(50) ? random.bytes(300) : text;
+}
+
+class Fuzz : public CommandLine {};
+
+TEST_F(Fuzz, ScenesAreReadOrRefusedByFileAndLine) {
+  Random random(1);
+  long read = 0, refused = 0;
+  for (long n = 0; n < count(3000); ++n) {
+    const fs::path file = write("scene.toml", random_scene(random));
+    try {
+      const Scene scene = read_scene(file);
+      EXPECT_FALSE(scene.runs.empty() || scene.columns.empty());
+      for (const SceneRun& run : scene.runs) EXPECT_NO_THROW(check(run.scenario));
+      ++read;
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      EXPECT_TRUE(message.starts_with(file.string() + ':')) << message;
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+      EXPECT_LT(message.size(), 800U) << message;
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 10 * refused / 100);
+  EXPECT_GT(refused, 10 * read / 100);
+}
+
+TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
+  Random random(2);
+  std::vector<std::string> options = {"--trace",  "--events",        "--columns",     "--from",
+                                      "--scene",  "--run",           "--json",        "--equations",
+                                      "--method", "--no-separation", "--keep-partial"};
+  for (std::string name : quantity_names()) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    options.push_back("--" + name);
+  }
+  const std::vector<std::string> values = {"t.csv", "consistent", "rk4", "time_s,rho_m", ""};
+  const auto quoted = [](std::string text) {
+    std::erase(text, '\'');
+    std::erase(text, '\0');
+    return " '" + text + "'";
+  };
+  for (long n = 0; n < count(200); ++n) {
+    std::string arguments = random.one_in(10) ? random.of(values) : "run --until 0.01";
+    for (std::size_t k = random.below(5); k > 0; --k) {
+      const std::string option = random.of(options);
+      arguments += quoted(random.one_in(10) ? random.damaged(option) : option);
+      if (!random.one_in(5))
+        arguments += quoted(random.one_in(3) ? random.of(values) : random.number());
+    }
+    const auto [status, output] = shell("timeout 20 $rotor " + arguments);
+    EXPECT_TRUE(status >= 0 && status < 124) << arguments << ": " << status << output;
+    if (status != 0) {
+      EXPECT_TRUE(output.starts_with("rotor: ")) << arguments << ": " << output;
+      EXPECT_EQ(output.find('\n'), output.size() - 1) << arguments << ": " << output;
+      EXPECT_LT(output.size(), 800U) << arguments;
+      EXPECT_EQ(files(), 0) << arguments;
+    }
+    for (const auto& entry : fs::directory_iterator(folder_)) fs::remove_all(entry);
+  }
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,184 @@
+/// What the program writes, and what it leaves alone.
+#include <sys/stat.h>
+
+#include "figures/data/csv.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+/// A short run, and one that takes longer than any test waits.
+const std::string short_run = "run --until 0.1 --columns time_s,rho_m";
+const std::string long_run = "run --no-separation --until 1e6 --columns time_s,rho_m";
+
+class Writing : public CommandLine {
+ protected:
+  void TearDown() override {
+    EXPECT_EQ(files(), 0) << "something was left behind";
+    CommandLine::TearDown();
+  }
+  void remove(const std::string& name) const { EXPECT_TRUE(fs::remove(folder_ / name)) << name; }
+};
+
+TEST_F(Writing, GoesThroughWhatIsNoRegularFile) {
+  EXPECT_EQ(shell("mkfifo pipe && (cat pipe > copy &) && $rotor " + short_run +
+                  " --trace pipe && while [ ! -s copy ]; do sleep 0.01; done; sleep 0.05")
+                .status,
+            0);
+  EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+  EXPECT_GT(rows_of("copy").size(), 10U);
+  EXPECT_EQ(rotor(short_run + " --trace /dev/null").status, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  remove("pipe");
+  remove("copy");
+}
+
+TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
+  write("target", "old");
+  ASSERT_EQ(::chmod((folder_ / "target").c_str(), 0600), 0);
+  fs::create_symlink("target", folder_ / "link");
+  EXPECT_EQ(rotor(short_run + " --trace link").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_GT(rows_of("target").size(), 10U);
+  EXPECT_EQ(fs::status(folder_ / "target").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+  remove("link");
+  remove("target");
+  fs::create_symlink("not-yet", folder_ / "link");  // which leads nowhere so far
+  EXPECT_EQ(rotor(short_run + " --trace link").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  remove("link");
+  remove("not-yet");
+}
+
+TEST_F(Writing, CutsNoHardLink) {
+  write("one", "precious");
+  fs::create_hard_link(folder_ / "one", folder_ / "two");
+  expect_refusal(short_run + " --trace one", "one: cannot be written: it has several hard links");
+  EXPECT_EQ(content("two"), "precious");
+  remove("one");
+  remove("two");
+}
+
+TEST_F(Writing, ToStandardOutputLeavesTheSummaryToStandardError) {
+  const auto [status, output] =
+      shell("$rotor " + short_run + " --json --trace - 2> summary > trace");
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(content("summary").starts_with("{"));
+  EXPECT_EQ(rows_of("trace").front(), "run,time_s,rho_m");
+  EXPECT_EQ(content("trace").find('{'), std::string::npos);
+  remove("summary");
+  remove("trace");
+}
+
+TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
+  for (const char* twice : {"--trace t.csv --events t.csv", "--trace t.csv --events ./t.csv",
+                            "--trace new/t.csv --events new/../new/t.csv", "--trace - --events -",
+                            "--trace - --events /dev/stdout"})
+    expect_refusal(long_run + " " + twice, "it is asked for twice");
+  write("t.csv", "precious");
+  fs::create_symlink("t.csv", folder_ / "link");
+  expect_refusal(long_run + " --trace t.csv --events link", "it is asked for twice");
+  EXPECT_EQ(content("t.csv"), "precious");
+  remove("link");
+  remove("t.csv");
+}
+
+TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
+  expect_refusal(short_run + " --trace /dev/full", "/dev/full: cannot be written: No space left");
+  expect_refusal(short_run + " --trace - > /dev/full", "standard output: cannot be written: No");
+  expect_refusal("run --until 0.1 --json > /dev/full",
+                 "standard output cannot be written: No space");
+  expect_refusal("run --until 0.1 --json >&-", "standard output cannot be written: Bad file");
+  const auto [status, output] =
+      shell("{ $rotor run --until 0.1 --json; echo status $? >&2; } | true");
+  EXPECT_NE(output.find("status 1"), std::string::npos) << output;
+}
+
+TEST_F(Writing, TouchesNobodysOwnDrafts) {
+  write("t.csv.part", "precious");
+  write(".t.csv.part", "precious");
+  EXPECT_EQ(rotor(short_run + " --trace t.csv").status, 0);
+  EXPECT_EQ(content("t.csv.part"), "precious");
+  EXPECT_EQ(content(".t.csv.part"), "precious");
+  remove("t.csv.part");
+  remove(".t.csv.part");
+  remove("t.csv");
+}
+
+TEST_F(Writing, LetsOneOfTwoProcessesWinWhole) {
+  EXPECT_EQ(rotor(short_run + " --friction 0.1 --trace a").status, 0);
+  EXPECT_EQ(rotor(short_run + " --friction 0.2 --trace b").status, 0);
+  EXPECT_NE(content("a"), content("b"));
+  for (int n = 0; n < 10; ++n) {
+    const auto [status, output] =
+        shell("$rotor " + short_run + " --friction 0.1 --trace t & $rotor " + short_run +
+              " --friction 0.2 --trace t; wait");
+    EXPECT_TRUE(content("t") == content("a") || content("t") == content("b"));
+  }
+  for (const char* name : {"a", "b", "t"}) remove(name);
+}
+
+TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    write("t.csv", "precious");
+    const auto [status, output] = shell("bash -c 'set -m; \"$0\" " + long_run +
+                                        " --trace t.csv & sleep 0.3; ls -A | wc -l; kill -" +
+                                        signal + " %1; wait %1; echo status $?' \"$rotor\"");
+    EXPECT_TRUE(output.starts_with("2\n")) << output;  // the draft was there
+    EXPECT_NE(output.find("rotor: interrupted; nothing has been written"), std::string::npos);
+    EXPECT_NE(output.find(signal == "INT" ? "status 130" : "status 143"), std::string::npos);
+    EXPECT_EQ(content("t.csv"), "precious");
+    remove("t.csv");
+  }
+}
+
+TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
+  const auto [status, output] =
+      shell("bash -c 'set -m; \"$0\" " + long_run +
+            " --json --keep-partial --trace t.csv & sleep 0.5; kill -INT %1; wait %1' \"$rotor\"");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("\"cut_short_at_s\": "), std::string::npos) << output;
+  const std::string trace = content("t.csv");
+  EXPECT_NE(trace.find("\n# cut short at "), std::string::npos);
+  EXPECT_EQ(trace.back(), '\n');
+  EXPECT_GT(rows_of("t.csv").size(), 100U);
+  remove("t.csv");
+}
+
+TEST_F(Writing, RemovesWhatAKilledRunHasLeft) {
+  shell("bash -c '\"$0\" " + long_run +
+        " --trace t.csv & sleep 0.3; kill -KILL $!; wait' \"$rotor\"");
+  EXPECT_EQ(files(), 1);  // its draft
+  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+  EXPECT_EQ(rotor(short_run + " --trace t.csv").status, 0);
+  remove("t.csv");
+}
+
+TEST_F(Writing, QuotesNamesAsRfc4180HasIt) {
+  const std::string name = "mu, \"high\"\nor so";
+  write("s.toml",
+        "title = \"a\\u0007\\nb\"\ncolumns = [\"time_s\", \"rho_m\"]\n"
+        "[parameters]\nuntil = 0.1\n[[run]]\nname = \"mu, \\\"high\\\"\\nor so\"\n");
+  EXPECT_EQ(rotor("run --scene s.toml --trace t.csv").status, 0);
+  const std::vector<CsvRow> rows = read_csv(folder_ / "t.csv");
+  ASSERT_GT(rows.size(), 10U);
+  for (const CsvRow& row : rows) EXPECT_EQ(row["run"], name);
+  EXPECT_EQ(rows.front().number("time_s"), 0);
+  EXPECT_EQ(static_cast<double>(rows.back().number("time_s")), 0.1);
+  remove("s.toml");
+  remove("t.csv");
+}
+
+TEST_F(Writing, TakesNoMemoryForALongTrace) {
+  // 600,000 rows of 16 columns are 77 MB as numbers alone.
+  const auto [status, output] = shell(
+      "ulimit -v 60000; $rotor run --method rk4 --no-separation --step-run-up 1e-5 --until 6 "
+      "--json "
+      "--trace /dev/null");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("\"steps\": 600000"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace rotor

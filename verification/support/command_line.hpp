@@ -1,0 +1,72 @@
+/// Tests of the program as its users see it.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "verification/support/in_folder.hpp"
+
+namespace rotor {
+
+class CommandLine : public InFolder {
+ protected:
+  struct Outcome {
+    int status;
+    std::string output;
+  };
+
+  /// Runs a shell command in the folder, in which $rotor is the program. Standard error comes with
+  /// the output.
+  Outcome shell(const std::string& command) const {
+    const std::string whole =
+        "cd '" + folder_.string() + "' && rotor='" ROTOR_PROGRAM "' && { " + command + "\n} 2>&1";
+    FILE* pipe = ::popen(whole.c_str(), "r");
+    std::string output;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe))
+      output.append(buffer.data(), size);
+    const int status = ::pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+  }
+
+  Outcome rotor(const std::string& arguments) const { return shell("$rotor " + arguments); }
+
+  /// The content of a file in the folder.
+  std::string content(std::string_view name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  /// Of a CSV in the folder: the header row, then the data.
+  std::vector<std::string> rows_of(std::string_view name) const {
+    std::ifstream file(folder_ / name);
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(file, line);)
+      if (!line.starts_with('#')) rows.push_back(line);
+    return rows;
+  }
+
+  /// How many files the folder holds, hidden ones included.
+  long files() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  void expect_refusal(const std::string& arguments, std::string_view message) const {
+    const long before = files();
+    const auto [status, output] = rotor(arguments);
+    EXPECT_GT(status, 0) << arguments;
+    EXPECT_NE(output.find(message), std::string::npos) << arguments << ": " << output;
+    EXPECT_TRUE(output.starts_with("rotor: ")) << output;
+    EXPECT_LT(output.size(), 700U) << output;  // a line, however much was given
+    EXPECT_EQ(output.find('\n'), output.size() - 1) << output;
+    EXPECT_EQ(files(), before) << arguments;
+  }
+};
+
+}  // namespace rotor
