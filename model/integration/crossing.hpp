@@ -51,7 +51,8 @@ S estimated_zero(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
 /// The first time between a and b after which f < 0, to within `resolution` and on that side. A
 /// function that is zero at a already, or beyond by rounding, has crossed there if it is negative
 /// from then on; if it is positive for a while, it has left zero, and may cross later. `f(time)`
-/// gives a ValueAndSlope; `curvature` bounds |f''|, if there is a bound.
+/// gives a ValueAndSlope; `curvature` bounds |f''|, if there is a bound. Nothing is searched where
+/// f is not finite.
 template <class S, class Function>
 std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S& resolution,
                                 const std::optional<S>& curvature, const Function& f) {
@@ -78,6 +79,8 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
     S time = crosses && slow < 2 ? estimated_zero(a, b) + resolution / 2 : a.time + h / 2;
     if (!(time > a.time && time < b.time)) time = a.time + h / 2;
     const ValueAndSlope<S> middle = f(time);
+    if (!(middle.value - middle.value + middle.slope - middle.slope == 0))  // it is not finite
+      return crosses ? std::optional(b.time) : std::nullopt;
     if (middle.value < 0) {
       b = middle;
     } else if (const auto earlier = first_crossing(a, middle, resolution, curvature, f)) {

@@ -154,8 +154,8 @@ class Step {
     return to;
   }
 
-  /// Newton's method from near the zero, between two times: by steps, and by the tangent once that is
-  /// as exact. Ends on the negative side, to rounding.
+  /// Newton's method from near the zero, between two times: by steps, and by the tangent once that
+  /// is as exact. Ends on the negative side, to rounding.
   template <class Value>
   Point polished(Point point, const Value& value, const S& least, const S& greatest) {
     using std::abs;

@@ -80,6 +80,15 @@ TEST(Crossing, IsFoundAfterAFunctionHasLeftZeroTooSlowlyForItsSlopeToShowIt) {
   EXPECT_NEAR(crossing(f, slope).value_or(-1), 0.5, 2 * resolution);
 }
 
+TEST(Crossing, EndsWhereTheFunctionIsNotFinite) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  int evaluations = 0;
+  const auto f = [&](double t) { return ++evaluations, ValueAndSlope<double>{t, none, none}; };
+  first_crossing<double>({0, 1, -1}, {1, 1, 1}, resolution, std::nullopt, f);
+  first_crossing<double>({0, 1, -1}, {1, 1, 1}, resolution, 100., f);
+  EXPECT_EQ(evaluations, 2);
+}
+
 TEST(Crossing, FiresAtOnceWhereTheFunctionFallsFromZero) {
   EXPECT_EQ(crossing([](double t) { return -t; }, [](double) { return -1.; }), 0);
 }
