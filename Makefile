@@ -9,7 +9,13 @@ FIG       ?=
 BUILD     := build
 SCENES    := $(sort $(wildcard figures/paper/fig*.toml))
 FIGURES   := $(SCENES:figures/paper/%.toml=%)
-ROTOR     := $(BUILD)/rotor
+
+# Another compiler builds in a folder of its own: make verify CXX=clang++
+ifneq ($(origin CXX),default)
+  BUILD := build/$(notdir $(CXX))
+  export CXX
+endif
+ROTOR := $(BUILD)/rotor
 
 # Figures of the published equations stand in build/figures, others in a folder of their own.
 OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
@@ -31,6 +37,9 @@ PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtom
 # single evaluations.
 BENCH_PACKAGES := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
 LINT_PACKAGES  := clang-format clang-tidy
+# Another compiler; another processor, with a program that runs its programs here.
+CLANG_PACKAGES    := clang
+PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
 
 installed = $(shell dpkg-query -W -f='$${db:Status-Abbrev}$${Package}\n' $(1) 2>/dev/null | sed -n 's/^ii *//p')
 missing   = $(filter-out $(call installed,$(1)),$(1))
@@ -46,7 +55,7 @@ endef
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench \
-        deps-lint stress clean
+        deps-lint deps-clang deps-portable stress sanitize portable clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -60,6 +69,10 @@ deps-bench: deps ## install the peers that the benchmark compares with (optional
 	$(call install,$(BENCH_PACKAGES))
 deps-lint: deps ## install what make lint needs (optional)
 	$(call install,$(LINT_PACKAGES))
+deps-clang: deps ## install the other compiler, for make verify CXX=clang++ (optional)
+	$(call install,$(CLANG_PACKAGES))
+deps-portable: deps ## install what make portable needs (optional)
+	$(call install,$(PORTABLE_PACKAGES))
 
 # On a system without dpkg, CMake and gnuplot speak for themselves.
 need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
@@ -70,7 +83,7 @@ need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
 
 # Quiet unless there is something to do or to complain of.
 define build-target
-	@log=$$(cmake --preset release 2>&1) || { echo "$$log" >&2; exit 1; }
+	@log=$$(cmake --preset release -B $(BUILD) 2>&1) || { echo "$$log" >&2; exit 1; }
 	@cmake --build $(BUILD) --target $(1) | sed -u '/no work to do\|globbed directories/d'
 endef
 
@@ -102,6 +115,14 @@ verify: build ## build, run all tests, and hold the published numbers against ou
 lint: build ## check the code's format, and look for mistakes with clang-tidy
 	$(call build-target,all)
 	@verification/lint.sh $(BUILD)
+
+sanitize: need-deps ## run the tests with address and undefined-behaviour sanitizers
+	@cmake --preset sanitize >$(BUILD)/sanitize.log 2>&1 || { cat $(BUILD)/sanitize.log >&2; exit 1; }
+	@cmake --build $(BUILD)/sanitize --target verification
+	@verification/tests.sh $(BUILD)/sanitize
+
+portable: build ## build for another processor, and compare to the last bit
+	@verification/program/portable.sh $(BUILD)
 
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (an hour or two)
 	@verification/robustness/mutants.sh

@@ -6,11 +6,9 @@ build=$1
 report=$build/report
 data=reference-data
 mkdir -p "$report"
-rm -f "$report/verification.json"
 failed=0
-RC_PARAMS=seed=1 "$build/verification" --gtest_brief=1 \
-  --gtest_output="json:$report/verification.json" || failed=1
-"$build/report-numbers" "$report/verification.json" $data/published-values.csv \
+verification/tests.sh "$build" || failed=1
+"$build/report-numbers" "$report" $data/published-values.csv \
   $data/assumptions.csv "$report/published-values.csv" | tee "$report/report.txt" || failed=1
 "$build/stress" rotors 300 "$report" | tee -a "$report/report.txt" || failed=1
 echo

@@ -3,13 +3,12 @@
 /// two tolerances are compared; the finer run of Verner's pair is written.
 #include <fmt/format.h>
 
-#include <boost/multiprecision/eigen.hpp>
-#include <boost/multiprecision/float128.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include "figures/data/files.hpp"
 #include "figures/scenes/scene.hpp"
 #include "model/simulation/event_method.ipp"
+#include "model/simulation/extended/quad.hpp"
 #include "model/simulation/stages.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/program.hpp"
@@ -17,7 +16,6 @@
 namespace rotor {
 namespace {
 
-using Quad = boost::multiprecision::float128;
 using Unknowns = std::array<Quad, 6>;
 using Verner = Verner87<Unknowns, Quad>;
 using Fehlberg =
@@ -36,11 +34,12 @@ std::vector<NamedRun> all_runs() {
   std::vector<NamedRun> runs;
   for (int number = 2; number <= 17; ++number) {
     const auto file = std::filesystem::path(ROTOR_SCENES) / fmt::format("fig{:02}.toml", number);
-    for (const auto& [name, scenario] : read_scene(file).runs) {
+    for (const SceneRun& scene_run : read_scene(file).runs) {
+      const Scenario& scenario = scene_run.scenario;
       if (scenario.method != Method::event) continue;
       const auto same = [&](const NamedRun& run) { return run.scenario == scenario; };
       if (std::ranges::none_of(runs, same))
-        runs.push_back({fmt::format("fig{:02}: {}", number, name), scenario, {}});
+        runs.push_back({fmt::format("fig{:02}: {}", number, scene_run.name), scenario, {}});
     }
   }
   for (const NamedRun& run : runs)

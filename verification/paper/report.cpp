@@ -1,6 +1,7 @@
 /// Prints what a reviewer wants to see: the outcome of the tests by class, what the audit shows,
 /// what the model makes of every published number, which it writes as well, and what the paper
-/// leaves open: `report TESTS TABLE REGISTER OUT`, where TESTS is GoogleTest's JSON.
+/// leaves open: `report TESTS TABLE REGISTER OUT`, where TESTS is a folder with
+/// GoogleTest's JSON.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,18 +24,21 @@ struct TestOutcome {
   double time_s;
 };
 
-/// Empty if the tests ended before they could say.
-std::vector<TestOutcome> read_outcomes(const std::filesystem::path& results) {
+/// Of all shards. Empty if the tests ended before they could say.
+std::vector<TestOutcome> read_outcomes(const std::filesystem::path& folder) {
   std::vector<TestOutcome> outcomes;
-  std::ifstream file(results);
-  if (!file) return outcomes;
-  const auto document = nlohmann::json::parse(file);
-  for (const auto& suite : document.at("testsuites"))
-    for (const auto& test : suite.at("testsuite"))
-      outcomes.push_back(
-          {test.at("classname").get<std::string>(), test.at("name").get<std::string>(),
-           std::filesystem::path(test.at("file").get<std::string>()).stem().string(),
-           test.contains("failures"), std::stod(test.at("time").get<std::string>())});
+  for (int shard = 0;; ++shard) {
+    std::ifstream file(folder / fmt::format("tests-{}.json", shard));
+    if (!file) break;
+    const auto document = nlohmann::json::parse(file);
+    for (const auto& suite : document.at("testsuites"))
+      for (const auto& test : suite.at("testsuite"))
+        if (test.at("result") != "SUPPRESSED")
+          outcomes.push_back(
+              {test.at("classname").get<std::string>(), test.at("name").get<std::string>(),
+               std::filesystem::path(test.at("file").get<std::string>()).stem().string(),
+               test.contains("failures"), std::stod(test.at("time").get<std::string>())});
+  }
   return outcomes;
 }
 
@@ -121,7 +125,7 @@ int main(const Arguments& arguments) {
         "an output file");
   const std::vector<TestOutcome> outcomes = read_outcomes(arguments[0]);
   if (outcomes.empty())
-    fmt::print("\nThe tests ended before their time: there is no {}.\n", arguments[0]);
+    fmt::print("\nThe tests ended before their time: there is no {}/tests-0.json.\n", arguments[0]);
   print_by_class(outcomes);
   print_audit(outcomes);
   print_register(arguments[2]);
