@@ -45,7 +45,7 @@ TEST_F(CommandLine, ReadsScenesFromRegularFilesAlone) {
   expect_refusal("run --scene scenes", "scenes: cannot be read: it is no regular file");
   expect_refusal("run --scene /dev/zero", "/dev/zero: cannot be read: it is no regular file");
   expect_refusal("run --scene ''", "--scene: must name a file");
-  expect_refusal("figure 18 --out f", "the figures are 2, 3, 4");
+  expect_refusal("figure 99 --out f", "the figures are 2, 3, 4");
   expect_refusal("figure --scenes nowhere --out f", "--scenes nowhere: there is no such folder");
   expect_refusal("figure --scenes scenes --out f", "--scenes scenes: there is no figNN.toml");
   fs::create_directory(folder_ / "scenes" / "fig02.toml");
