@@ -91,7 +91,7 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
                  "standard output cannot be written: No space");
   expect_refusal("run --until 0.1 --json >&-", "standard output cannot be written: Bad file");
   const auto [status, output] =
-      shell("{ $rotor run --until 0.1 --json; echo status $? >&2; } | true");
+      shell("{ sleep 0.2; $rotor run --until 0.1 --json; echo status $? >&2; } | true");
   EXPECT_NE(output.find("status 1"), std::string::npos) << output;
 }
 
