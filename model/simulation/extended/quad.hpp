@@ -13,8 +13,8 @@ namespace rotor {
 #ifdef ROTOR_QUADMATH
 using Quad = boost::multiprecision::float128;
 #else
-using Quad = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float_quad::backend_type, boost::multiprecision::et_off>;
+using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
+                                           boost::multiprecision::et_off>;
 #endif
 
 }  // namespace rotor
