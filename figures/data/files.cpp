@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
@@ -112,12 +113,13 @@ void OutputFile::remove_stale_drafts() const {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(target_.parent_path(), ignored)) {
     const std::string name = entry.path().filename();
-    int process = 0, attempt = 0, length = 0;
-    if (!name.starts_with(start) ||
-        std::sscanf(name.c_str() + start.size(), "%d-%d.part%n", &process, &attempt, &length) < 2 ||
-        start.size() + static_cast<std::size_t>(length) != name.size())
-      continue;
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry, ignored);
+    if (!name.starts_with(start) || !name.ends_with(".part")) continue;
+    pid_t process = 0;
+    const char* const end = name.data() + name.size();
+    const auto number = std::from_chars(name.data() + start.size(), end, process);
+    const bool is_ours = number.ec == std::errc() && number.ptr != end && *number.ptr == '-';
+    if (is_ours && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      fs::remove(entry, ignored);
   }
 }
 

@@ -176,7 +176,7 @@ void occupy_standard_streams() {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
-  std::signal(SIGPIPE, SIG_IGN);  // a lost reader is an error like any other
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));  // a lost reader is an error like any other
   note_interruptions();
   CLI::App app("Overcritical rotor, mass loss, rub: the paper's figures, and any other case.");
   app.set_version_flag("--version", "rotor " ROTOR_VERSION);
