@@ -78,7 +78,8 @@ Vector<double> View::displacement_in_stator_frame() {
 std::span<const Column> all_columns() { return columns; }
 
 const Column* find_column(std::string_view name) {
-  const auto* const found = std::ranges::find(columns, name, &Column::name);
+  const auto* const found = std::find_if(columns.begin(), columns.end(),
+                                         [name](const Column& c) { return c.name == name; });
   return found == columns.end() ? nullptr : found;
 }
 

@@ -112,8 +112,8 @@ bool Recorder::is_straight(const Row& from, const Row& middle, const Row& until)
 }
 
 double Recorder::threshold(Extreme of, const double& from_s, const double& until_s) const {
-  const bool records =
-      std::ranges::any_of(columns_, [of](const Column* c) { return c->extreme == of; });
+  const bool records = std::any_of(columns_.begin(), columns_.end(),
+                                   [of](const Column* c) { return c->extreme == of; });
   if (!records || !wants_dense_output(from_s, until_s))
     return Observer::threshold(of, from_s, until_s);
   return largest_[static_cast<std::size_t>(of)];

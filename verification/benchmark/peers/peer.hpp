@@ -108,7 +108,7 @@ class PeerMethod {
       case ContactState::free:
         return make<FreeFlight<S, ForFlight>, ForFlight>(rotor_, q);
       case ContactState::indented:
-        return make<IndentedFlight<S, ForFlight>, ForFlight>(rotor_, q);
+        return make<IndentedFlight<S, ForContact>, ForContact>(rotor_, q);
       case ContactState::sliding:
         return make<Sliding<S, ForContact>, ForContact>(rotor_, q, direction_);
       case ContactState::rolling:
