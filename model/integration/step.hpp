@@ -125,7 +125,14 @@ class Step {
     return end_.time * sqrt(std::numeric_limits<S>::epsilon());
   }
 
-  /// value(x) at a time on the dense output, with its slope.
+  /// value(x) at a point, with its slope along the motion.
+  template <class Value>
+  ValueAndSlope<S> observe(const Value& value, const Point& at) const {
+    const S here = value(at.x), later = value(at.ahead(look_ahead()));
+    return {at.time, here, (later - here) / look_ahead()};
+  }
+
+  /// The same at a time, on the dense output.
   template <class Value>
   ValueAndSlope<S> observe(const Value& value, const S& time) {
     const S here = value(dense_output()(time)), later = value(dense_output()(time + look_ahead()));

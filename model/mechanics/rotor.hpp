@@ -72,14 +72,6 @@ S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
          2;  // Eq. (2)
 }
 
-/// The steady response of the mass centre to the unbalance: O_a C as a multiple of the
-/// eccentricity, both taken for complex numbers, so that it holds in any basis.
-template <class S>
-struct UnbalanceResponse {
-  Vector<S> factor;
-  Vector<S> slope;  ///< change of the factor with the speed, s
-};
-
 /// Everything that acts on the rotor while it is clear of the ring: springs and dampers of the
 /// supports, gravity, motor.
 template <class S>
@@ -109,19 +101,6 @@ struct Supports {
   S gravity_moment(const Body<S>& body, const Motion<S>& motion) const {
     const Vector<S> arm = balanced_by_springs ? motion.eccentricity : motion.mass_centre();
     return body.mass * gravity * cross(arm, motion.down);  // Eq. (4)
-  }
-
-  /// At a constant speed in rad/s, gravity's moment left out: (k + i w d) / (k - m w^2 + i w d),
-  /// the Jeffcott rotor's. There is none at the critical speed of supports without damping.
-  UnbalanceResponse<S> unbalance_response(const S& mass, const S& speed) const {
-    const Vector<S> force(stiffness, speed * damping), force_slope(0, damping);
-    const Vector<S> impedance = force - Vector<S>(mass * speed * speed, 0);
-    const Vector<S> impedance_slope = force_slope - Vector<S>(2 * mass * speed, 0);
-    const Vector<S> inverse =
-        Vector<S>(impedance.x(), -impedance.y()) * (1 / impedance.squaredNorm());
-    const Vector<S> factor = complex_product(force, inverse);
-    return {factor,
-            complex_product<S>(force_slope - complex_product(factor, impedance_slope), inverse)};
   }
 };
 

@@ -64,6 +64,8 @@ class ContactChart {
              .speed = x[5]}};
   }
 
+  S speed(const Unknowns& x) const { return x[5]; }
+
   RimPoint<S> rim_point(const Unknowns& x) const {
     return {.normal = Vector<S>(1, 0),
             .tangent = Vector<S>(0, 1),

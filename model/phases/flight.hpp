@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 
 #include "model/integration/first_event.hpp"
 #include "model/phases/flight_chart.hpp"
@@ -36,6 +37,7 @@ struct Flight : Phase<S, Chart> {
   using typename Phase<S, Chart>::Unknowns;
   using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
   static constexpr bool contact_in_rates = false;
+  static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const auto at = chart.kinematics(x);
@@ -43,14 +45,14 @@ struct Flight : Phase<S, Chart> {
   }
 
   S swing(const Unknowns& x, const S& h) const {
-    return rotor.swing(rotor.supports.stiffness, x[5], h);
+    return rotor.swing(rotor.supports.stiffness, chart.speed(x), h);
   }
 
   /// Every contact multiplies the errors that it begins with, and a flight is cheap: its lengths
   /// are measured by a small part of the clearance. The speed hardly changes, but its ripple must
   /// not pass unnoticed under long steps.
   Unknowns scale(const Unknowns& x) const {
-    const S w = rotor.flight_frequency(x[5]);
+    const S w = rotor.flight_frequency(chart.speed(x));
     return chart.scale(rotor.ring.clearance / 300, w, w / 100);
   }
 };
@@ -60,37 +62,37 @@ template <class S, class Chart = FlightChart<S>>
 struct FreeFlight : Flight<S, Chart> {
   using typename Flight<S, Chart>::Unknowns;
   using Flight<S, Chart>::rotor, Flight<S, Chart>::chart;
-  static constexpr bool contact_in_guards = false;
 
   FreeFlight(const RotorSystem<S>& system, const Chart& coordinates)
       : Flight<S, Chart>{{system, coordinates}} {}
 
   static constexpr std::size_t event_count = 2;
-  std::array<S, event_count> guards(const Unknowns& x) const {
+  S guard(std::size_t n, const Unknowns& x) const {
     const S clearance = rotor.ring.clearance;
     const auto at = chart.kinematics(x);
-    return {clearance * clearance - at.motion.displacement.squaredNorm(),  // rho = r_a - r
-            rotor.motor_guard(x[5])};                                      // f = f_max
+    switch (n) {
+      case 0:
+        return clearance * clearance - at.motion.displacement.squaredNorm();  // rho = r_a - r
+      default:
+        return rotor.motor_guard(at.motion.speed);  // f = f_max
+    }
   }
   Transition next(std::size_t guard, const Unknowns& x) const {
     if (guard == 0) return meet_ring(rotor, chart.state(x), Event::touch_down);
     return {Event::motor_off, ContactState::free};
   }
 
-  /// Whether the guards can end the phase within a step from x to y of length h, and how fast that
-  /// of touch-down can bend.
-  std::optional<std::array<EventBound<S>, event_count>> event_bounds(const Unknowns& x,
-                                                                     const Unknowns& y,
-                                                                     const S& h) const {
-    const auto bounds = motion_bounds(x, h);
-    if (!bounds) return std::nullopt;
-    const S e = rotor.body.eccentricity;
-    const S of_O =
-        bounds->acceleration + e * (bounds->speed * bounds->speed + bounds->angular_acceleration);
+  using Point = rotor::Point<S, Unknowns>;
+
+  /// Whether the guards can end the phase within a step, and how fast that of touch-down can bend.
+  std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
+    const auto bounds = motion_bounds(from, to);
+    if (!bounds) return {};
+    const S of_O = bounds->acceleration + rotor.body.eccentricity * (bounds->speed * bounds->speed +
+                                                                     bounds->angular_acceleration);
     const S bend = 2 * (bounds->velocity * bounds->velocity + rotor.ring.clearance * of_O);
-    return std::array<EventBound<S>, event_count>{
-        {{reach(*bounds, x, y, h) < rotor.ring.clearance, bend},
-         {!rotor.motor_on || bounds->speed < rotor.motor_off, std::nullopt}}};
+    return {{{bounds->displacement < rotor.ring.clearance, bend},
+             {!rotor.motor_on || bounds->speed < rotor.motor_off, std::nullopt}}};
   }
 
   std::array<ExtremeValue<S>, 1> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
@@ -100,47 +102,74 @@ struct FreeFlight : Flight<S, Chart> {
     return {{{Extreme::displacement, rho, rate}}};
   }
 
-  /// A bound of rho within a step from x to y of length h, if it can be told, m.
-  std::optional<S> reach(const Unknowns& x, const Unknowns& y, const S& h) const {
-    const auto bounds = motion_bounds(x, h);
-    return bounds ? std::optional(reach(*bounds, x, y, h)) : std::nullopt;
+  /// A bound of rho within a step, if it can be told, m.
+  std::optional<S> reach(const Point& from, const Point& to) const {
+    const auto bounds = motion_bounds(from, to);
+    return bounds ? std::optional(bounds->displacement) : std::nullopt;
   }
 
  private:
+  /// Of absolute values.
   struct Bounds {
-    S velocity;      ///< of O, m/s
-    S acceleration;  ///< of C, m/s^2
-    S speed;         ///< rad/s
-    S angular_acceleration;
+    S displacement;          ///< of O, m
+    S velocity;              ///< of O, m/s
+    S acceleration;          ///< of C, m/s^2
+    S speed;                 ///< rad/s
+    S angular_acceleration;  ///< rad/s^2
   };
 
-  S reach(const Bounds& bounds, const Unknowns& x, const Unknowns& y, const S& h) const {
-    using std::max, std::sqrt;
-    const S farther = max(x[0] * x[0] + x[1] * x[1], y[0] * y[0] + y[1] * y[1]);
-    const S of_C = sqrt(farther) + max(chart.steady_amplitude(x), chart.steady_amplitude(y)) +
-                   bounds.acceleration * h * h / 8;
-    return of_C + rotor.body.eccentricity;
-  }
-
-  /// Bounds that hold from x on for a time h, as long as O is inside the clearance. The velocity is
-  /// assumed to stay below a bound; if the loads that this allows cannot drive it there, it does.
-  std::optional<Bounds> motion_bounds(const Unknowns& x, const S& h) const {
-    using std::abs, std::sqrt;
+  /// Bounds that hold through a step, contact or not. The deviation from the synchronous motion is
+  /// a damped oscillation that only the little drives which the synchronous motion leaves; so its
+  /// amplitude grows by no more than that. Twice what is seen of it at the ends of the step, and a
+  /// thousandth of the amplitude, are taken for what it is in between.
+  std::optional<Bounds> motion_bounds(const Point& from, const Point& to) const {
+    using std::abs, std::max, std::min, std::sqrt;
     const Body<S>& body = rotor.body;
     const Supports<S>& supports = rotor.supports;
-    const S clearance = rotor.ring.clearance, e = body.eccentricity;
-    const S speed = abs(x[5]);
-    const S velocity_of_C = sqrt(x[3] * x[3] + x[4] * x[4]) + speed * chart.steady_amplitude(x);
-    const S spring = supports.stiffness * clearance;
+    const S h = to.time - from.time, e = body.eccentricity;
+    const S frequency = sqrt(supports.stiffness / body.mass);
+    const auto synchronous = [&] {
+      const auto a = chart.synchronous_amplitudes(from.x), b = chart.synchronous_amplitudes(to.x);
+      return decltype(a){max(a.displacement, b.displacement), max(a.velocity, b.velocity),
+                         max(a.speed_ripple, b.speed_ripple)};
+    }();
+    const S drive = 2 * max(this->drive(from, frequency), this->drive(to, frequency));
+    const S deviation =
+        (norm(from.x[0] * frequency, from.x[1] * frequency, from.x[3], from.x[4]) + h * drive) *
+        (1 + S(1) / 1000);
+    // It lies no further out than the farther end of the step by more than it can bend there.
+    const S bend = (frequency + supports.damping / body.mass) * deviation + drive;
+    const S farther = sqrt(
+        max(from.x[0] * from.x[0] + from.x[1] * from.x[1], to.x[0] * to.x[0] + to.x[1] * to.x[1]));
+    const S of_C =
+        min(deviation / frequency, farther + bend * h * h / 8) + synchronous.displacement;
+    const S of_O = of_C + e;
 
-    const S velocity = 2 * (velocity_of_C + speed * e + spring / body.mass * h);
-    const S force = spring + supports.damping * velocity;
-    const S moment = supports.torque + supports.damping * clearance * velocity +
-                     (clearance + e) * (body.mass * supports.gravity + force);
-    const Bounds bounds{velocity, force / body.mass, speed + moment / body.inertia * h,
-                        moment / body.inertia};
-    if (velocity_of_C + bounds.acceleration * h + bounds.speed * e > velocity) return std::nullopt;
-    return bounds;
+    // The angular acceleration and the velocity that damping makes of each other's bounds.
+    const S speed = abs(chart.speed(from.x)) + synchronous.speed_ripple;
+    const S velocity = deviation + synchronous.velocity + speed * e;  // but for the change of speed
+    const S moment = supports.torque + body.mass * supports.gravity * (of_C + e) +
+                     e * (supports.stiffness * of_O + supports.damping * velocity);
+    const S relief = 1 - supports.damping * e * e * h / body.inertia;
+    if (!(relief > S(0.5))) return std::nullopt;
+    const S angular = moment / body.inertia / relief;
+    const S velocity_of_O = velocity + angular * h * e;
+    return Bounds{of_O, velocity_of_O,
+                  (supports.stiffness * of_O + supports.damping * velocity_of_O) / body.mass,
+                  speed + angular * h, angular};
+  }
+
+  /// By what the deviation is not a free damped oscillation, m/s^2.
+  S drive(const Point& at, const S& frequency) const {
+    const S k = rotor.supports.stiffness / rotor.body.mass,
+            d = rotor.supports.damping / rotor.body.mass;
+    const auto& [x, rates] = std::tie(at.x, at.rates);
+    return norm((rates[0] - x[3]) * frequency, (rates[1] - x[4]) * frequency,
+                rates[3] + d * x[3] + k * x[0], rates[4] + d * x[4] + k * x[1]);
+  }
+  static S norm(const S& a, const S& b, const S& c, const S& d) {
+    using std::sqrt;
+    return sqrt(a * a + b * b + c * c + d * d);
   }
 };
 
@@ -150,17 +179,21 @@ template <class S, class Chart = ContactChart<S>>
 struct IndentedFlight : Flight<S, Chart> {
   using typename Flight<S, Chart>::Unknowns;
   using Flight<S, Chart>::rotor, Flight<S, Chart>::chart;
-  static constexpr bool contact_in_guards = true;
 
   IndentedFlight(const RotorSystem<S>& system, const Chart& coordinates)
       : Flight<S, Chart>{{system, coordinates}} {}
 
   static constexpr std::size_t event_count = 3;
-  std::array<S, event_count> guards(const Unknowns& x) const {
+  S guard(std::size_t n, const Unknowns& x) const {
     const RimPoint<S> k = chart.rim_point(x);
-    return {k.indentation,                // Delta = 0
-            rotor.ring.elastic_force(k),  // k_t Delta + d_t Delta' = 0
-            rotor.motor_guard(x[5])};     // f = f_max
+    switch (n) {
+      case 0:
+        return k.indentation;  // Delta = 0
+      case 1:
+        return rotor.ring.elastic_force(k);  // k_t Delta + d_t Delta' = 0
+      default:
+        return rotor.motor_guard(x[5]);  // f = f_max
+    }
   }
   Transition next(std::size_t guard, const Unknowns& x) const {
     switch (guard) {

@@ -1,136 +1,195 @@
 /// Coordinates of a rotor without contact. In the stator's frame the mass centre hardly feels the
 /// rotation, because the supports are soft; what is left of it well above the critical speed is the
-/// steady response to the unbalance, and the unknowns are the deviation from that. The axes are the
-/// stator's, turned to where the rotor's axes were not long ago, so that the angle stays small.
+/// synchronous motion, and the unknowns are the deviation from that. The axes are the stator's,
+/// turned to where the rotor's axes were not long ago, so that the angle stays small.
 #pragma once
 
 #include <array>
 #include <cmath>
 
 #include "model/mechanics/rotating_frame.hpp"
-#include "model/phases/rotor_system.hpp"
+#include "model/phases/synchronous_motion.hpp"
 
 namespace rotor {
 
 template <class S>
 class FlightChart {
- public:
-  /// Deviation of C along both axes (m), angle of the rotor from them (rad), then deviation of the
-  /// velocity of C (m/s), and the speed (rad/s).
-  using Unknowns = std::array<S, 6>;
+  using Synchronous = SynchronousMotion<S>;
 
-  /// The steady response to the unbalance, as far as it is subtracted: O_a C and its change with
-  /// the speed.
-  struct Steady {
-    Vector<S> displacement;  ///< m
-    Vector<S> slope;         ///< m s
-  };
+ public:
+  /// Deviation of C along both axes (m), angle of the rotor from them without ripple (rad), then
+  /// deviation of the velocity of C (m/s), and the speed without ripple less that where the chart
+  /// was laid (rad/s), which is known more sharply.
+  using Unknowns = std::array<S, 6>;
 
   struct Kinematics {
     Motion<S> motion;
-    Steady steady;
+    Vector<S> direction;  ///< of the rotor's axis x
+    typename Synchronous::Value synchronous;
   };
 
   FlightChart(const RotorSystem<S>& rotor, const State<S>& q)
-      : body_(rotor.body), supports_(rotor.supports) {
-    lay_axes(q);
+      : rotor_(rotor), angle_(q[2]), speed_(q[5]) {
+    using std::cos, std::sin;
+    down_ = Vector<S>(cos(angle_), -sin(angle_));
+    if (is_fast(q[5])) synchronous_ = {rotor_, q[5], down_, Synchronous::Terms::steady};
   }
 
-  Unknowns unknowns(const State<S>& q) const {  // the axes coincide
-    const Motion<S> m = RotatingFrame<S>::motion(body_, q);
-    const Steady steady = this->steady(m.eccentricity, m.speed);
-    const Vector<S> position = m.mass_centre() - steady.displacement;
-    const Vector<S> velocity =
-        m.mass_centre_velocity() - m.speed * quarter_turn(steady.displacement);
-    return {position.x(), position.y(), S(0), velocity.x(), velocity.y(), m.speed};
+  Unknowns unknowns(const State<S>& q) const {  // the chart is laid there
+    return without_synchronous(RotatingFrame<S>::motion(rotor_.body, q), S(0));
   }
 
   State<S> state(const Unknowns& x) const {
-    using std::cos, std::sin;
-    const S c = cos(x[2]), s = sin(x[2]);
-    const Motion<S> m = kinematics(x, c, s).motion;
-    const Vector<S> q = turned(m.displacement, c, S(-s));
-    const Vector<S> rate = turned(m.velocity, c, S(-s)) - x[5] * quarter_turn(q);
-    return {q.x(), q.y(), angle_ + x[2], rate.x(), rate.y(), x[5]};
+    const Kinematics at = kinematics(x);
+    const Motion<S>& m = at.motion;
+    const S c = at.direction.x(), s = -at.direction.y();
+    const Vector<S> q = turned(m.displacement, c, s);
+    const Vector<S> rate = turned(m.velocity, c, s) - m.speed * quarter_turn(q);
+    return {q.x(), q.y(), angle_ + angle(x, at), rate.x(), rate.y(), m.speed};
   }
+
+  /// Without ripple, rad/s.
+  S speed(const Unknowns& x) const { return speed_ + x[5]; }
 
   Kinematics kinematics(const Unknowns& x) const {
     using std::cos, std::sin;
-    return kinematics(x, cos(x[2]), sin(x[2]));
+    Kinematics k{};
+    k.direction = Vector<S>(cos(x[2]), sin(x[2]));
+    Vector<S> position(x[0], x[1]), velocity(x[3], x[4]);
+    S speed = this->speed(x);
+    if (synchronous_.exists()) {
+      k.synchronous = synchronous_.at(k.direction, speed);
+      position += k.synchronous.value(Synchronous::displacement);
+      velocity += k.synchronous.value(Synchronous::velocity);
+      speed += k.synchronous.value.real(Synchronous::speed_ripple);
+      const S half = k.synchronous.value.real(Synchronous::angle_ripple) / 2,
+              per = 1 / (1 + half * half);
+      k.direction = turned(k.direction, S((1 - half * half) * per), S(2 * half * per));
+    }
+    const Vector<S> eccentricity = rotor_.body.eccentricity * k.direction;
+    k.motion = {.displacement = position - eccentricity,
+                .velocity = velocity - speed * quarter_turn(eccentricity),
+                .eccentricity = eccentricity,
+                .down = down_,
+                .speed = speed};
+    return k;
   }
 
   Unknowns rates(const Unknowns& x, const Kinematics& at, const Acceleration<S>& a) const {
-    // The steady response turns with the rotor and changes with its speed.
-    const Steady& steady = at.steady;
-    const S w = x[5];
-    const Vector<S> drift = a.angular * steady.slope;
-    const Vector<S> velocity = Vector<S>(x[3], x[4]) - drift;
-    const Vector<S> rate = a.mass_centre + w * w * steady.displacement -
-                           quarter_turn<S>(a.angular * steady.displacement + w * drift);
-    return {velocity.x(), velocity.y(), w, rate.x(), rate.y(), a.angular};
+    if (!synchronous_.exists())
+      return {x[3], x[4], at.motion.speed, a.mass_centre.x(), a.mass_centre.y(), a.angular};
+    // w and w' are what theta' and W' make of them.
+    const auto& [value, by_angle, by_speed] = at.synchronous;
+    const S half = value.real(Synchronous::angle_ripple) / 2, per_half = 1 / (1 + half * half);
+    const S phi_by_theta = 1 + by_angle.real(Synchronous::angle_ripple) * per_half;
+    const S phi_by_W = by_speed.real(Synchronous::angle_ripple) * per_half;
+    const S w_by_theta = by_angle.real(Synchronous::speed_ripple);
+    const S w_by_W = 1 + by_speed.real(Synchronous::speed_ripple);
+    const S w = at.motion.speed, per = 1 / (w_by_W * phi_by_theta - w_by_theta * phi_by_W);
+    const S theta_rate = per * (w_by_W * w - phi_by_W * a.angular);
+    const S W_rate = per * (phi_by_theta * a.angular - w_by_theta * w);
+    const auto change = [&](auto of) -> Vector<S> {
+      return theta_rate * by_angle(of) + W_rate * by_speed(of);
+    };
+    const Vector<S> drift = value(Synchronous::velocity) - change(Synchronous::displacement);
+    const Vector<S> rate = a.mass_centre - change(Synchronous::velocity);
+    return {x[3] + drift.x(), x[4] + drift.y(), theta_rate, rate.x(), rate.y(), W_rate};
   }
 
+  /// A speed without ripple is known more sharply at no cost.
   Unknowns scale(const S& length, const S& frequency, const S& speed) const {
-    return {length, length, S(1), length * frequency, length * frequency, speed};
+    return {length,
+            length,
+            S(1),
+            length * frequency,
+            length * frequency,
+            synchronous_.is_complete() ? S(speed / 50) : speed};
   }
 
-  /// Lays the axes anew if the rotor has turned far from them, or has become too slow for its
-  /// response to be subtracted. Returns whether the rates have to be worked out again.
+  /// Turns the axes after the rotor if that has turned far from them, and works the synchronous
+  /// motion out anew if the speed has changed much. Returns whether the rates have to be worked out
+  /// again.
   bool recentre(Unknowns& x) {
+    using std::cos, std::sin;
     constexpr double far = 32;  // rad; the angle is known to some 1e-14 rad until there
     const bool is_near = x[2] < far && x[2] > -far;
-    if (is_near && (!subtracts_response_ || is_fast(x[5]))) return false;
-    const State<S> q = state(x);
-    lay_axes(q);
-    x = unknowns(q);
-    return true;
+    if (!is_near) {
+      const S c = cos(x[2]), s = sin(x[2]);
+      angle_ += x[2];
+      down_ = Vector<S>(cos(angle_), -sin(angle_));
+      synchronous_.turn_axes(c, s);
+      const Vector<S> position = turned(Vector<S>(x[0], x[1]), c, S(-s));
+      const Vector<S> velocity = turned(Vector<S>(x[3], x[4]), c, S(-s));
+      x = {position.x(), position.y(), S(0), velocity.x(), velocity.y(), x[5]};
+    }
+    const bool holds = synchronous_.exists()
+                           ? synchronous_.holds(speed(x)) && (is_near || synchronous_.is_complete())
+                           : !is_fast(speed(x));
+    if (!holds) renew(x);
+    return !is_near || !holds;
   }
 
-  /// Of C in the steady response to the unbalance, as far as that is subtracted, m.
-  S steady_amplitude(const Unknowns& x) const {
-    if (!subtracts_response_) return S(0);
-    return body_.eccentricity * supports_.unbalance_response(body_.mass, x[5]).factor.norm();
+  void switch_motor_off(Unknowns& x) {
+    rotor_.motor_on = false;
+    renew(x);
+  }
+
+  /// Bounds of what is subtracted.
+  typename Synchronous::Amplitudes synchronous_amplitudes(const Unknowns& x) const {
+    if (!synchronous_.exists()) return {S(0), S(0), S(0)};
+    return synchronous_.amplitudes(speed(x));
   }
 
  private:
-  void lay_axes(const State<S>& q) {
-    using std::cos, std::sin;
-    angle_ = q[2];
-    down_ = Vector<S>(cos(angle_), -sin(angle_));
-    subtracts_response_ = is_fast(q[5]);
+  /// Works the synchronous motion out for the present speed.
+  void renew(Unknowns& x) {
+    const Kinematics at = kinematics(x);
+    const S angle = this->angle(x, at);
+    speed_ = at.motion.speed;
+    synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_, Synchronous::Terms::all)
+                                   : Synchronous();
+    x = without_synchronous(at.motion, angle);
+  }
+
+  /// The unknowns of a motion in these axes, the rotor having turned from them by an angle.
+  Unknowns without_synchronous(const Motion<S>& m, const S& angle) const {
+    using std::atan, std::cos, std::sin;
+    Vector<S> position = m.mass_centre(), velocity = m.mass_centre_velocity();
+    S theta = angle, speed = m.speed;
+    if (synchronous_.exists()) {
+      auto at = synchronous_.at(Vector<S>(cos(theta), sin(theta)), speed);
+      for (int n = 0; n < 100; ++n) {  // each time ten times closer, as the ripple is small
+        const S last_theta = theta, last_speed = speed;
+        theta = angle - 2 * atan(at.value.real(Synchronous::angle_ripple) / 2);
+        speed = m.speed - at.value.real(Synchronous::speed_ripple);
+        if (theta == last_theta && speed == last_speed) break;
+        at = synchronous_.at(Vector<S>(cos(theta), sin(theta)), speed);
+      }
+      position -= at.value(Synchronous::displacement);
+      velocity -= at.value(Synchronous::velocity);
+    }
+    return {position.x(), position.y(), theta, velocity.x(), velocity.y(), speed - speed_};
+  }
+
+  /// Of the rotor from the axes, rad.
+  S angle(const Unknowns& x, const Kinematics& at) const {
+    using std::atan;
+    return synchronous_.exists()
+               ? S(x[2] + 2 * atan(at.synchronous.value.real(Synchronous::angle_ripple) / 2))
+               : x[2];
   }
 
   /// Far above the critical speed. Near it the response changes too fast with the speed to be worth
   /// subtracting.
   bool is_fast(const S& speed) const {
-    const S critical = supports_.stiffness / body_.mass;  // squared
-    return speed * speed > 4 * critical;
+    const S critical = rotor_.supports.stiffness / rotor_.body.mass;  // squared
+    return speed * speed > 2 * critical;
   }
 
-  Steady steady(const Vector<S>& eccentricity, const S& speed) const {
-    if (!subtracts_response_) return {Vector<S>(0, 0), Vector<S>(0, 0)};
-    const auto response = supports_.unbalance_response(body_.mass, speed);
-    return {complex_product(eccentricity, response.factor),
-            complex_product(eccentricity, response.slope)};
-  }
-
-  Kinematics kinematics(const Unknowns& x, const S& cosine, const S& sine) const {
-    const Vector<S> eccentricity(body_.eccentricity * cosine, body_.eccentricity * sine);
-    const Steady steady = this->steady(eccentricity, x[5]);
-    const Vector<S> turning = steady.displacement - eccentricity;
-    return {{.displacement = Vector<S>(x[0], x[1]) + turning,
-             .velocity = Vector<S>(x[3], x[4]) + x[5] * quarter_turn(turning),
-             .eccentricity = eccentricity,
-             .down = down_,
-             .speed = x[5]},
-            steady};
-  }
-
-  Body<S> body_;
-  Supports<S> supports_;
-  S angle_;
+  RotorSystem<S> rotor_;
+  S angle_, speed_;
   Vector<S> down_;
-  bool subtracts_response_;
+  Synchronous synchronous_;
 };
 
 }  // namespace rotor

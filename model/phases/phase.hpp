@@ -4,6 +4,7 @@
 /// A chart has Unknowns for coordinates and says what they mean:
 ///   unknowns(q), state(x)    from and to the paper's coordinates
 ///   kinematics(x)            the motion, in a basis of the chart's own
+///   speed(x)                 of the rotor, ripple aside
 ///   rim_point(x)             K, in the same basis
 ///   rates(x, kinematics, a)  of the unknowns, from the accelerations
 ///   scale(...)               of the unknowns, from those of the motion

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "model/integration/first_event.hpp"
 #include "model/phases/contact_chart.hpp"
 #include "model/phases/phase.hpp"
 
@@ -16,7 +17,7 @@ template <class S, class Chart>
 struct Rub : Phase<S, Chart> {
   using typename Phase<S, Chart>::Unknowns;
   using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
-  static constexpr bool contact_in_rates = true, contact_in_guards = true;
+  static constexpr bool contact_in_rates = true;
 
   S swing(const Unknowns& x, const S& h) const {
     return rotor.swing(rotor.ring.stiffness, x[5], h);
@@ -106,11 +107,16 @@ struct Sliding : Rub<S, Chart> {
   }
 
   static constexpr std::size_t event_count = 3;
-  std::array<S, event_count> guards(const Unknowns& x) const {
+  S guard(std::size_t n, const Unknowns& x) const {
     const RimPoint<S> k = chart.rim_point(x);
-    return {-rotor.ring.elastic_force(k),    // F_n = 0
-            S(direction) * k.slip_velocity,  // v_Ktau = 0
-            rotor.motor_guard(x[5])};        // f = f_max
+    switch (n) {
+      case 0:
+        return -rotor.ring.elastic_force(k);  // F_n = 0
+      case 1:
+        return S(direction) * k.slip_velocity;  // v_Ktau = 0
+      default:
+        return rotor.motor_guard(x[5]);  // f = f_max
+    }
   }
   Transition next(std::size_t guard, Unknowns& x) const {
     switch (guard) {
@@ -123,6 +129,7 @@ struct Sliding : Rub<S, Chart> {
         return {Event::motor_off, ContactState::sliding, direction};
     }
   }
+  static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
 
   /// Nearly as small as in flight.
   Unknowns scale(const Unknowns& x) const {
@@ -146,12 +153,35 @@ struct Rolling : Rub<S, Chart> {
   }
 
   static constexpr std::size_t event_count = 3;
-  std::array<S, event_count> guards(const Unknowns& x) const {
-    const Pressed p(*this, x);
-    return {-p.normal_force,                           // F_n = 0
-            this->grip(p, this->holding_friction(p)),  // |F_tau| = mu |F_n|
-            rotor.motor_guard(x[5])};                  // f = f_max
+  static constexpr bool guard_takes_loads(std::size_t n) { return n == 1; }
+  S guard(std::size_t n, const Unknowns& x) const {
+    switch (n) {
+      case 0:
+        return -rotor.ring.elastic_force(chart.rim_point(x));  // F_n = 0
+      case 1: {
+        const Pressed p(*this, x);
+        return this->grip(p, this->holding_friction(p));  // |F_tau| = mu |F_n|
+      }
+      default:
+        return rotor.motor_guard(x[5]);  // f = f_max
+    }
   }
+  /// In most steps friction stays far from its limit, and the guard that costs most needs no look:
+  /// twice what holds the rim at both ends is less than it can be anywhere in between.
+  using Point = rotor::Point<S, Unknowns>;
+  std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
+    using std::max;
+    const S friction = 2 * max(friction_bound(from), friction_bound(to));
+    const auto reserve = [&](const Point& at) -> ValueAndSlope<S> {
+      const Ring<S>& ring = rotor.ring;
+      return {at.time, ring.friction * -ring.elastic_force(chart.rim_point(at.x)) - friction,
+              ring.friction * (ring.stiffness * at.x[3] + ring.damping * at.rates[3])};
+    };
+    const auto first = reserve(from), last = reserve(to);
+    const bool holds = stays_clear(first, last, estimated_curvature(first, last));
+    return {EventBound<S>{}, EventBound<S>{.stays_positive = holds}, EventBound<S>{}};
+  }
+
   Transition next(std::size_t guard, Unknowns& x) const {
     switch (guard) {
       case 0:
@@ -168,6 +198,22 @@ struct Rolling : Rub<S, Chart> {
   Unknowns scale(const Unknowns& x) const {
     return chart.scale(10 * rotor.ring.clearance, rotor.contact_frequency(x[5]),
                        rotor.flight_frequency(x[5]));
+  }
+
+ private:
+  /// A bound of |F_tau|, N, from the moments about C of all other loads.
+  S friction_bound(const Point& at) const {
+    using std::abs;
+    const Body<S>& body = rotor.body;
+    const Supports<S>& supports = rotor.supports;
+    const RimPoint<S> k = chart.rim_point(at.x);
+    const S e = body.eccentricity, r = rotor.ring.rotor_radius, w = abs(at.x[5]);
+    const S support =
+        supports.stiffness * k.displacement + supports.damping * (abs(at.x[3]) + r * w);
+    const S moment = body.inertia * abs(at.rates[5]) + supports.torque +
+                     body.mass * supports.gravity * (k.displacement + e) +
+                     e * (support + abs(rotor.ring.elastic_force(k)));
+    return moment / (r - e);
   }
 };
 

@@ -72,8 +72,7 @@ class EventMethod {
   std::variant<std::monostate, FlightChart<S>, ContactChart<S>> chart_;  ///< none at a restart
   Point start_;               ///< of the next step, in that chart
   bool phase_is_new_ = true;  ///< whether only the unknowns are known there
-  FirstEvent<S> first_event_;
-  int direction_ = 0;  ///< of the slip, while sliding
+  int direction_ = 0;         ///< of the slip, while sliding
   S flight_step_{0}, contact_step_{0};
   Counters counters_;
   SwitchLimit<S> switch_limit_;

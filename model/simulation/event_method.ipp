@@ -75,7 +75,10 @@ void EventMethod<S, Stepper>::enter(const Transition& next) {
   at_.contact = next.contact;
   at_.event = next.event;
   direction_ = next.direction;
-  if (next.event == Event::motor_off) rotor_.motor_on = at_.motor_on = false;
+  if (next.event == Event::motor_off) {
+    rotor_.motor_on = at_.motor_on = false;
+    if (auto* chart = std::get_if<FlightChart<S>>(&chart_)) chart->switch_motor_off(start_.x);
+  }
 }
 
 /// The chart of that kind. If the last phase was in another one, it is laid where that phase ended.
@@ -132,7 +135,6 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
   if (phase_is_new_) {
     chart.recentre(start_.x);
     system(start_.x, start_.rates, S(0));
-    first_event_.reset();
     phase_is_new_ = false;
   }
   for (;;) {
@@ -149,14 +151,12 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
     }
     system(end.x, end.rates, S(0));
     Step<S, Stepper, PhaseSystem<S, Phase>> taken(control_, system, start_, end);
-    auto [stop, event] = first_event_.in(taken);
+    auto [stop, event] = first_event(taken);
     const S end_s = last && !event ? until_s : S(at_.time_s + stop.time);
     std::optional<Transition> next;
     if (event) next = phase.next(*event, stop.x);
-    if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
-      first_event_.reset();
+    if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps)
       return std::nullopt;
-    }
     count_step();
     if (!last) step = next_step;
     show_step(taken, at_, end_s, observer);

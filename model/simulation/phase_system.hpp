@@ -25,17 +25,16 @@ class PhaseSystem {
     if constexpr (Phase::contact_in_rates) ++counters_.contact_evaluations;
     phase_(x, rates, time);
   }
-  auto events(const Unknowns& x) const {
-    if constexpr (Phase::contact_in_guards) ++counters_.contact_evaluations;
-    return phase_.guards(x);
+  S event(std::size_t i, const Unknowns& x) const {
+    if (phase_.guard_takes_loads(i)) ++counters_.contact_evaluations;
+    return phase_.guard(i, x);
   }
-  std::optional<std::array<EventBound<S>, event_count>> event_bounds(const Unknowns& x,
-                                                                     const Unknowns& y,
-                                                                     const S& duration) const {
-    if constexpr (requires { phase_.event_bounds(x, y, duration); })
-      return phase_.event_bounds(x, y, duration);
+  using Point = rotor::Point<S, Unknowns>;
+  std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
+    if constexpr (requires { phase_.event_bounds(from, to); })
+      return phase_.event_bounds(from, to);
     else
-      return std::nullopt;
+      return {};
   }
   Unknowns scale(const Unknowns& x) const { return phase_.scale(x); }
 

@@ -60,8 +60,8 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   S reach = std::numeric_limits<S>::infinity();
   const S displacement = threshold(Extreme::displacement, S(0), duration);
   if (displacement >= reach && threshold(Extreme::normal_force, S(0), duration) >= reach) return;
-  if constexpr (requires(Unknowns x) { phase.reach(x, x, duration); }) {
-    reach = phase.reach(step.start().x, step.end().x, step.end().time).value_or(reach);
+  if constexpr (requires(Point p) { phase.reach(p, p); }) {
+    reach = phase.reach(step.start(), step.end()).value_or(reach);
     if (reach <= displacement) return;
   }
   // In contact the ends of a step have to tell, or every step would cost an interpolation: at loose

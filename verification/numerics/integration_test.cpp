@@ -137,10 +137,10 @@ struct Ball {
   void operator()(const Unknowns& x, Unknowns& rates, double /*time*/) const {
     rates = {x[1], -gravity};
   }
-  std::array<double, 1> events(const Unknowns& x) const { return {x[0]}; }
-  std::optional<std::array<EventBound<double>, 1>> event_bounds(const Unknowns&, const Unknowns&,
-                                                                double) const {
-    return std::nullopt;
+  double event(std::size_t, const Unknowns& x) const { return x[0]; }
+  std::array<EventBound<double>, 1> event_bounds(const Point<double, Unknowns>&,
+                                                 const Point<double, Unknowns>&) const {
+    return {};
   }
   Unknowns scale(const Unknowns&) const { return {1, 1}; }
 };
@@ -154,10 +154,10 @@ struct Pendulum {
   void operator()(const Unknowns& x, Unknowns& rates, double /*time*/) const {
     rates = {x[1], -std::sin(x[0])};
   }
-  std::array<double, 1> events(const Unknowns& x) const { return {side * x[0]}; }
-  std::optional<std::array<EventBound<double>, 1>> event_bounds(const Unknowns&, const Unknowns&,
-                                                                double) const {
-    return std::nullopt;
+  double event(std::size_t, const Unknowns& x) const { return side * x[0]; }
+  std::array<EventBound<double>, 1> event_bounds(const Point<double, Unknowns>&,
+                                                 const Point<double, Unknowns>&) const {
+    return {};
   }
   Unknowns scale(const Unknowns&) const { return {1, 1}; }
   static double energy(const Unknowns& x) { return x[1] * x[1] / 2 - std::cos(x[0]); }
@@ -173,7 +173,6 @@ template <class System, class Reset>
 std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, std::size_t number,
                               const Reset& reset) {
   Control2 control(1e-14);
-  FirstEvent<double> first_event;
   std::vector<Point2> all;
   for (double time = 0; all.size() < number && time < 100;) {
     Point2 start{.x = x}, end{.time = length};
@@ -181,14 +180,13 @@ std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, 
     control.step(system, start, end);
     system(end.x, end.rates, 0);
     Step<double, Stepper2, System> step(control, system, start, end);
-    auto [stop, event] = first_event.in(step);
+    auto [stop, event] = first_event(step);
     time += stop.time;
     x = stop.x;
     if (!event) continue;
     stop.time = time;
     all.push_back(stop);
     reset(system, x);
-    first_event.reset();
   }
   return all;
 }

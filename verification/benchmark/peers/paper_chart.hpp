@@ -21,6 +21,7 @@ class PaperChart {
 
   Unknowns unknowns(const State<S>& q) const { return q; }
   State<S> state(const Unknowns& x) const { return x; }
+  S speed(const Unknowns& x) const { return x[5]; }
   Kinematics kinematics(const Unknowns& x) const { return {RotatingFrame<S>::motion(body_, x)}; }
   RimPoint<S> rim_point(const Unknowns& x) const {
     return ring_.rim_point(RotatingFrame<S>::motion(body_, x));

@@ -39,7 +39,7 @@ class PhaseProblem : public PeerProblem {
   void rates(const Unknowns& x, Unknowns& rates) const override { phase_(x, rates, 0); }
   std::array<double, guard_count> guards(const Unknowns& x) const override {
     std::array<double, guard_count> all{1, 1, 1};
-    std::ranges::copy(phase_.guards(x), all.begin());
+    for (std::size_t n = 0; n < Phase::event_count; ++n) all[n] = phase_.guard(n, x);
     return all;
   }
   Transition next(std::size_t guard, Unknowns& x) const override { return phase_.next(guard, x); }

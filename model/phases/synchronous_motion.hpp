@@ -1,0 +1,268 @@
+/// The motion that a rotor's unbalance and weight keep up while its speed changes slowly: what is
+/// left of a run-up when all vibration has died out.
+///
+/// Let the angle theta and the speed W of a rotor be free of ripple: theta' = W, W' = alpha(W).
+/// Then the rotor's own angle phi and speed w, and its mass centre C, are
+///   phi = theta + 2 atan(kappa / 2),   kappa = Re sum K_n e^(i n theta)
+///   w = W + eta,                         eta = Re sum H_n e^(i n theta)
+///   O_a C = sum A_n e^(i n theta),  (O_a C)' = sum B_n e^(i n theta),   n = 1, 2
+/// with complex functions of W. A_1 is the response to the unbalance, which lags behind a speed
+/// that changes; the others come of gravity's moment. They are worked out term by term in the
+/// change of speed per turn, and to the second order of the ripple, as polynomials of W about one
+/// speed.
+///
+/// To subtract this motion from another is an exact change of unknowns, whatever the functions are:
+/// they only have to leave little that turns with the rotor.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "model/phases/plane_series.hpp"
+#include "model/phases/rotor_system.hpp"
+
+namespace rotor {
+
+template <class S>
+class SynchronousMotion {
+ public:
+  enum class Terms {
+    steady,  ///< the response at a constant speed, as if gravity had no moment
+    all,
+  };
+
+  /// None.
+  SynchronousMotion() = default;
+
+  /// From a speed on, in axes in which gravity has the direction `down`.
+  SynchronousMotion(const RotorSystem<S>& rotor, const S& speed, const Vector<S>& down, Terms terms)
+      : exists_(true),
+        is_complete_(terms == Terms::all),
+        centre_(rotor.motor_on ? ahead(speed) : speed) {
+    expand(rotor, down);
+  }
+
+  bool exists() const { return exists_; }
+  bool is_complete() const { return is_complete_; }
+
+  /// Whether the polynomials are good at that speed.
+  bool holds(const S& speed) const {
+    using std::abs, std::max;
+    return abs(speed - centre_) <= range() * max<S>(abs(speed), abs(centre_));
+  }
+
+  /// The same motion in axes that are turned by the angle that has these cosine and sine.
+  void turn_axes(const S& cosine, const S& sine) {
+    first_.turn(angle_ripple, cosine, sine);
+    first_.turn(speed_ripple, cosine, sine);
+    for (const Function f : {displacement, velocity, angle_ripple, speed_ripple})
+      second_.turn(f, cosine, sine);
+    second_.turn(angle_ripple, cosine, sine);
+    second_.turn(speed_ripple, cosine, sine);
+  }
+
+  /// Functions of theta and W: O_a C (m), its time derivative (m/s), and those of whose values
+  /// kappa and eta (rad/s) are the real parts.
+  enum Function { displacement, velocity, angle_ripple, speed_ripple, functions };
+
+  /// All four of them.
+  struct Vectors {
+    Eigen::Array<S, functions, 1> x, y;
+
+    Vector<S> operator()(Function f) const { return {x[f], y[f]}; }
+    S real(Function f) const { return x[f]; }
+    friend Vectors quarter_turn(const Vectors& a) { return {-a.y, a.x}; }
+    friend Vectors operator+(const Vectors& a, const Vectors& b) { return {a.x + b.x, a.y + b.y}; }
+  };
+  struct Value {
+    Vectors value, by_angle, by_speed;
+  };
+
+  /// At the angle that has that direction, and a speed W.
+  Value at(const Vector<S>& direction, const S& speed) const {
+    const auto once = first_.at(speed - centre_, direction);
+    if (!has_ripple_) return {once.value, quarter_turn(once.value), once.slope};
+    const auto twice = second_.at(speed - centre_, complex_product(direction, direction));
+    return {once.value + twice.value, quarter_turn(once.value + twice.value + twice.value),
+            once.slope + twice.slope};
+  }
+
+  /// Bounds of it at a speed, whatever the angle.
+  struct Amplitudes {
+    S displacement;  ///< of C, m
+    S velocity;      ///< of C, m/s
+    S speed_ripple;  ///< rad/s
+  };
+  Amplitudes amplitudes(const S& speed) const {
+    const Vector<S> one(1, 0);
+    const Vectors once = first_.at(speed - centre_, one).value;
+    const Vectors twice = second_.at(speed - centre_, one).value;
+    const auto bound = [&](Function f) { return S(once(f).norm() + twice(f).norm()); };
+    return {bound(displacement), bound(velocity), bound(speed_ripple)};
+  }
+
+ private:
+  using Series = PlaneSeries<S>;
+  static constexpr std::size_t degree = Series::degree;
+
+  /// A_n, B_n, K_n and H_n as polynomials.
+  template <std::size_t Degree>
+  class Harmonic {
+   public:
+    Harmonic() { terms_.fill({Components::Zero(), Components::Zero()}); }
+
+    void lay(Function f, const Series& series) {
+      for (std::size_t n = 0; n <= Degree; ++n) {
+        terms_[n].x[f] = series[n].x();
+        terms_[n].y[f] = series[n].y();
+      }
+    }
+    void turn(Function f, const S& cosine, const S& sine) {
+      for (Vectors& term : terms_) {
+        const Vector<S> by = turned(term(f), cosine, sine);
+        term.x[f] = by.x();
+        term.y[f] = by.y();
+      }
+    }
+
+    struct ValueAndSlope {
+      Vectors value, slope;
+    };
+    ValueAndSlope at(const S& x, const Vector<S>& direction) const {
+      Vectors value = terms_[Degree], slope{Components::Zero(), Components::Zero()};
+      for (std::size_t n = Degree; n-- > 0;) {
+        slope = {value.x + x * slope.x, value.y + x * slope.y};
+        value = {terms_[n].x + x * value.x, terms_[n].y + x * value.y};
+      }
+      return {product(value, direction), product(slope, direction)};
+    }
+
+   private:
+    using Components = Eigen::Array<S, functions, 1>;
+    static Vectors product(const Vectors& a, const Vector<S>& b) {
+      return {b.x() * a.x - b.y() * a.y, b.y() * a.x + b.x() * a.y};
+    }
+
+    std::array<Vectors, Degree + 1> terms_;
+  };
+
+  /// How far the speed may change, relative to it.
+  static S range() { return S(1) / 100; }
+  static S ahead(const S& speed) {
+    using std::abs;
+    return speed + range() * abs(speed);
+  }
+
+  /// Time derivatives of functions c(W) as factors of e^(i n theta).
+  struct Rate {
+    S centre;
+    RealSeries<S> alpha{};
+
+    Series operator()(int n, const Series& c) const {
+      Series result;
+      for (std::size_t j = 0; j <= degree; ++j) {
+        Vector<S> by_angle = centre * c[j];
+        if (j > 0) by_angle += c[j - 1];
+        result[j] = S(n) * rotor::quarter_turn(by_angle);
+        for (std::size_t k = 1; k <= degree && k <= j + 1; ++k)
+          result[j] += (S(static_cast<double>(k)) * alpha[j + 1 - k]) * c[k];
+      }
+      return result;
+    }
+  };
+
+  /// Adds terms as long as the next one is much smaller than the last, for the series is
+  /// asymptotic, until one is too small to count.
+  template <class Next>
+  static void add_terms(Series& sum, const S& enough, const Next& next) {
+    for (S last = sum[0].norm();;) {
+      const Series term = next();
+      const S size = term[0].norm();
+      if (!(size < last / 2)) return;
+      sum = sum + term;
+      if (size <= enough * sum[0].norm()) return;
+      last = size;
+    }
+  }
+
+  void expand(const RotorSystem<S>& rotor, const Vector<S>& down) {
+    using std::sqrt;
+    const Supports<S>& supports = rotor.supports;
+    const S k = supports.stiffness, d = supports.damping, m = rotor.body.mass;
+    const S e = rotor.body.eccentricity, inertia = rotor.body.inertia;
+    const S rounding = 100 * std::numeric_limits<S>::epsilon();
+    Rate rate{centre_};
+
+    // The response to a force(W) e^(i n theta), and what it lacks because the speed changes.
+    const auto impedance = [&](int n) -> typename Series::Quadratic {
+      const S w = S(n) * centre_, slope(n);
+      return {Vector<S>(k - m * w * w, d * w), Vector<S>(-2 * m * w * slope, d * slope),
+              Vector<S>(-m * slope * slope, 0)};
+    };
+    const auto lacking = [&](int n, const Series& force, const Series& response) {
+      const Series change = rate(n, response);
+      return (force - (m * rate(n, change) + d * change + k * response)) / impedance(n);
+    };
+
+    const Series force = Series::linear(e * Vector<S>(k, d * centre_), e * Vector<S>(S(0), d));
+    Series A = force / impedance(1);
+    if (is_complete_)
+      add_terms(A, rounding, [&] {
+        const Series B = rate(1, A);
+        for (std::size_t j = 0; j <= degree; ++j)
+          rate.alpha[j] = e * (k * A[j].y() + d * B[j].y()) / inertia;
+        rate.alpha[0] += (rotor.motor_on ? supports.torque : S(0)) / inertia;
+        rate.alpha[0] -= d * e * e * centre_ / inertia;
+        rate.alpha[1] -= d * e * e / inertia;
+        return lacking(1, force, A);
+      });
+    first_.lay(displacement, A);
+    first_.lay(velocity, rate(1, A));
+    has_ripple_ = is_complete_ && supports.gravity != 0;
+    if (!has_ripple_) return;
+
+    // Gravity's moment is that of an arm p e^(i n theta). As an angular acceleration, it makes the
+    // speed ripple, and that the angle.
+    const auto integral = [&](int n, const Series& g) {
+      const typename Series::Quadratic turn = {Vector<S>(0, S(n) * centre_), Vector<S>(0, S(n)),
+                                               Vector<S>(0, 0)};
+      Series sum = g / turn;
+      add_terms(sum, sqrt(rounding), [&] { return (g - rate(n, sum)) / turn; });
+      return sum;
+    };
+    const auto make_ripple = [&](int n, auto& harmonic, const Series& arm) {
+      const S weight = m * supports.gravity / inertia;
+      const Series g = weight * (Vector<S>(down.y(), down.x()) * arm);
+      Series H = integral(n, g), K = integral(n, H);
+      // The ripple's own moment: of the damping, and of the springs, to whom C stands still.
+      const S drag = d * e * e / inertia, pull = k * e * e / (2 * inertia);
+      H = integral(n, g + pull * K - drag * H);
+      K = integral(n, H);
+      const S strong(0.1);
+      if (!(K[0].norm() < strong)) return Series();
+      harmonic.lay(speed_ripple, H);
+      harmonic.lay(angle_ripple, K);
+      return K;
+    };
+    const bool balanced = supports.balanced_by_springs;
+    const Series unbalance = Series::linear(Vector<S>(e, 0), Vector<S>(0, 0));
+    const Series K = make_ripple(1, first_, balanced ? unbalance : A);
+    // The unbalance at phi, as far as it differs from that at theta, and the response to it.
+    const Series shift = Vector<S>(0, e / 2) * K;
+    const Series force_of_shift = k * shift + d * rate(2, shift);
+    Series A2 = force_of_shift / impedance(2);
+    add_terms(A2, sqrt(rounding), [&] { return lacking(2, force_of_shift, A2); });
+    second_.lay(displacement, A2);
+    second_.lay(velocity, rate(2, A2));
+    make_ripple(2, second_, balanced ? shift : A2);
+  }
+
+  bool exists_ = false, is_complete_ = false, has_ripple_ = false;
+  S centre_{0};
+  Harmonic<degree> first_;
+  Harmonic<2> second_;  ///< smaller by the ripple
+};
+
+}  // namespace rotor
