@@ -46,15 +46,13 @@ std::map<int, Scene> read_scenes(const FigureOptions& options) {
         fmt::format("--scenes {}: there is no figNN.toml in this folder", shown(options.scenes)));
   std::vector<int> all;
   for (const auto& [number, file] : files) all.push_back(number);
-  Scenario defaults;
-  options.apply_to(defaults);
   std::map<int, Scene> scenes;
   for (const int number : options.numbers.empty() ? all : options.numbers) {
     if (!files.contains(number))
       throw InputError(fmt::format("figure {}: there is no {}; the figures are {}", number,
                                    (fs::path(options.scenes) / "figNN.toml").string(),
                                    fmt::join(all, ", ")));
-    scenes.emplace(number, read_scene(files.at(number), defaults));
+    scenes.emplace(number, read_scene(files.at(number), {options.equations_and_method, {}}));
   }
   return scenes;
 }
@@ -73,8 +71,9 @@ void write_figures(const FigureOptions& options) {
   for (const auto& [number, scene] : scenes) {
     auto& own = tables[number];
     own.reserve(scene.runs.size());  // the recorders refer to them
-    for (const auto& [name, scenario] : scene.runs) {
-      Table& table = own.emplace_back(NamedTable{name, Table(scene.columns.size())}).table;
+    for (const SceneRun& run : scene.runs) {
+      const Scenario& scenario = run.scenario;
+      Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
       requests.push_back(
           {scenario, recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
                                             [&table](auto row) { table.add(row); })});

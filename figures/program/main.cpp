@@ -60,18 +60,30 @@ std::string dashed(std::string_view name) {
   return option;
 }
 
+/// An option whose text names something.
+template <class Kind>
+void add_named(CLI::App& command, const char* option, std::optional<Kind>& into,
+               Kind (*parse)(std::string_view), Kind standard, const char* meaning) {
+  command
+      .add_option_function<std::string>(
+          option, [&into, parse](const std::string& text) { into = parse(text); }, meaning)
+      ->check(parsed_by(parse))
+      ->default_str(std::string(name_of(standard)));
+}
+
 void add_options(CLI::App& command, CommonOptions& options) {
-  command
-      .add_option("--equations", options.equations,
-                  "published (as printed) or consistent (the velocity jump counted once, the "
-                  "moment of gravity balanced)")
-      ->check(parsed_by(parse_equations))
-      ->default_str(std::string(name_of(Scenario{}.equations)));
-  command
-      .add_option("--method", options.method,
-                  "event (located contacts, error control) or rk4 (the paper's fixed steps)")
-      ->check(parsed_by(parse_method))
-      ->default_str(std::string(name_of(Scenario{}.method)));
+  Statement& stated = options.equations_and_method;
+  const Scenario standard;
+  add_named(command, "--equations", stated.equations, parse_equations, standard.equations,
+            "published (as printed: twice, whole) or consistent (once, balanced)");
+  add_named(command, "--velocity-jump", stated.velocity_jump, parse_velocity_jump,
+            standard.equations.velocity_jump,
+            "once or twice: how often the mass loss adds Delta_vy to the velocity of C");
+  add_named(command, "--gravity-moment", stated.gravity_moment, parse_gravity_moment,
+            standard.equations.gravity_moment,
+            "whole (as printed) or balanced by the springs but for the part of the eccentricity");
+  add_named(command, "--method", stated.method, parse_method, standard.method,
+            "event (located contacts, error control) or rk4 (the paper's fixed steps)");
 }
 
 void add_options(CLI::App& command, FigureOptions& options) {
@@ -84,7 +96,7 @@ void add_options(CLI::App& command, FigureOptions& options) {
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->capture_default_str();
   add_options(command, static_cast<CommonOptions&>(options));
-  command.footer("The scenes' own equations and methods take precedence over these options.");
+  command.footer("What a [[run]] of a scene states itself takes precedence over these options.");
 }
 
 void add_options(CLI::App& command, RunOptions& options) {
@@ -94,22 +106,30 @@ void add_options(CLI::App& command, RunOptions& options) {
                     ->check(not_empty());
   command.add_option("--run", options.run_name, "which [[run]] of the scene, if it has several")
       ->needs(scene);
-  for (const Quantity& quantity : quantities())
-    command
-        .add_option_function<std::string>(
-            dashed(quantity.name),
-            [&](const std::string& text) {
-              const auto value = number_in(text);
-              if (!value || !quantity.allows(*value))
-                throw InputError(fmt::format("{}: must be {}, not {}", dashed(quantity.name),
-                                             quantity.range(), shown(text)));
-              options.numbers[&quantity] = *value;
-            },
-            fmt::format("{}{}{}", quantity.meaning, quantity.symbol.empty() ? "" : ", ",
-                        quantity.symbol))
-        ->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit))
-        ->default_str(fmt::format("{}", quantity.of(Scenario{})));
-  command.add_flag("--no-separation", options.no_separation, "no mass is lost");
+  for (const Statable& statable : statables()) {
+    const Quantity& quantity = statable.quantity;
+    const std::string option = dashed(quantity.name);
+    const std::string meaning = fmt::format(
+        "{}{}{}{}", quantity.meaning, quantity.symbol.empty() ? "" : ", ", quantity.symbol,
+        statable.instead_of.empty() ? "" : ", instead of " + dashed(statable.instead_of));
+    CLI::Option* const added = command.add_option_function<std::string>(
+        option,
+        [&options, &quantity, option](const std::string& text) {
+          const auto value = number_in(text);
+          if (!value || !quantity.allows(*value))
+            throw InputError(
+                fmt::format("{}: must be {}, not {}", option, quantity.range(), shown(text)));
+          options.numbers.numbers.insert_or_assign(std::string(quantity.name), *value);
+        },
+        meaning);
+    added->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit));
+    if (quantity.name == "until")
+      added->default_str("0.25 s after the mass loss");
+    else if (quantity.in)
+      added->default_str(fmt::format("{}", quantity.of(Scenario{})));
+  }
+  command.add_flag_callback(
+      "--no-separation", [&options] { options.numbers.loses_mass = false; }, "no mass is lost");
   add_options(command, static_cast<CommonOptions&>(options));
   auto* trace = command
                     .add_option("--trace", options.trace,

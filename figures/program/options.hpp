@@ -1,21 +1,17 @@
 /// What can be stated on the command line. What is not stated is empty.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "model/simulation/scenario.hpp"
+#include "figures/scenes/statement.hpp"
 
 namespace rotor {
 
 /// Options that every command has.
 struct CommonOptions {
-  std::string equations;
-  std::string method;
-
-  void apply_to(Scenario& scenario) const;
+  Statement equations_and_method;
 };
 
 struct FigureOptions : CommonOptions {
@@ -26,8 +22,7 @@ struct FigureOptions : CommonOptions {
 
 struct RunOptions : CommonOptions {
   std::string scene, run_name;
-  std::map<const Quantity*, double> numbers;
-  bool no_separation = false;
+  Statement numbers;          ///< and whether mass is lost
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;

@@ -32,6 +32,8 @@ nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end,
   json["steps"] = end.counters.steps;
   json["located_events"] = end.counters.located_events;
   json["equations"] = name_of(scenario.equations);
+  json["velocity_jump"] = name_of(scenario.equations.velocity_jump);
+  json["gravity_moment"] = name_of(scenario.equations.gravity_moment);
   json["method"] = name_of(scenario.method);
   if (scenario.method == Method::event)
     json["tolerance"] = scenario.tolerance;

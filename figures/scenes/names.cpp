@@ -24,6 +24,10 @@ Named(const char*, Kind) -> Named<Kind>;  // which clang 14 does not find itself
 
 constexpr std::array equations_names = {Named{"published", Equations::published},
                                         Named{"consistent", Equations::consistent}};
+constexpr std::array velocity_jump_names = {Named{"once", VelocityJump::once},
+                                            Named{"twice", VelocityJump::twice}};
+constexpr std::array gravity_moment_names = {Named{"balanced", GravityMoment::balanced},
+                                             Named{"whole", GravityMoment::whole}};
 constexpr std::array method_names = {Named{"event", Method::event}, Named{"rk4", Method::rk4}};
 
 constexpr std::array event_names = {Named{"none", Event::none},
@@ -50,15 +54,24 @@ auto parse_name(const Names& names, std::string_view text) {
 
 template <class Names, class Kind>
 std::string_view find_name(const Names& names, Kind kind) {
-  return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.kind == kind; })
-      ->name;
+  const auto named =
+      std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.kind == kind; });
+  return named == names.end() ? "mixed" : named->name;
 }
 
 }  // namespace
 
 Equations parse_equations(std::string_view name) { return parse_name(equations_names, name); }
+VelocityJump parse_velocity_jump(std::string_view name) {
+  return parse_name(velocity_jump_names, name);
+}
+GravityMoment parse_gravity_moment(std::string_view name) {
+  return parse_name(gravity_moment_names, name);
+}
 Method parse_method(std::string_view name) { return parse_name(method_names, name); }
 std::string_view name_of(Equations equations) { return find_name(equations_names, equations); }
+std::string_view name_of(VelocityJump jump) { return find_name(velocity_jump_names, jump); }
+std::string_view name_of(GravityMoment moment) { return find_name(gravity_moment_names, moment); }
 std::string_view name_of(Method method) { return find_name(method_names, method); }
 std::string_view name_of(Event event) { return find_name(event_names, event); }
 

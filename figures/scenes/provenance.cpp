@@ -11,6 +11,13 @@ std::string describe(const Quantity& quantity, const Scenario& scenario) {
                      quantity.unit.empty() ? "" : " ", quantity.unit);
 }
 
+std::string describe(const Equations& equations) {
+  if (equations == Equations::published || equations == Equations::consistent)
+    return std::string(name_of(equations));
+  return fmt::format("{} (velocity jump {}, gravity moment {})", name_of(equations),
+                     name_of(equations.velocity_jump), name_of(equations.gravity_moment));
+}
+
 /// What a run states beyond, or against, the defaults.
 std::string differences(const Scenario& scenario) {
   std::vector<std::string> all;
@@ -25,10 +32,10 @@ std::string differences(const Scenario& scenario) {
 
 std::vector<std::string> provenance(const std::string& title, const Scene& scene) {
   std::vector<std::string> lines = {title, "rotor " ROTOR_VERSION};
-  for (const auto& [name, scenario] : scene.runs)
-    lines.push_back(fmt::format("{}: equations {}, method {}, {}", name,
-                                name_of(scenario.equations), name_of(scenario.method),
-                                differences(scenario)));
+  for (const SceneRun& run : scene.runs)
+    lines.push_back(fmt::format("{}: equations {}, method {}, {}", run.name,
+                                describe(run.scenario.equations), name_of(run.scenario.method),
+                                differences(run.scenario)));
   for (const Column* column : scene.columns)
     lines.push_back(fmt::format("{}: {}", column->name, column->meaning));
   return lines;

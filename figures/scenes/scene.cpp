@@ -14,8 +14,8 @@ namespace {
 
 class SceneReader : TomlFile {
  public:
-  SceneReader(const std::filesystem::path& file, const Scenario& defaults)
-      : TomlFile(file), defaults_(defaults) {}
+  SceneReader(const std::filesystem::path& file, const Overrides& overrides)
+      : TomlFile(file), overrides_(overrides) {}
 
   Scene read() {
     const toml::table& root = this->root();
@@ -23,8 +23,8 @@ class SceneReader : TomlFile {
     Scene scene;
     scene.title = text(root, "title").value_or("");
     scene.columns = columns(root);
-    const Scenario base = scenario(table(root, "parameters"), defaults_, {});
-    scene.runs = runs(root, base);
+    scene.runs = runs(
+        root, statement(table(root, "parameters"), {}).overridden_by(overrides_.of_parameters));
     scene.window = window(root, scene);
     return scene;
   }
@@ -48,49 +48,53 @@ class SceneReader : TomlFile {
     return all;
   }
 
-  /// The scenario that a table states, on top of another one.
-  Scenario scenario(const toml::table& in, Scenario base, Keys other_keys) const {
+  /// What a table states.
+  Statement statement(const toml::table& in, Keys other_keys) const {
     Keys allowed = std::move(other_keys);
-    for (const Quantity& quantity : quantities()) allowed.push_back(quantity.name);
-    allowed.insert(allowed.end(), {"no_separation", "equations", "method"});
+    for (const Statable& s : statables()) allowed.push_back(s.quantity.name);
+    allowed.insert(allowed.end(),
+                   {"no_separation", "equations", "velocity_jump", "gravity_moment", "method"});
     expect_keys(in, allowed);
 
-    for (const Quantity& quantity : quantities())
+    Statement stated;
+    for (const auto& [quantity, instead_of] : statables())
       if (const auto number = value<double>(in, quantity.name, quantity.range())) {
         if (!quantity.allows(*number))
           fail(*in.get(quantity.name), quantity.name,
                fmt::format("must be {}, not {}", quantity.range(), *number));
-        quantity.in(base) = *number;
+        stated.numbers.emplace(quantity.name, *number);
       }
     if (const auto none = value<bool>(in, "no_separation", "true or false"))
-      base.parameters.separates = !*none;
-    if (const auto name = text(in, "equations"))
-      base.equations =
-          at(*in.get("equations"), "equations", [&] { return parse_equations(*name); });
-    if (const auto name = text(in, "method"))
-      base.method = at(*in.get("method"), "method", [&] { return parse_method(*name); });
-    return base;
+      stated.loses_mass = !*none;
+    const auto parse = [&](std::string_view key, auto& into, auto parser) {
+      if (const auto name = text(in, key))
+        into = at(*in.get(key), key, [&] { return parser(*name); });
+    };
+    parse("equations", stated.equations, parse_equations);
+    parse("velocity_jump", stated.velocity_jump, parse_velocity_jump);
+    parse("gravity_moment", stated.gravity_moment, parse_gravity_moment);
+    parse("method", stated.method, parse_method);
+    return stated;
   }
 
-  const Scenario& checked(const toml::node& node, std::string_view key,
-                          const Scenario& scenario) const {
-    at(node, key, [&] { return check(scenario), true; });
-    return scenario;
+  SceneRun run(const std::string& name, const Statement& stated, const toml::node& node,
+               std::string_view key) const {
+    const Statement all = stated.overridden_by(overrides_.of_runs);
+    return {name, at(node, key, [&] { return scenario_of(all); }), all.states_equations()};
   }
 
-  std::vector<SceneRun> runs(const toml::table& root, const Scenario& base) const {
+  std::vector<SceneRun> runs(const toml::table& root, const Statement& base) const {
     const toml::node* parameters = root.get("parameters");
     const auto tables = this->tables(root, "run");
-    if (tables.empty())
-      return {{"run", checked(parameters ? *parameters : root, "parameters", base)}};
+    if (tables.empty()) return {run("run", base, parameters ? *parameters : root, "parameters")};
     std::vector<SceneRun> all;
     for (const toml::table* table : tables) {
       const auto name = text(*table, "name");
       if (!name || name->empty()) fail(*table, "name", "every [[run]] needs a name");
-      const auto same = [&](const SceneRun& run) { return run.name == *name; };
+      const auto same = [&](const SceneRun& other) { return other.name == *name; };
       if (std::any_of(all.begin(), all.end(), same))
         fail(*table, "name", fmt::format("there is a run \"{}\" already", shown(*name)));
-      all.push_back({*name, checked(*table, "run", scenario(*table, base, {"name"}))});
+      all.push_back(run(*name, base.overridden_by(statement(*table, {"name"})), *table, "run"));
     }
     return all;
   }
@@ -120,13 +124,13 @@ class SceneReader : TomlFile {
     return {.from_s = from, .length_s = until - from};
   }
 
-  Scenario defaults_;
+  Overrides overrides_;
 };
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& file, const Scenario& defaults) {
-  return SceneReader(file, defaults).read();
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+  return SceneReader(file, overrides).read();
 }
 
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names) {

@@ -7,7 +7,7 @@
 
 #include "figures/scenes/names.hpp"
 #include "figures/scenes/recorder.hpp"
-#include "model/simulation/scenario.hpp"
+#include "figures/scenes/statement.hpp"
 
 namespace rotor {
 
@@ -15,6 +15,7 @@ namespace rotor {
 struct SceneRun {
   std::string name;
   Scenario scenario;
+  bool states_equations = false;
 };
 
 struct Scene {
@@ -24,8 +25,14 @@ struct Scene {
   std::vector<SceneRun> runs;
 };
 
-/// Reads a TOML scene file. What it does not state is taken from `defaults`. Throws InputError.
-Scene read_scene(const std::filesystem::path& file, const Scenario& defaults = {});
+/// What stands above a scene file.
+struct Overrides {
+  Statement of_parameters;  ///< but not what a [[run]] states itself
+  Statement of_runs;
+};
+
+/// Reads a TOML scene file. Throws InputError.
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
 
 /// The columns of those names. Throws InputError, naming all columns, for one that does not exist.
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names);

@@ -37,7 +37,7 @@ struct MassLoss {
   /// so that q1', q2', q3' go on unchanged (Eq. (10)), and Eq. (1) alone, with e_x1 for e_x, raises
   /// the velocity of the mass centre by Delta_vy. As printed, q2' is raised by Delta_vy once more.
   State<S> separate(State<S> q, Equations equations) const {
-    if (equations == Equations::published) q[4] += velocity_jump(q[5]);
+    if (equations.velocity_jump == VelocityJump::twice) q[4] += velocity_jump(q[5]);
     return q;
   }
 };

@@ -1,11 +1,29 @@
-/// The parameters of the paper's Nomenclature, and its two sets of equations.
+/// The parameters of the paper's Nomenclature, and where its equations contradict themselves.
 #pragma once
 
 namespace rotor {
 
-/// The two sets of equations. `published` is the paper as printed: the velocity jump of Eq. (14) is
-/// added to q2', and the moment of gravity has no partner. `consistent` puts both right.
-enum class Equations { published, consistent };
+/// How often the mass loss raises the velocity of the mass centre by Delta_vy, Eq. (14). As
+/// printed, twice: by Eq. (1) with e_x1 for e_x, and by an addition to q2'.
+enum class VelocityJump { twice, once };
+
+/// How much of gravity's moment about O_a stays in Q_3. As printed, the whole of it, although Q_1
+/// and Q_2 leave gravity to the springs; these balance all but the part that the eccentricity
+/// makes.
+enum class GravityMoment { whole, balanced };
+
+/// Where the equations can be as printed or put right.
+struct Equations {
+  VelocityJump velocity_jump;
+  GravityMoment gravity_moment;
+
+  bool operator==(const Equations&) const = default;
+
+  static const Equations published;   ///< twice, whole
+  static const Equations consistent;  ///< once, balanced
+};
+inline constexpr Equations Equations::published{VelocityJump::twice, GravityMoment::whole};
+inline constexpr Equations Equations::consistent{VelocityJump::once, GravityMoment::balanced};
 
 /// Parameters in SI units; the defaults are the paper's (Nomenclature).
 struct Parameters {

@@ -87,7 +87,7 @@ struct Supports {
         damping(S(p.support_damping)),
         gravity(S(p.gravity)),
         torque(S(p.torque)),
-        balanced_by_springs(equations == Equations::consistent) {}
+        balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
   Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
     const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;

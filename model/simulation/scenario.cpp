@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "model/simulation/start.hpp"
 
 namespace rotor {
 namespace {
@@ -53,6 +54,9 @@ constexpr std::array all_quantities = {
              in<&Parameters::unbalance_factor>, 1, closed},
     Quantity{"separation_time", "t_1", "s", "instant of the mass loss",
              in<&Parameters::separation_time>, 0, closed},
+    Quantity{"start_speed_hz", "", "Hz",
+             "speed at the start, in steady response to the unbalance; 0: at rest",
+             in<&Scenario::start_speed_Hz>, 0, closed},
     Quantity{"until", "", "s", "end of the run", in<&Scenario::until>, 0, open},
     Quantity{"tolerance", "", "", "event: error allowed in a step, relative to each phase's scale",
              in<&Scenario::tolerance>, 1e-15, closed, 1e-3},
@@ -76,6 +80,7 @@ Scenario run_up_part(const Scenario& scenario) {
   part.parameters.unbalance_factor = standard.parameters.unbalance_factor;
   part.parameters.separation_time = standard.parameters.separation_time;
   part.parameters.separates = standard.parameters.separates;
+  part.equations.velocity_jump = standard.equations.velocity_jump;
   part.until = standard.until;
   part.step_rub = standard.step_rub;
   return part;
@@ -108,6 +113,7 @@ void check(const Scenario& scenario) {
   require(p.eccentricity < p.rotor_radius,
           fmt::format("eccentricity = {} m: must be smaller than rotor_radius = {} m",
                       p.eccentricity, p.rotor_radius));
+  static_cast<void>(start_of(scenario));
   if (scenario.method == Method::rk4) {
     constexpr double most_steps = 1e10;
     const auto require_few = [&](std::string_view name, double step) {

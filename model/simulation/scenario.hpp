@@ -18,6 +18,7 @@ struct Scenario {
   Parameters parameters{};
   Equations equations = Equations::published;
   Method method = Method::event;
+  double start_speed_Hz = 0;  // with which the run starts, in steady motion; 0: at rest
   double until = 29.35;       // end of the run, s
   double tolerance = 1e-11;   // of event: error allowed in a step, relative to the phase's scale()
   double step_run_up = 1e-4;  // step of rk4 until the mass loss or the first contact, s

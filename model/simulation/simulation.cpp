@@ -7,6 +7,7 @@
 #include "model/simulation/event_method.hpp"
 #include "model/simulation/published_method.hpp"
 #include "model/simulation/stages.hpp"
+#include "model/simulation/start.hpp"
 
 namespace rotor {
 namespace {
@@ -35,13 +36,17 @@ struct Simulation::State {
   }
 };
 
-Simulation::Simulation(const Scenario& scenario)
-    : Simulation(scenario, at_rest(scenario.parameters)) {}
+Simulation::Simulation(const Scenario& scenario) : Simulation(scenario, start_of(scenario)) {}
 Simulation::Simulation(const Scenario& scenario, const Instant& from)
     : state_(new State{scenario, method_of(scenario, from)}) {}
 Simulation::Simulation(const Simulation& other) : state_(new State(*other.state_)) {}
 Simulation::Simulation(Simulation&& other) noexcept = default;
 Simulation::~Simulation() = default;
+
+Simulation& Simulation::operator=(const Simulation& other) {
+  state_ = std::make_unique<State>(*other.state_);
+  return *this;
+}
 
 void Simulation::run_up(double until_s, Observer& observer) {
   state_->visit([&](auto& method) { method.run_up(until_s, observer); });
@@ -80,7 +85,7 @@ bool Simulation::stopped() const {
 }
 
 RunEnd run(const Scenario& scenario, Observer& observer) {
-  return run(scenario, at_rest(scenario.parameters), observer);
+  return run(scenario, start_of(scenario), observer);
 }
 
 RunEnd run(const Scenario& scenario, const Instant& from, Observer& observer) {

@@ -20,6 +20,7 @@ class Simulation {
   Simulation(const Scenario& scenario, const Instant& from);
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
+  Simulation& operator=(const Simulation& other);
   ~Simulation();
 
   /// By whole steps of the method, for as long as they end before `until_s` and the rotor stays

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "figures/data/files.hpp"
+#include "figures/scenes/names.hpp"
 #include "verification/robustness/stress.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/follow.hpp"
@@ -99,7 +100,7 @@ std::string describe(const Scenario& s, const Instant& at) {
   std::string text;
   for (const Quantity& quantity : quantities())
     text += fmt::format("{}={} ", quantity.name, quantity.of(s));
-  return text + fmt::format("speed={} equations={}", at.state[5], static_cast<int>(s.equations));
+  return text + fmt::format("speed={} equations={}", at.state[5], name_of(s.equations));
 }
 
 Statistics statistics_of(long count, std::string& worst) {

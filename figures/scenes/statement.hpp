@@ -1,0 +1,42 @@
+/// What somebody states of a scenario, in a scene file or by options, and the scenario that this
+/// makes. What is not stated follows from the rest, or is the paper's.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "figures/scenes/names.hpp"
+
+namespace rotor {
+
+/// A number that can be stated: one of the scenario itself, or another way to state one of those.
+struct Statable {
+  Quantity quantity;
+  std::string_view instead_of;  ///< the scenario's own, if it is not that
+};
+
+/// In the order in which they are documented.
+std::span<const Statable> statables();
+const Statable* find_statable(std::string_view name);
+
+struct Statement {
+  std::map<std::string, double, std::less<>> numbers;  ///< by the names of statables
+  std::optional<bool> loses_mass;
+  std::optional<Equations> equations;
+  std::optional<VelocityJump> velocity_jump;
+  std::optional<GravityMoment> gravity_moment;
+  std::optional<Method> method;
+
+  bool states_equations() const { return equations || velocity_jump || gravity_moment; }
+
+  /// The same, with what another statement states put above it.
+  Statement overridden_by(const Statement& other) const;
+};
+
+/// Throws InputError, saying what is wrong and what would be right, if two statements determine the
+/// same, if one is missing, or if what they make is not physical.
+Scenario scenario_of(const Statement& statement);
+
+}  // namespace rotor

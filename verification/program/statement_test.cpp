@@ -1,0 +1,184 @@
+/// What is stated of a scenario, and the scenario that this makes.
+#include "figures/scenes/statement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "model/mechanics/mass_loss.hpp"
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/start.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+Statement numbers(std::initializer_list<std::pair<const std::string, double>> stated) {
+  Statement statement;
+  statement.numbers.insert(stated.begin(), stated.end());
+  return statement;
+}
+
+std::string refusal(const Statement& statement) {
+  try {
+    scenario_of(statement);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Statement, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
+
+TEST(Statement, SetsNothingButTheNumberThatItNames) {
+  for (const Quantity& quantity : quantities()) {
+    const double standard = quantity.of(Scenario{});
+    const double value = standard == 0                     ? 1
+                         : quantity.name == "rotor_radius" ? 0.9 * standard
+                                                           : 1.1 * standard;
+    Scenario expected;
+    quantity.in(expected) = value;
+    if (quantity.name == "separation_time") expected.until = value + 0.25;
+    if (quantity.name == "start_speed_hz") {
+      expected.parameters.separation_time = 0;
+      expected.until = 0.25;
+    }
+    EXPECT_EQ(scenario_of(numbers({{std::string(quantity.name), value}})), expected)
+        << quantity.name;
+  }
+}
+
+TEST(Statement, EndsAQuarterOfASecondAfterTheMassLossUnlessItSaysWhen) {
+  EXPECT_EQ(scenario_of(numbers({{"separation_time", 400}})).until, 400.25);
+  EXPECT_EQ(scenario_of(numbers({{"separation_time", 4}, {"until", 7}})).until, 7);
+  Statement without = numbers({});
+  without.loses_mass = false;
+  EXPECT_EQ(refusal(without), "until: must be stated for a run without mass loss");
+  without.numbers["until"] = 3;
+  EXPECT_EQ(scenario_of(without).until, 3);
+  without.numbers["separation_time"] = 2;
+  EXPECT_EQ(refusal(without), "separation_time: there is no mass loss in this run");
+}
+
+TEST(Statement, TakesTheClearanceForTheStatorsRadius) {
+  const Scenario scenario = scenario_of(numbers({{"clearance", 2e-3}, {"rotor_radius", 0.05}}));
+  EXPECT_DOUBLE_EQ(scenario.parameters.stator_radius, 0.052);
+}
+
+TEST(Statement, TakesTheLostMassForTheUnbalanceFactor) {
+  const double lost = 0.04;
+  const Scenario scenario = scenario_of(numbers({{"lost_mass", lost}}));
+  EXPECT_NEAR(MassLoss<double>(scenario.parameters).lost_mass, lost, 1e-15);
+  EXPECT_NE(refusal(numbers({{"lost_mass", 6}})).find("must be less than mass = 5 kg"),
+            std::string::npos);
+  EXPECT_NE(refusal(numbers({{"lost_mass", 0.01}, {"eccentricity", 0}})), "");
+}
+
+TEST(Statement, RefusesTwoThatDetermineEachOther) {
+  for (const auto& [one, other] : {std::pair("clearance", "stator_radius"),
+                                   {"lost_mass", "unbalance_factor"},
+                                   {"separation_speed_hz", "separation_time"}})
+    EXPECT_EQ(refusal(numbers({{one, 1e-3}, {other, 0.07}})),
+              std::string(one) + " and " + other + ": one determines the other; state one of them");
+}
+
+TEST(Statement, GivesWayToOneAboveItThatDeterminesTheSame) {
+  const Statement below = numbers({{"stator_radius", 0.07}, {"friction", 0.1}});
+  const Scenario scenario = scenario_of(below.overridden_by(numbers({{"clearance", 1e-3}})));
+  EXPECT_DOUBLE_EQ(scenario.parameters.stator_radius, 0.061);
+  EXPECT_EQ(scenario.parameters.friction, 0.1);
+}
+
+TEST(Statement, OfTheEquationsAboveAnotherTakesBothCorrections) {
+  Statement below, above;
+  below.velocity_jump = VelocityJump::once;
+  EXPECT_EQ(scenario_of(below).equations, (Equations{VelocityJump::once, GravityMoment::whole}));
+  above.equations = Equations::published;
+  EXPECT_EQ(scenario_of(below.overridden_by(above)).equations, Equations::published);
+  EXPECT_EQ(scenario_of(above.overridden_by(below)).equations.velocity_jump, VelocityJump::once);
+  above.equations = Equations::consistent;
+  above.gravity_moment = GravityMoment::whole;
+  EXPECT_EQ(name_of(scenario_of(above).equations), "mixed");
+}
+
+TEST(SeparationSpeed, IsThatAtTheMassLoss) {
+  for (const double speed_Hz : {20., 75., 149.99, 150.}) {  // where the motor is switched off, too
+    const Scenario scenario = scenario_of(numbers({{"separation_speed_hz", speed_Hz}}));
+    Observer null_observer;
+    Simulation simulation(scenario);
+    simulation.pass_mass_loss(null_observer);
+    EXPECT_NEAR(simulation.instant().state[5] / (2 * std::numbers::pi) / speed_Hz, 1, 1e-12);
+  }
+  EXPECT_NE(refusal(numbers({{"separation_speed_hz", 151}})).find("is not reached"),
+            std::string::npos);
+  EXPECT_NE(refusal(numbers({{"separation_speed_hz", 75}, {"until", 3}})).find("is not reached"),
+            std::string::npos);
+}
+
+// The response at a constant speed, which nothing but the damping's drag changes.
+TEST(StartSpeed, BeginsInSteadyResponse) {
+  Scenario scenario;
+  scenario.parameters.torque = scenario.parameters.gravity = 0;
+  scenario.parameters.separates = false;
+  for (const double speed_Hz : {5., 30., 120.}) {
+    scenario.start_speed_Hz = speed_Hz;
+    scenario.until = 2;
+    const Instant start = start_of(scenario);
+    Observer null_observer;
+    const RunEnd end = run(scenario, null_observer);
+    // The drag slows the rotor by less than a thousandth in that time.
+    EXPECT_NEAR(end.last.state[5] / start.state[5], 1, 1e-3) << speed_Hz;
+    const double size = std::hypot(start.state[0], start.state[1]);
+    EXPECT_NEAR(end.last.state[0], start.state[0], 1e-2 * size) << speed_Hz;
+    EXPECT_NEAR(end.last.state[1], start.state[1], 1e-2 * size) << speed_Hz;
+  }
+  EXPECT_NE(refusal(numbers({{"start_speed_hz", 10.06}, {"support_damping", 0.1}})).find("touch"),
+            std::string::npos);
+}
+
+TEST(StartSpeed, FindsTheMotorOffWhereItWouldBeSwitchedOff) {
+  EXPECT_FALSE(start_of(scenario_of(numbers({{"start_speed_hz", 150}}))).motor_on);
+  EXPECT_TRUE(start_of(scenario_of(numbers({{"start_speed_hz", 149}}))).motor_on);
+}
+
+// What the program says that it used, from nothing stated to everything.
+TEST_F(CommandLine, PutsEquationsAboveParametersAndBelowARunsOwn) {
+  write("fig21.toml",
+        "[parameters]\nequations = \"published\"\nstart_speed_hz = 100\n[[run]]\nname = \"a\"\n"
+        "[[run]]\nname = \"b\"\nvelocity_jump = \"once\"\n");
+  const auto used = [&](const std::string& command) {
+    const Outcome outcome = rotor(command);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    return outcome.output;
+  };
+  for (const auto& [option, a, b] :
+       {std::tuple("", "published", "mixed (velocity jump once, gravity moment whole)"),
+        {"--equations consistent", "consistent", "consistent"},
+        {"--gravity-moment balanced", "mixed (velocity jump twice, gravity moment balanced)",
+         "consistent"},
+        {"--velocity-jump twice", "published",
+         "mixed (velocity jump once, gravity moment whole)"}}) {
+    used(std::string("figure --scenes . --out . ") + option);
+    EXPECT_NE(content("fig21.csv").find(std::string("# a: equations ") + a), std::string::npos);
+    EXPECT_NE(content("fig21.csv").find(std::string("# b: equations ") + b), std::string::npos);
+    const std::string summary = used(std::string("run --scene fig21.toml --run b ") + option);
+    const std::string name = std::string(b).substr(0, std::string(b).find(' '));
+    EXPECT_NE(summary.find("equations                \"" + name + '"'), std::string::npos)
+        << summary;
+  }
+}
+
+TEST_F(CommandLine, SaysWhichEquationsItUsedForARotorThatIsNotThePapers) {
+  const std::string start = "run --start-speed-hz 100 --until 0.001 ";
+  const std::string told = "equations published were used, as none were stated";
+  EXPECT_NE(rotor(start + "--mass 6").output.find(told), std::string::npos);
+  for (const char* option :
+       {"--equations published", "--velocity-jump once", "--gravity-moment whole"})
+    EXPECT_EQ(rotor(start + "--mass 6 " + option).output.find(told), std::string::npos) << option;
+  EXPECT_EQ(rotor("run --until 0.001").output.find(told), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotor
