@@ -131,6 +131,13 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_flag_callback(
       "--no-separation", [&options] { options.numbers.loses_mass = false; }, "no mass is lost");
   add_options(command, static_cast<CommonOptions&>(options));
+  command
+      .add_option_function<std::string>(
+          "--stop-on",
+          [&options](const std::string& text) { options.stop_on = parse_stop_on(text); },
+          "end at the outcome, once an event decides it, at rolling (and the force's first maximum "
+          "then), or at rest (a second below 0.1 Hz), if that comes before --until")
+      ->check(parsed_by(parse_stop_on));
   auto* trace = command
                     .add_option("--trace", options.trace,
                                 "write the motion inside the window to this CSV file; - is "

@@ -26,6 +26,7 @@ struct RunOptions : CommonOptions {
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
+  std::optional<StopOn> stop_on;
   bool json = false;
   bool keep_partial = false;  ///< what was computed when the run is interrupted
 };

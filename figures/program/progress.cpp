@@ -20,7 +20,9 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-bool Interruptible::goes_on(const double& /*time_s*/) { return !is_interrupted(); }
+bool Interruptible::goes_on(const double& /*time_s*/, const double& /*speed*/) {
+  return !is_interrupted();
+}
 
 RunProgress::RunProgress(double until_s)
     : until_s_(until_s), next_s_(first_report_s), on_terminal_(::isatty(STDERR_FILENO) != 0) {}
@@ -29,13 +31,13 @@ RunProgress::~RunProgress() {
   if (has_reported_ && on_terminal_) fmt::print(stderr, "\n");
 }
 
-bool RunProgress::goes_on(const double& time_s) {
+bool RunProgress::goes_on(const double& time_s, const double& speed) {
   constexpr long seldom = 256;  // a clock takes as long as a small part of a step
   if (++steps_ % seldom == 0) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     if (elapsed.count() > next_s_) report(time_s, elapsed.count());
   }
-  return Interruptible::goes_on(time_s);
+  return Interruptible::goes_on(time_s, speed);
 }
 
 void RunProgress::report(double time_s, double elapsed_s) {

@@ -10,7 +10,7 @@ namespace rotor {
 /// Lets runs go on until there is an interruption.
 class Interruptible : public Observer {
  public:
-  bool goes_on(const double& time_s) override;
+  bool goes_on(const double& time_s, const double& speed) override;
 };
 
 /// The same for one run. After a few seconds it says on standard error how far the run is and how
@@ -23,7 +23,7 @@ class RunProgress : public Interruptible {
   RunProgress(const RunProgress&) = delete;
   RunProgress& operator=(const RunProgress&) = delete;
 
-  bool goes_on(const double& time_s) override;
+  bool goes_on(const double& time_s, const double& speed) override;
 
  private:
   void report(double time_s, double elapsed_s);

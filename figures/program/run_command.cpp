@@ -14,6 +14,7 @@
 #include "figures/scenes/recorder.hpp"
 #include "figures/scenes/scene.hpp"
 #include "model/simulation/simulation.hpp"
+#include "model/simulation/stop_on.hpp"
 
 namespace rotor {
 namespace {
@@ -68,7 +69,9 @@ void print_summary(const nlohmann::ordered_json& summary, bool as_json, std::FIL
 
 /// Of a rotor that is not the paper's nobody can know which equations are meant.
 void say_which_equations(const SceneRun& run) {
-  if (run.states_equations || run.scenario.parameters == Parameters{}) return;
+  Parameters parameters = run.scenario.parameters;
+  parameters.separates = true;
+  if (run.states_equations || parameters == Parameters{}) return;
   fmt::print(stderr,
              "rotor: equations published were used, as none were stated: as printed, the velocity "
              "jump of the mass loss counts twice and the moment of gravity in full; --equations "
@@ -93,6 +96,8 @@ void run_rotor(const RunOptions& options) {
   Audience audience;
   audience.add(progress);
   audience.add(summary);
+  std::optional<StopObserver> stop;
+  if (options.stop_on) audience.add(stop.emplace(*options.stop_on, scenario));
   std::optional<Recorder> trace;
   if (!options.trace.empty()) {
     OutputFile& file = files.open(options.trace);
@@ -113,7 +118,9 @@ void run_rotor(const RunOptions& options) {
   }
 
   const RunEnd end = run(scenario, audience);
-  if (end.stopped) {
+  const bool stop_reached = stop && stop->is_reached();
+  const EarlyEnd early{options.stop_on, stop_reached, end.stopped && !stop_reached};
+  if (early.interrupted) {
     if (!options.keep_partial) throw Interrupted();
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
                                    end.last.time_s, scenario.until));
@@ -124,8 +131,10 @@ void run_rotor(const RunOptions& options) {
   files.commit();
   say_which_equations(scene.runs.front());
   const bool standard_output_is_taken = options.trace == "-" || options.events == "-";
-  print_summary(to_json(summary.summary(), end, scenario), options.json,
+  print_summary(to_json(summary.summary(), end, scenario, early), options.json,
                 standard_output_is_taken ? stderr : stdout);
+  for (const Remark& remark : remarks(summary.summary(), end, scenario, early))
+    if (remark.missed) fmt::print(stderr, "rotor: {}\n", remark.sentence);
 }
 
 }  // namespace rotor

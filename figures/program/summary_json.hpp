@@ -1,14 +1,34 @@
-/// The summary of a run as JSON.
+/// The summary of a run as JSON. What its keys mean is in summary.schema.json.
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "model/simulation/simulation.hpp"
+#include "model/simulation/stop_on.hpp"
 #include "model/simulation/summary.hpp"
 
 namespace rotor {
 
+/// Why a run has ended before its time, if it has.
+struct EarlyEnd {
+  std::optional<StopOn> stop_on;  ///< as asked for
+  bool stop_reached = false;
+  bool interrupted = false;
+};
+
 /// What has not happened is null.
-nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const Scenario& scenario);
+nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const Scenario& scenario,
+                               const EarlyEnd& early = {});
+
+/// What a reader has to know of a run beside its numbers.
+struct Remark {
+  std::string sentence;
+  bool missed = false;  ///< something that was stated was not reached
+};
+std::vector<Remark> remarks(const Summary& summary, const RunEnd& end, const Scenario& scenario,
+                            const EarlyEnd& early = {});
 
 }  // namespace rotor

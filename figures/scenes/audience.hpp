@@ -20,9 +20,9 @@ class Audience : public Observer {
     for (Observer* observer : all_) observer->on_instant(at);
   }
 
-  bool goes_on(const double& time_s) override {
+  bool goes_on(const double& time_s, const double& speed) override {
     bool all = true;
-    for (Observer* observer : all_) all = observer->goes_on(time_s) && all;
+    for (Observer* observer : all_) all = observer->goes_on(time_s, speed) && all;
     return all;
   }
 

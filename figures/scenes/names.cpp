@@ -41,6 +41,15 @@ constexpr std::array event_names = {Named{"none", Event::none},
                                     Named{"motor_off", Event::motor_off},
                                     Named{"mass_loss", Event::mass_loss}};
 
+constexpr std::array outcome_names = {
+    Named{"rolling", Outcome::rolling},       Named{"sliding", Outcome::sliding},
+    Named{"stalled", Outcome::stalled},       Named{"freed", Outcome::freed},
+    Named{"no_contact", Outcome::no_contact}, Named{"bouncing", Outcome::bouncing},
+    Named{"undecided", Outcome::undecided}};
+
+constexpr std::array stop_names = {Named{"outcome", StopOn::outcome},
+                                   Named{"rolling", StopOn::rolling}, Named{"rest", StopOn::rest}};
+
 template <class Names>
 auto parse_name(const Names& names, std::string_view text) {
   std::vector<std::string> allowed;
@@ -74,5 +83,8 @@ std::string_view name_of(VelocityJump jump) { return find_name(velocity_jump_nam
 std::string_view name_of(GravityMoment moment) { return find_name(gravity_moment_names, moment); }
 std::string_view name_of(Method method) { return find_name(method_names, method); }
 std::string_view name_of(Event event) { return find_name(event_names, event); }
+StopOn parse_stop_on(std::string_view name) { return parse_name(stop_names, name); }
+std::string_view name_of(StopOn stop_on) { return find_name(stop_names, stop_on); }
+std::string_view name_of(Outcome outcome) { return find_name(outcome_names, outcome); }
 
 }  // namespace rotor

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "model/phases/transition.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/simulation/stop_on.hpp"
 
 namespace rotor {
 
@@ -23,5 +23,8 @@ std::string_view name_of(VelocityJump velocity_jump);
 std::string_view name_of(GravityMoment gravity_moment);
 std::string_view name_of(Method method);
 std::string_view name_of(Event event);
+std::string_view name_of(Outcome outcome);
+StopOn parse_stop_on(std::string_view name);  ///< throws InputError
+std::string_view name_of(StopOn stop_on);
 
 }  // namespace rotor

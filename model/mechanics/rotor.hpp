@@ -102,6 +102,16 @@ struct Supports {
     const Vector<S> arm = balanced_by_springs ? motion.eccentricity : motion.mass_centre();
     return body.mass * gravity * cross(arm, motion.down);  // Eq. (4)
   }
+
+  /// The steady response to the unbalance at a constant speed in rad/s, gravity's moment left out:
+  /// O_a C = e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes, as complex numbers, m.
+  Vector<S> unbalance_response(const Body<S>& body, const S& speed) const {
+    const Vector<S> force(stiffness, damping * speed);
+    const Vector<S> impedance = force - Vector<S>(body.mass * speed * speed, S(0));
+    const Vector<S> inverse =
+        Vector<S>(impedance.x(), -impedance.y()) * (body.eccentricity / impedance.squaredNorm());
+    return complex_product(force, inverse);
+  }
 };
 
 /// Solves the equations of motion for the accelerations. The mass matrix of Eq. (3) needs no

@@ -40,8 +40,8 @@ class BasicObserver {
 
   virtual void on_instant(const BasicInstant<S>& /*at*/) {}
 
-  /// Asked after every step. A run that is not to go on ends there.
-  virtual bool goes_on(const S& /*time_s*/) { return true; }
+  /// Asked after every step, with the speed there in rad/s. A run that is not to go on ends there.
+  virtual bool goes_on(const S& /*time_s*/, const S& /*speed*/) { return true; }
 
   /// Whether to be shown the motion between those times.
   virtual bool wants_dense_output(const S& /*from_s*/, const S& /*until_s*/) const { return false; }

@@ -127,7 +127,7 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   at_.contact = contact;
   if (state[5] >= 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
   observer.on_instant(at_);
-  stopped_ = !observer.goes_on(at_.time_s);
+  stopped_ = !observer.goes_on(at_.time_s, at_.state[5]);
   return true;
 }
 

@@ -15,8 +15,8 @@ void pass_mass_loss(Method& method, const Scenario& scenario, BasicObserver<S>& 
   const S separation_s(scenario.parameters.separation_time);
   method.run_up(separation_s, observer);
   method.advance(separation_s, observer);
-  observer.on_instant(method.instant());
   if (method.stopped()) return;
+  observer.on_instant(method.instant());
   const MassLoss<S> loss(scenario.parameters);
   BasicInstant<S> at = method.instant();
   at.state = loss.separate(at.state, scenario.equations);
@@ -33,9 +33,10 @@ template <class Method, class S>
 void finish(Method& method, const Scenario& scenario, BasicObserver<S>& observer) {
   const S end(scenario.until);
   pass_mass_loss(method, scenario, observer);
-  if (method.stopped()) return;
-  if (!method.instant().separated) method.run_up(end, observer);
-  method.advance(end, observer);
+  if (!method.stopped()) {
+    if (!method.instant().separated) method.run_up(end, observer);
+    method.advance(end, observer);
+  }
   observer.on_instant(method.instant());
 }
 

@@ -9,8 +9,7 @@
 
 namespace rotor {
 
-/// At rest, or in steady response to the unbalance at the speed that the scenario states:
-/// O_a C = e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes, as complex numbers. Throws
+/// At rest, or in steady response to the unbalance at the speed that the scenario states. Throws
 /// std::invalid_argument if the rotor would touch the ring in it.
 template <class S = double>
 BasicInstant<S> start_of(const Scenario& scenario) {
@@ -18,11 +17,8 @@ BasicInstant<S> start_of(const Scenario& scenario) {
   if (scenario.start_speed_Hz == 0) return start;
   const S speed = RotorSystem<S>::radians_per_turn() * S(scenario.start_speed_Hz);
   const Supports<S> supports(scenario.parameters, scenario.equations);
-  const Vector<S> force(supports.stiffness, supports.damping * speed);
-  const Vector<S> impedance = force - Vector<S>(start.body.mass * speed * speed, S(0));
-  const Vector<S> response =
-      complex_product(force, Vector<S>(impedance.x(), -impedance.y())) / impedance.squaredNorm();
-  const Vector<S> centre = start.body.eccentricity * (response - Vector<S>(S(1), S(0)));
+  const Vector<S> centre =
+      supports.unbalance_response(start.body, speed) - Vector<S>(start.body.eccentricity, S(0));
   if (!(centre.norm() < Ring<S>(scenario.parameters).clearance))
     throw std::invalid_argument(
         "start_speed_hz: in the steady response at that speed the rotor would touch the ring");

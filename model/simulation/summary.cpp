@@ -8,6 +8,14 @@ namespace {
 
 double in_Hz(double speed) { return speed / (2 * std::numbers::pi); }
 
+bool touches(const Instant& at) {
+  return at.contact == ContactState::sliding || at.contact == ContactState::rolling;
+}
+
+void raise(std::optional<double>& greatest, double value) {
+  if (!greatest || value > *greatest) greatest = value;
+}
+
 }  // namespace
 
 void SummaryObserver::on_instant(const Instant& at) {
@@ -16,37 +24,55 @@ void SummaryObserver::on_instant(const Instant& at) {
   if (at.separated && !summary_.speed_at_separation_Hz)
     summary_.speed_at_separation_Hz = in_Hz(motion.speed);
   note_extremes(at, motion);
-  if (at.contact != ContactState::free) note_contact(at, motion);
-  touching_ = at.contact != ContactState::free;
-  separated_ = at.separated;
+  note_contact(at, motion);
+  watch_.note(at);
+  last_ = at;
+  begun_ = true;
 
+  summary_.outcome = watch_.outcome();
+  summary_.whirl_frequency_Hz = std::nullopt;
+  if (touches(at))
+    summary_.whirl_frequency_Hz =
+        in_Hz(cross(motion.displacement, motion.velocity) / motion.displacement.squaredNorm());
   summary_.final_speed_Hz = in_Hz(motion.speed);
   summary_.final_kinetic_energy_J = kinetic_energy(at.body, motion);
   summary_.final_q1_m = at.state[0];
   summary_.final_q2_m = at.state[1];
 }
 
+bool SummaryObserver::wants_dense_output(const double& from_s, const double& until_s) const {
+  const double time_s = watch_.time_of_speed_s();
+  return last_.motor_on && from_s <= time_s && time_s < until_s;
+}
+
+void SummaryObserver::on_step(const DenseOutput& step) {
+  watch_.note_speed(step.at(watch_.time_of_speed_s()).state[5]);
+}
+
 void SummaryObserver::on_maximum(const Maximum& maximum) {
   note_extremes(maximum.at, maximum.at.motion());
 }
 
-double SummaryObserver::threshold(Extreme of, const double& from_s, const double& until_s) const {
-  switch (of) {
-    case Extreme::displacement:
-      if (separated_) return summary_.max_displacement_m.value_or(0);
-      break;
-    case Extreme::normal_force:
-      return summary_.peak_normal_force_N.value_or(0);
-  }
-  return Observer::threshold(of, from_s, until_s);
+double SummaryObserver::threshold(Extreme of, const double& /*from_s*/,
+                                  const double& /*until_s*/) const {
+  if (of == Extreme::normal_force) return summary_.peak_normal_force_N.value_or(0);
+  return last_.separated ? summary_.max_displacement_m.value_or(0)
+                         : summary_.max_displacement_before_loss_m;
 }
 
 void SummaryObserver::note_extremes(const Instant& at, const Motion<double>& motion) {
+  const double displacement = motion.displacement.norm();
   if (at.separated)
-    summary_.max_displacement_m =
-        std::max(summary_.max_displacement_m.value_or(0), motion.displacement.norm());
-  if (at.contact == ContactState::free) return;
+    raise(summary_.max_displacement_m, displacement);
+  else
+    summary_.max_displacement_before_loss_m =
+        std::max(summary_.max_displacement_before_loss_m, displacement);
+  const Vector<double> bearings =
+      supports_.stiffness * motion.displacement + supports_.damping * motion.velocity;
+  summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, bearings.norm());
+  if (!touches(at)) return;
   const double force = -ring_.normal_force(ring_.rim_point(motion));
+  if (!at.separated) raise(summary_.peak_normal_force_before_loss_N, force);
   if (force > summary_.peak_normal_force_N.value_or(0)) {
     summary_.peak_normal_force_N = force;
     summary_.peak_time_s = at.time_s;
@@ -54,13 +80,23 @@ void SummaryObserver::note_extremes(const Instant& at, const Motion<double>& mot
 }
 
 void SummaryObserver::note_contact(const Instant& at, const Motion<double>& motion) {
-  if (!touching_) ++summary_.collisions;
-  if (!summary_.first_contact_s) summary_.first_contact_s = at.time_s;
-  if (at.contact == ContactState::rolling && !summary_.rolling_onset_s) {
+  if (begun_ && touches(last_)) summary_.contact_time_s += at.time_s - last_.time_s;
+  if (at.contact != ContactState::free) {
+    if (!begun_ || last_.contact == ContactState::free) {
+      ++summary_.collisions;
+      if (!at.separated) ++summary_.collisions_before_loss;
+    }
+    if (!summary_.first_contact_s) summary_.first_contact_s = at.time_s;
+  }
+  const bool rolls = at.contact == ContactState::rolling;
+  if (rolls && !summary_.rolling_onset_s) {
     summary_.rolling_onset_s = at.time_s;
     summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
     summary_.rolling_onset_force_N = -ring_.normal_force(ring_.rim_point(motion));
   }
+  if (rolls) summary_.rolling_until_s = std::nullopt;
+  if (rolls_ && !rolls) summary_.rolling_until_s = at.time_s;
+  rolls_ = rolls;
 }
 
 }  // namespace rotor

@@ -5,20 +5,29 @@
 
 #include "model/mechanics/contact.hpp"
 #include "model/simulation/observer.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/simulation/outcome.hpp"
 
 namespace rotor {
 
 /// What has not happened is empty. Forces are magnitudes.
 struct Summary {
+  Outcome outcome = Outcome::undecided;
   std::optional<double> first_contact_s;
   long collisions = 0;  ///< touch-downs
   std::optional<double> rolling_onset_s;
   std::optional<double> rolling_onset_speed_Hz;
   std::optional<double> rolling_onset_force_N;
+  std::optional<double> rolling_until_s;  ///< end of the last time that it rolled, if it ended
   std::optional<double> peak_normal_force_N;
   std::optional<double> peak_time_s;
   std::optional<double> max_displacement_m;  ///< of O from O_a, after the mass loss
+  long collisions_before_loss = 0;           ///< of the touch-downs; all, without mass loss
+  std::optional<double> peak_normal_force_before_loss_N;
+  double max_displacement_before_loss_m = 0;
+  double contact_time_s = 0;  ///< sliding or rolling
+  /// |k r_O + d v_O| of the supports, where the displacement has a maximum or an event occurs.
+  double peak_bearing_force_N = 0;
+  std::optional<double> whirl_frequency_Hz;  ///< of O about O_a at the end, if it touches then
   std::optional<double> motor_off_s;
   std::optional<double> speed_at_separation_Hz;
   double final_speed_Hz = 0;
@@ -29,10 +38,15 @@ struct Summary {
 
 class SummaryObserver : public Observer {
  public:
-  explicit SummaryObserver(const Scenario& scenario) : ring_(scenario.parameters) {}
+  explicit SummaryObserver(const Scenario& scenario)
+      : ring_(scenario.parameters),
+        supports_(scenario.parameters, scenario.equations),
+        watch_(scenario) {}
 
   /// Takes the instants of a run in order, the first one at its start.
   void on_instant(const Instant& at) override;
+  bool wants_dense_output(const double& from_s, const double& until_s) const override;
+  void on_step(const DenseOutput& step) override;
   double threshold(Extreme of, const double& from_s, const double& until_s) const override;
   void on_maximum(const Maximum& maximum) override;
   const Summary& summary() const { return summary_; }
@@ -42,7 +56,10 @@ class SummaryObserver : public Observer {
   void note_contact(const Instant& at, const Motion<double>& motion);
 
   Ring<double> ring_;
-  bool touching_ = false, separated_ = false;
+  Supports<double> supports_;
+  OutcomeWatch watch_;
+  Instant last_;
+  bool begun_ = false, rolls_ = false;
   Summary summary_;
 };
 

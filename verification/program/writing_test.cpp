@@ -87,11 +87,12 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
 TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
   expect_refusal(short_run + " --trace /dev/full", "/dev/full: cannot be written: No space left");
   expect_refusal(short_run + " --trace - > /dev/full", "standard output: cannot be written: No");
-  expect_refusal("run --until 0.1 --json > /dev/full",
+  expect_refusal("run --no-separation --until 0.1 --json > /dev/full",
                  "standard output cannot be written: No space");
-  expect_refusal("run --until 0.1 --json >&-", "standard output cannot be written: Bad file");
-  const auto [status, output] =
-      shell("{ sleep 0.2; $rotor run --until 0.1 --json; echo status $? >&2; } | true");
+  expect_refusal("run --no-separation --until 0.1 --json >&-",
+                 "standard output cannot be written: Bad file");
+  const auto [status, output] = shell(
+      "{ sleep 0.2; $rotor run --no-separation --until 0.1 --json; echo status $? >&2; } | true");
   EXPECT_NE(output.find("status 1"), std::string::npos) << output;
 }
 

@@ -1,0 +1,54 @@
+/// How a run has ended, in one word.
+#pragma once
+
+#include <optional>
+
+#include "model/simulation/instant.hpp"
+#include "model/simulation/scenario.hpp"
+
+namespace rotor {
+
+/// Decided at the end of a run by the first of these that holds:
+enum class Outcome {
+  rolling,     ///< the onset of rolling has occurred, whatever followed
+  stalled,     ///< the motor drives and cannot raise the speed, which is near the critical one
+  sliding,     ///< the contact lasts: longer by now than a natural period of the contact
+  freed,       ///< there were contacts, and the free rotor reaches the ring no more at this speed
+  no_contact,  ///< there were none, and the free rotor does not reach the ring at this speed
+  bouncing,    ///< there were contacts, and there can be more
+  undecided,   ///< there were none, and there can be some
+};
+
+/// How far O can get from O_a while the rotor stays clear of the ring and its speed what it is, m:
+/// the steady response to the unbalance, and a vibration about it that can but die out.
+double reach(const Body<double>& body, const Supports<double>& supports,
+             const Motion<double>& motion);
+
+/// Gathers what tells the outcome.
+class OutcomeWatch {
+ public:
+  explicit OutcomeWatch(const Scenario& scenario);
+
+  /// When the speed is to be shown by note_speed, if the motor drives then, s.
+  double time_of_speed_s() const { return time_of_speed_s_; }
+  void note_speed(double speed) { early_speed_ = speed; }
+
+  /// Takes all events, and the end.
+  void note(const Instant& at);
+
+  /// As the run stands.
+  Outcome outcome() const;
+
+ private:
+  bool is_stalled() const;
+
+  Parameters parameters_;
+  Supports<double> supports_;
+  double time_of_speed_s_;
+  std::optional<double> early_speed_;  ///< rad/s
+  std::optional<double> contact_since_s_;
+  bool touched_ = false, rolled_ = false;
+  Instant last_;
+};
+
+}  // namespace rotor

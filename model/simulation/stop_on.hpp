@@ -1,0 +1,61 @@
+/// Ends a run early.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "model/simulation/observer.hpp"
+#include "model/simulation/outcome.hpp"
+
+namespace rotor {
+
+/// What a run may end at: its outcome, as soon as an event after the mass loss decides it; the
+/// onset of rolling; rest, which is a second without more than a tenth of a turn per second. After
+/// the onset of rolling it goes on to the first maximum of the force.
+enum class StopOn { outcome, rolling, rest };
+
+class StopObserver : public Observer {
+ public:
+  StopObserver(StopOn stop_on, const Scenario& scenario)
+      : stop_on_(stop_on), loses_mass_(scenario.loses_mass()), watch_(scenario) {}
+
+  bool is_reached() const { return reached_; }
+
+  void on_instant(const Instant& at) override {
+    watch_.note(at);
+    separated_ = at.separated;
+    if (at.contact == ContactState::rolling) rolled_ = true;
+    if (stop_on_ != StopOn::outcome || !(separated_ || !loses_mass_)) return;
+    const Outcome outcome = watch_.outcome();
+    reached_ = reached_ || (at.event != Event::none &&
+                            (outcome == Outcome::freed || outcome == Outcome::no_contact));
+  }
+
+  double threshold(Extreme of, const double& from_s, const double& until_s) const override {
+    return of == Extreme::normal_force && awaits_maximum()
+               ? 0
+               : Observer::threshold(of, from_s, until_s);
+  }
+  void on_maximum(const Maximum& maximum) override {
+    if (maximum.of == Extreme::normal_force && awaits_maximum()) reached_ = true;
+  }
+
+  bool goes_on(const double& time_s, const double& speed) override {
+    constexpr double slow = 0.1 * 2 * std::numbers::pi, for_s = 1;
+    const bool is_over = separated_ || !loses_mass_;
+    if (!is_over || std::abs(speed) >= slow) slow_since_s_ = time_s;
+    if (stop_on_ == StopOn::rest && time_s - slow_since_s_ >= for_s) reached_ = true;
+    return !reached_;
+  }
+
+ private:
+  bool awaits_maximum() const { return stop_on_ != StopOn::rest && rolled_ && !reached_; }
+
+  StopOn stop_on_;
+  bool loses_mass_;
+  OutcomeWatch watch_;
+  double slow_since_s_ = 0;
+  bool separated_ = false, rolled_ = false, reached_ = false;
+};
+
+}  // namespace rotor

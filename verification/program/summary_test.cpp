@@ -1,0 +1,234 @@
+/// What `rotor run` says of a run: its outcome, where it stops, and every key of its summary.
+#include "model/simulation/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "figures/scenes/names.hpp"
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/start.hpp"
+#include "verification/support/command_line.hpp"
+#include "verification/support/observers.hpp"
+
+namespace rotor {
+namespace {
+
+using Json = nlohmann::json;
+
+Summary summary_until(double until_s, Scenario scenario) {
+  scenario.until = until_s;
+  SummaryObserver summary(scenario);
+  run(scenario, summary);
+  return summary.summary();
+}
+
+TEST(Outcome, IsOneOfSeven) {
+  const auto outcome = [](double until_s, const auto& change) {
+    Scenario scenario;
+    change(scenario.parameters);
+    return name_of(summary_until(until_s, scenario).outcome);
+  };
+  EXPECT_EQ(outcome(29.35, [](Parameters&) {}), "rolling");
+  EXPECT_EQ(outcome(29.1005, [](Parameters&) {}), "undecided");  // on its way to the ring
+  EXPECT_EQ(outcome(29.11, [](Parameters&) {}), "bouncing");
+  EXPECT_EQ(outcome(9.65, [](Parameters& p) { p.separation_time = 9.4; }), "no_contact");
+  EXPECT_EQ(outcome(30, [](Parameters& p) { p.separation_time = 1; }), "stalled");  // at 11 Hz
+  EXPECT_EQ(outcome(6, [](Parameters& p) { p.separation_time = 2; }), "stalled");   // bouncing
+  EXPECT_EQ(outcome(29.35, [](Parameters& p) { p.friction = 0.08; }), "sliding");
+  EXPECT_EQ(outcome(29.35,
+                    [](Parameters& p) {
+                      p.friction = 0.08;
+                      p.contact_damping = 1.2e4;
+                    }),
+            "freed");
+}
+
+// Still at the critical speed, but on its way through it.
+TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
+  Scenario scenario;
+  scenario.parameters.separates = false;
+  EXPECT_NE(summary_until(1.9, scenario).outcome, Outcome::stalled);
+}
+
+// Exactly as far as it says: a free rotor that is let go with a vibration reaches it, and not more.
+TEST(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
+  Scenario scenario{.until = 3};
+  Parameters& p = scenario.parameters;
+  p.support_damping = p.gravity = p.torque = 0;
+  p.separates = false;
+  p.motor_off_Hz = 0;
+  p.stator_radius = 0.08;
+  scenario.start_speed_Hz = 60;
+  Instant start = start_of(scenario);
+  start.state[1] += 0.8e-3;
+  start.state[4] += 0.05;
+  const Supports<double> supports(p, scenario.equations);
+  const double bound = reach(start.body, supports, start.motion());
+  SummaryObserver summary(scenario);
+  run(scenario, start, summary);
+  const double greatest = summary.summary().max_displacement_before_loss_m;
+  EXPECT_LE(greatest, bound);
+  EXPECT_GT(greatest, 0.97 * bound);  // of amplitudes that only add up when they happen to meet
+}
+
+TEST(Summary, CountsContactsBeforeAndAfterTheMassLossApart) {
+  Scenario scenario;
+  scenario.parameters.support_stiffness = 1.2e5;  // hits the ring on its way to the resonance
+  scenario.parameters.separation_time = 10;
+  scenario.until = 10.25;
+  EventRecorder recorder;
+  run(scenario, recorder);
+  const Summary summary = summary_until(10.25, scenario);
+  long before = 0, after = 0;
+  for (const Instant& at : recorder.events())
+    if (at.event == Event::touch_down) ++(at.separated ? after : before);
+  ASSERT_GT(before, 0);
+  EXPECT_EQ(summary.collisions_before_loss, before);
+  EXPECT_EQ(summary.collisions, before + after);
+  EXPECT_GT(summary.max_displacement_before_loss_m, 3e-3);
+  EXPECT_GT(summary.peak_normal_force_before_loss_N.value_or(0), 0);
+}
+
+TEST(Summary, AddsUpTheTimeInContact) {
+  const Scenario scenario;
+  EventRecorder recorder;
+  const RunEnd end = run(scenario, recorder);
+  double time_s = 0, since_s = -1;
+  const auto touches = [](const Instant& at) {
+    return at.contact == ContactState::sliding || at.contact == ContactState::rolling;
+  };
+  for (const Instant& at : recorder.events()) {
+    if (since_s >= 0) time_s += at.time_s - since_s;
+    since_s = touches(at) ? at.time_s : -1;
+  }
+  if (since_s >= 0) time_s += end.last.time_s - since_s;
+  EXPECT_NEAR(summary_until(29.35, scenario).contact_time_s, time_s, 1e-12);
+}
+
+TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
+  const Summary rolling = summary_until(29.35, {});
+  EXPECT_FALSE(rolling.rolling_until_s);
+  const double clearance = 3e-3, radius = 0.06;  // rolling backwards on the ring: -f r / rho
+  EXPECT_NEAR(
+      rolling.whirl_frequency_Hz.value_or(0) / (-rolling.final_speed_Hz * radius / clearance), 1,
+      0.2);
+  const Summary later = summary_until(60, {});
+  EXPECT_NEAR(later.rolling_until_s.value_or(0), 30.49, 0.005);
+  EXPECT_EQ(later.outcome, Outcome::rolling);
+}
+
+class RunCommand : public CommandLine {
+ protected:
+  Json summary(const std::string& arguments) const {
+    const Outcome outcome = rotor("run --json " + arguments + " 2>messages");
+    EXPECT_EQ(outcome.status, 0) << content("messages");
+    return Json::parse(outcome.output);
+  }
+};
+
+TEST_F(RunCommand, StopsAtTheFirstMaximumOfTheForceOnceItRolls) {
+  const Json whole = summary(""), stopped = summary("--stop-on rolling");
+  EXPECT_EQ(stopped["stop_reached"], true);
+  EXPECT_LT(stopped["final_time_s"], 29.13);
+  for (const char* key : {"outcome", "rolling_onset_s", "peak_normal_force_N", "collisions"})
+    EXPECT_EQ(stopped[key], whole[key]) << key;
+  EXPECT_LT(stopped["right_hand_sides"], whole["right_hand_sides"]);
+  EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
+}
+
+TEST_F(RunCommand, StopsAsSoonAsItIsClearThatThereIsNoContact) {
+  const Json stopped = summary("--separation-time 12 --stop-on outcome --equations consistent");
+  EXPECT_EQ(stopped["outcome"], "no_contact");
+  EXPECT_EQ(stopped["stop_reached"], true);
+  EXPECT_LT(stopped["final_time_s"], 12.1);
+}
+
+TEST_F(RunCommand, StopsAtRest) {
+  // The support's damping drags on a large eccentricity.
+  const Json stopped = summary(
+      "--stop-on rest --until 60 --start-speed-hz 50 --torque 0 --gravity 0 --no-separation "
+      "--eccentricity 0.005 --clearance 0.05 --support-damping 1000");
+  EXPECT_LT(stopped["final_time_s"], 60);
+  EXPECT_EQ(stopped["stop_reached"], true);
+  EXPECT_LT(std::abs(stopped["final_speed_Hz"].get<double>()), 0.1);
+}
+
+TEST_F(RunCommand, SaysWhatItHasNotReached) {
+  const Json missed = summary("--until 3 --stop-on rolling");
+  EXPECT_EQ(missed["mass_loss_reached"], false);
+  EXPECT_EQ(missed["motor_off_reached"], false);
+  EXPECT_EQ(missed["stop_reached"], false);
+  const std::string messages = content("messages");
+  EXPECT_NE(messages.find("the mass loss at 29.1 s was not reached; the run ends at 3 s"),
+            std::string::npos);
+  EXPECT_NE(messages.find("rolling, at which the run was to stop, was not reached until 3 s"),
+            std::string::npos);
+}
+
+TEST_F(RunCommand, RemarksOnContactBeforeTheLossAndOnDeepIndentation) {
+  const auto remarks = [&](const std::string& arguments) {
+    return summary(arguments)["remarks"].dump();
+  };
+  EXPECT_NE(remarks("").find("indented by 0.19 of the clearance"), std::string::npos);
+  EXPECT_EQ(remarks("--separation-time 9.4"), "[]");
+  EXPECT_NE(remarks("--support-stiffness 1.2e5 --separation-time 10").find("before the mass loss"),
+            std::string::npos);
+}
+
+// Every key that is printed stands in the schema, with its type, and the other way round.
+TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
+  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
+  const Json schema = Json::parse(file);
+  const std::set<std::string> required(schema["required"].begin(), schema["required"].end());
+  const auto type_of = [](const Json& value) -> std::string {
+    if (value.is_number_integer()) return "integer";
+    return value.is_number() ? "number" : value.type_name();
+  };
+  std::set<std::string> seen_null, seen_value;
+  for (const char* arguments :
+       {"", "--until 0.5 --no-separation", "--method rk4 --until 0.01", "--stop-on rolling",
+        "--until 31 --tolerance 1e-8", "--support-stiffness 1.2e5 --separation-time 10"}) {
+    const Json printed = summary(arguments);
+    std::set<std::string> keys;
+    for (const auto& [key, value] : printed.items()) {
+      keys.insert(key);
+      ASSERT_TRUE(schema["properties"].contains(key)) << key;
+      const Json& property = schema["properties"][key];
+      const Json types = property["type"].is_array() ? property["type"] : Json{property["type"]};
+      const std::string type = type_of(value);
+      const bool integral =
+          type == "integer" && std::find(types.begin(), types.end(), "number") != types.end();
+      EXPECT_TRUE(integral || std::find(types.begin(), types.end(), type) != types.end())
+          << key << " is " << type;
+      if (property.contains("enum")) {
+        EXPECT_NE(std::find(property["enum"].begin(), property["enum"].end(), value),
+                  property["enum"].end())
+            << key << " = " << value;
+      }
+      (value.is_null() ? seen_null : seen_value).insert(key);
+    }
+    EXPECT_EQ(keys, required) << arguments;
+    EXPECT_EQ(printed["inputs"].size(), quantities().size() + 1);
+  }
+  for (const auto& [key, property] : schema["properties"].items()) {
+    if (key == "cut_short_at_s") continue;
+    const bool nullable = property["type"].is_array();
+    EXPECT_TRUE(seen_value.contains(key)) << key;
+    EXPECT_EQ(seen_null.contains(key), nullable) << key;
+  }
+}
+
+TEST_F(RunCommand, NamesItsInputs) {
+  const Json printed = summary("--separation-speed-hz 75 --clearance 2e-3");
+  EXPECT_NEAR(printed["speed_at_separation_Hz"].get<double>(), 75, 1e-9);
+  EXPECT_DOUBLE_EQ(printed["inputs"]["stator_radius"].get<double>(), 0.062);
+  EXPECT_NEAR(printed["speed_ratio_at_separation"].get<double>(), 75 / 10.065842420897408, 1e-9);
+  EXPECT_NEAR(printed["critical_speed_Hz"].get<double>(), 10.065842420897408, 1e-12);
+  EXPECT_NEAR(printed["lost_mass_kg"].get<double>(), 0.0248138957816, 1e-12);
+}
+
+}  // namespace
+}  // namespace rotor
