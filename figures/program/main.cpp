@@ -159,6 +159,10 @@ void add_options(CLI::App& command, RunOptions& options) {
                   "CSV file")
       ->check(not_empty());
   command.add_flag("--json", options.json, "print the summary as JSON");
+  command.add_flag(
+      "--energy", options.energy,
+      "say in the summary where the energy goes from the mass loss on, until rolling and "
+      "until the end");
   command.add_flag("--keep-partial", options.keep_partial,
                    "when interrupted, write what was computed until then, marked as cut short");
 }

@@ -28,6 +28,7 @@ struct RunOptions : CommonOptions {
   std::optional<double> from_s;
   std::optional<StopOn> stop_on;
   bool json = false;
+  bool energy = false;        ///< by cause, in the summary
   bool keep_partial = false;  ///< what was computed when the run is interrupted
 };
 

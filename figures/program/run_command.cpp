@@ -98,6 +98,8 @@ void run_rotor(const RunOptions& options) {
   audience.add(summary);
   std::optional<StopObserver> stop;
   if (options.stop_on) audience.add(stop.emplace(*options.stop_on, scenario));
+  std::optional<EnergyObserver> energy;
+  if (options.energy) audience.add(energy.emplace(scenario));
   std::optional<Recorder> trace;
   if (!options.trace.empty()) {
     OutputFile& file = files.open(options.trace);
@@ -131,8 +133,9 @@ void run_rotor(const RunOptions& options) {
   files.commit();
   say_which_equations(scene.runs.front());
   const bool standard_output_is_taken = options.trace == "-" || options.events == "-";
-  print_summary(to_json(summary.summary(), end, scenario, early), options.json,
-                standard_output_is_taken ? stderr : stdout);
+  nlohmann::ordered_json json = to_json(summary.summary(), end, scenario, early);
+  if (energy) json["energy_J"] = to_json(*energy);
+  print_summary(json, options.json, standard_output_is_taken ? stderr : stdout);
   for (const Remark& remark : remarks(summary.summary(), end, scenario, early))
     if (remark.missed) fmt::print(stderr, "rotor: {}\n", remark.sentence);
 }

@@ -91,6 +91,27 @@ nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const 
   return json;
 }
 
+nlohmann::ordered_json to_json(const EnergyObserver& energy) {
+  const auto of = [](const EnergyBalance& b) -> nlohmann::ordered_json {
+    return {{"initial", b.initial},
+            {"motor", b.motor},
+            {"gravity", b.gravity},
+            {"support_damping", b.support_damping},
+            {"contact_damping", b.contact_damping},
+            {"friction", b.friction},
+            {"mass_loss", b.mass_loss},
+            {"kinetic", b.kinetic},
+            {"support_springs", b.support_springs},
+            {"contact_spring", b.contact_spring},
+            {"residual", b.residual()}};
+  };
+  nlohmann::ordered_json json;
+  json["until_rolling"] = nullptr;
+  if (energy.until_rolling()) json["until_rolling"] = of(*energy.until_rolling());
+  json["until_end"] = of(energy.balance());
+  return json;
+}
+
 std::vector<Remark> remarks(const Summary& summary, const RunEnd& end, const Scenario& scenario,
                             const EarlyEnd& early) {
   constexpr bool missed = true;

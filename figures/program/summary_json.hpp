@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/simulation/energy.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/stop_on.hpp"
 #include "model/simulation/summary.hpp"
@@ -22,6 +23,7 @@ struct EarlyEnd {
 /// What has not happened is null.
 nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const Scenario& scenario,
                                const EarlyEnd& early = {});
+nlohmann::ordered_json to_json(const EnergyObserver& energy);
 
 /// What a reader has to know of a run beside its numbers.
 struct Remark {

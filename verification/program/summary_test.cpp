@@ -217,11 +217,26 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
     EXPECT_EQ(printed["inputs"].size(), quantities().size() + 1);
   }
   for (const auto& [key, property] : schema["properties"].items()) {
-    if (key == "cut_short_at_s") continue;
+    if (key == "cut_short_at_s" || key == "energy_J") continue;
     const bool nullable = property["type"].is_array();
     EXPECT_TRUE(seen_value.contains(key)) << key;
     EXPECT_EQ(seen_null.contains(key), nullable) << key;
   }
+}
+
+TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
+  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
+  const Json balance = Json::parse(file)["$defs"]["balance"];
+  const Json energy = summary("--energy")["energy_J"];
+  for (const char* span : {"until_rolling", "until_end"}) {
+    EXPECT_EQ(energy[span].size(), balance["required"].size());
+    for (const auto& key : balance["required"]) EXPECT_TRUE(energy[span][key].is_number()) << key;
+  }
+  const Json& rolling = energy["until_rolling"];
+  const double share = rolling["friction"].get<double>() / rolling["initial"].get<double>();
+  EXPECT_NEAR(share, -0.69, 0.005);
+  EXPECT_FALSE(summary("").contains("energy_J"));
+  EXPECT_TRUE(summary("--energy --separation-time 9.4")["energy_J"]["until_rolling"].is_null());
 }
 
 TEST_F(RunCommand, NamesItsInputs) {

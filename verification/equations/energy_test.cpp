@@ -1,0 +1,73 @@
+/// The energy by cause: what it adds up to, and single causes against closed forms.
+#include "model/simulation/energy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/mechanics/mass_loss.hpp"
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/start.hpp"
+
+namespace rotor {
+namespace {
+
+EnergyBalance balance_of(const Scenario& scenario) {
+  EnergyObserver energy(scenario);
+  run(scenario, energy);
+  return energy.balance();
+}
+
+TEST(EnergyByCause, AddsUpInEveryRub) {
+  for (const Equations equations : {Equations::published, Equations::consistent})
+    for (const double friction : {0.3, 0.2, 0.08, 0.}) {
+      Scenario scenario{.parameters = {.friction = friction}, .equations = equations};
+      scenario.tolerance = 1e-12;
+      EnergyObserver energy(scenario);
+      run(scenario, energy);
+      // Of a few thousand steps, each good to 1e-14 or so.
+      const double accuracy = 1e-11 * energy.balance().initial;
+      EXPECT_LT(std::abs(energy.balance().residual()), accuracy) << friction;
+      if (energy.until_rolling()) {
+        EXPECT_LT(std::abs(energy.until_rolling()->residual()), accuracy) << friction;
+      }
+      EXPECT_LE(energy.balance().friction, 0);
+      EXPECT_LE(energy.balance().contact_damping, 0);
+      EXPECT_LT(energy.balance().support_damping, 0);
+      EXPECT_EQ(energy.balance().motor, 0);  // off by then
+      EXPECT_EQ(energy.balance().friction == 0, friction == 0);
+    }
+}
+
+// The piece leaves with the energy that it had, T of a point mass at r + e_x; the jump as printed
+// adds m_1 times Delta_vy times the mean of the velocities before and after it.
+TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {
+  for (const Equations equations : {Equations::published, Equations::consistent}) {
+    Scenario scenario{.equations = equations, .start_speed_Hz = 150, .until = 0.001};
+    scenario.parameters.separation_time = scenario.parameters.gravity = 0;
+    const MassLoss<double> loss(scenario.parameters);
+    const Instant start = start_of(scenario);
+    const Motion<double> m = start.motion();
+    const Vector<double> piece =
+        m.velocity + m.speed * quarter_turn(Vector<double>(-scenario.parameters.rotor_radius, 0));
+    const double leaves = loss.lost_mass * piece.squaredNorm() / 2;
+    const double jump = loss.velocity_jump(m.speed);
+    const double once = m.velocity.y() + m.speed * loss.after.eccentricity;
+    const double comes =
+        equations == Equations::published ? loss.after.mass * jump * (once + jump / 2) : 0;
+    EXPECT_NEAR(balance_of(scenario).mass_loss, comes - leaves, 1e-9 * leaves);
+  }
+}
+
+TEST(EnergyByCause, OfTheMotorIsTorqueTimesAngle) {
+  Scenario scenario{.until = 3};
+  scenario.parameters.separates = false;
+  EnergyObserver energy(scenario);
+  const RunEnd end = run(scenario, energy);
+  EXPECT_NEAR(energy.balance().motor, scenario.parameters.torque * end.last.state[2], 1e-10);
+  EXPECT_EQ(energy.balance().friction, 0);
+  EXPECT_EQ(energy.balance().contact_damping, 0);
+}
+
+}  // namespace
+}  // namespace rotor
