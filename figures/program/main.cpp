@@ -145,14 +145,27 @@ void add_options(CLI::App& command, RunOptions& options) {
                     ->check(not_empty());
   command
       .add_option("--columns", options.columns,
-                  "columns of the trace, comma-separated; the scene's, or all, if not given")
-      ->delimiter(',')
-      ->needs(trace);
+                  "columns of the trace, comma-separated; the scene's, or all, if not given; "
+                  "help lists them")
+      ->delimiter(',');
   command
       .add_option("--from", options.from_s,
                   "beginning of the trace; the scene's, or 0 s, if not given")
       ->type_name("s")
       ->needs(trace);
+  auto* every =
+      command
+          .add_option("--every", options.every_s,
+                      "rows of the trace at this distance, as spectra want it; if neither "
+                      "this nor --rows is given, as many as the curves need")
+          ->type_name("s")
+          ->needs(trace);
+  command
+      .add_option("--rows", options.rows,
+                  "so many rows of the trace at equal distances, the first and the last instant "
+                  "included")
+      ->needs(trace)
+      ->excludes(every);
   command
       .add_option("--events", options.events,
                   "write time, kind, state, normal force and slip of the located events to this "

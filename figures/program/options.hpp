@@ -26,6 +26,8 @@ struct RunOptions : CommonOptions {
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
+  std::optional<double> every_s;  ///< equal distances; adaptive if neither is stated
+  std::optional<long> rows;
   std::optional<StopOn> stop_on;
   bool json = false;
   bool energy = false;        ///< by cause, in the summary

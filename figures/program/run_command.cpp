@@ -12,6 +12,7 @@
 #include "figures/scenes/event_log.hpp"
 #include "figures/scenes/provenance.hpp"
 #include "figures/scenes/recorder.hpp"
+#include "figures/scenes/sampler.hpp"
 #include "figures/scenes/scene.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/stop_on.hpp"
@@ -67,6 +68,32 @@ void print_summary(const nlohmann::ordered_json& summary, bool as_json, std::FIL
   }
 }
 
+double end_of(const Scene& scene) {
+  return std::min(scene.runs.front().scenario.until, scene.window.from_s + scene.window.length_s);
+}
+
+/// Between the rows of a trace, if it is to be the same everywhere.
+std::optional<double> distance(const RunOptions& options, const Scene& scene) {
+  if (!options.every_s && !options.rows) return std::nullopt;
+  const char* const option = options.every_s ? "--every" : "--rows";
+  if (scene.runs.front().scenario.method == Method::rk4)
+    throw InputError(
+        fmt::format("{}: only --method event knows the motion between its steps", option));
+  if (scene.window.from_rolling_onset)
+    throw InputError(fmt::format("{}: needs a window that begins at a stated time", option));
+  const double length_s = end_of(scene) - scene.window.from_s;
+  constexpr double most_rows = 1e9;
+  if (options.every_s) {
+    if (!(*options.every_s > 0 && length_s / *options.every_s < most_rows))
+      throw InputError(fmt::format("--every {}: must be above 0 s, and leave less than {} rows",
+                                   *options.every_s, most_rows));
+    return options.every_s;
+  }
+  if (*options.rows < 2 || static_cast<double>(*options.rows) > most_rows)
+    throw InputError(fmt::format("--rows {}: must be from 2 to {}", *options.rows, most_rows));
+  return length_s / static_cast<double>(*options.rows - 1);
+}
+
 /// Of a rotor that is not the paper's nobody can know which equations are meant.
 void say_which_equations(const SceneRun& run) {
   Parameters parameters = run.scenario.parameters;
@@ -81,6 +108,13 @@ void say_which_equations(const SceneRun& run) {
 }  // namespace
 
 void run_rotor(const RunOptions& options) {
+  if (options.columns == std::vector<std::string>{"help"}) {
+    for (const Column& column : all_columns())
+      fmt::print("{:<24} {}\n", column.name, column.meaning);
+    return;
+  }
+  if (!options.columns.empty() && options.trace.empty())
+    throw InputError("--columns requires --trace, or is help");
   const Scene scene = requested_scene(options);
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
@@ -101,12 +135,16 @@ void run_rotor(const RunOptions& options) {
   std::optional<EnergyObserver> energy;
   if (options.energy) audience.add(energy.emplace(scenario));
   std::optional<Recorder> trace;
+  std::optional<Sampler> samples;
   if (!options.trace.empty()) {
     OutputFile& file = files.open(options.trace);
     file.write(csv_head(provenance("Trace of a run", scene), headings("run", scene.columns)));
-    trace.emplace(scene.window, scene.columns, scenario, sampling,
-                  [&](auto row) { file.write(csv_row(name, row)); });
-    audience.add(*trace);
+    const RowSink sink = [&](auto row) { file.write(csv_row(name, row)); };
+    if (const auto every_s = distance(options, scene))
+      audience.add(samples.emplace(scene.window.from_s, end_of(scene), *every_s, scene.columns,
+                                   scenario, sink));
+    else
+      audience.add(trace.emplace(scene.window, scene.columns, scenario, sampling, sink));
   }
   std::optional<EventLog> events;
   if (!options.events.empty()) {
@@ -126,7 +164,7 @@ void run_rotor(const RunOptions& options) {
     if (!options.keep_partial) throw Interrupted();
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
                                    end.last.time_s, scenario.until));
-  } else if (trace && trace->rows() == 0) {
+  } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
     throw InputError(
         fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }

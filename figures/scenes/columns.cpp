@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -11,6 +12,22 @@ namespace {
 double slip_velocity(View& view) {
   const bool centred = view.motion().displacement.squaredNorm() == 0;  // no point K is nearest
   return centred ? std::numeric_limits<double>::quiet_NaN() : view.rim_point().slip_velocity;
+}
+
+double whirl_frequency(View& view) {
+  const Motion<double>& m = view.motion();
+  const double square = m.displacement.squaredNorm();
+  return square == 0 ? std::numeric_limits<double>::quiet_NaN()
+                     : cross(m.displacement, m.velocity) / square / (2 * std::numbers::pi);
+}
+
+double contact_damping_power(View& view) {
+  if (view.at().contact == ContactState::free) return 0;
+  const RimPoint<double>& k = view.rim_point();
+  const Ring<double>& ring = view.ring();
+  // Clear of the rim, the ring's spring works on its damper alone.
+  return view.in_contact() ? -ring.damping * k.normal_velocity * k.normal_velocity
+                           : ring.stiffness * k.indentation * k.normal_velocity;
 }
 
 constexpr std::array columns = {
@@ -37,6 +54,32 @@ constexpr std::array columns = {
     Column{"slip_velocity_m_per_s", "v_Ktau of the rim relative to the ring", slip_velocity},
     Column{"kinetic_energy_J", "T of the rotor",
            [](View& v) { return kinetic_energy(v.at().body, v.motion()); }},
+    Column{"bearing_force_N", "magnitude of k r_O + d v_O of the supports",
+           [](View& v) { return v.bearing_force().norm(); }},
+    Column{"whirl_frequency_Hz", "of O about O_a, negative against the rotation", whirl_frequency},
+    Column{"contact_angle_rad", "direction of O from O_a in the stator's frame, from x_a",
+           [](View& v) {
+             const Vector<double> at = v.displacement_in_stator_frame();
+             return std::atan2(at.y(), at.x());
+           }},
+    Column{"motor_power_W", "power of the motor",
+           [](View& v) { return v.at().motor_on ? v.supports().torque * v.motion().speed : 0; }},
+    Column{"support_damping_power_W", "power of the supports' dampers, negative",
+           [](View& v) { return -v.supports().damping * v.motion().velocity.squaredNorm(); }},
+    Column{"friction_power_W", "power of F_tau at the rim, negative",
+           [](View& v) { return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0; }},
+    Column{"contact_damping_power_W",
+           "power of the contact's damper, negative; also while the ring comes back",
+           contact_damping_power},
+    Column{
+        "support_energy_J", "potential energy of the supports' springs",
+        [](View& v) { return v.supports().stiffness * v.motion().displacement.squaredNorm() / 2; }},
+    Column{"contact_energy_J", "potential energy of the indented ring",
+           [](View& v) {
+             const bool indented = v.at().contact != ContactState::free;
+             const double depth = indented ? v.rim_point().indentation : 0;
+             return v.ring().stiffness * depth * depth / 2;
+           }},
     Column{"contact_state", "0 free, 1 sliding, 2 rolling, 3 free with the ring still indented",
            [](View& v) { return static_cast<double>(v.at().contact); }},
 };
@@ -69,6 +112,10 @@ double View::friction() {
                                  normal_force());
   }
   return ring.sliding_friction(normal_force(), k.slip_velocity > 0 ? 1 : -1);
+}
+
+Vector<double> View::bearing_force() {
+  return supports().stiffness * motion().displacement + supports().damping * motion().velocity;
 }
 
 Vector<double> View::displacement_in_stator_frame() {

@@ -33,9 +33,12 @@ class View {
   const Motion<double>& motion();
   const RimPoint<double>& rim_point();
   bool in_contact() const;
-  double normal_force();  ///< F_n, N
-  double friction();      ///< F_tau, N
+  double normal_force();           ///< F_n, N
+  double friction();               ///< F_tau, N
+  Vector<double> bearing_force();  ///< of the supports on their foundation, N
   Vector<double> displacement_in_stator_frame();
+  const Ring<double>& ring() const { return context_.ring; }
+  const Supports<double>& supports() const { return context_.supports; }
 
  private:
   const Instant& at_;

@@ -21,7 +21,7 @@ TEST_F(CommandLine, RefusesBadInputAndWritesNothing) {
   expect_refusal("run --until 0.1 --trace .", "it is a folder");
   expect_refusal("run --until 0.1 --trace ''", "--trace: must name a file");
   expect_refusal("run --until 0.1 --events ''", "--events: must name a file");
-  expect_refusal("run --until 0.1 --columns time_s", "--columns requires --trace");
+  expect_refusal("run --until 0.1 --columns time_s", "--columns requires --trace, or is help");
   expect_refusal("run --until 0.1 --method rk4 --events e.csv", "only --method event");
   expect_refusal("run --until 0.1 --method rk4 --step-run-up 0.2",
                  "step_run_up = 0.2 s: must not be longer than the run");

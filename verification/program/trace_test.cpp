@@ -1,0 +1,129 @@
+/// Traces at equal distances, and the columns that say where power and energy go.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "figures/scenes/columns.hpp"
+#include "model/simulation/energy.hpp"
+#include "model/simulation/simulation.hpp"
+#include "verification/support/command_line.hpp"
+#include "verification/support/observers.hpp"
+
+namespace rotor {
+namespace {
+
+class Trace : public CommandLine {
+ protected:
+  /// The numbers of a trace, row by row.
+  std::vector<std::vector<double>> numbers(const std::string& arguments) const {
+    const Outcome outcome = rotor("run --trace t.csv " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    std::vector<std::vector<double>> all;
+    auto rows = rows_of("t.csv");
+    rows.erase(rows.begin());
+    for (const std::string& row : rows) {
+      std::istringstream stream(row.substr(row.find(',') + 1));
+      all.emplace_back();
+      for (std::string field; std::getline(stream, field, ',');)
+        all.back().push_back(std::stod(field));
+    }
+    return all;
+  }
+};
+
+TEST_F(Trace, HasARowAtEqualDistancesFromTheFirstToTheLastInstant) {
+  const std::string window = "--from 29.1 --until 29.12 --columns time_s,q1_m ";
+  const auto rows = numbers(window + "--rows 401");
+  ASSERT_EQ(rows.size(), 401U);
+  for (std::size_t n = 0; n < rows.size(); ++n)
+    EXPECT_NEAR(rows[n][0], 29.1 + 0.02 * static_cast<double>(n) / 400, 1e-14);
+  const auto every = numbers(window + "--every 5e-5");
+  ASSERT_EQ(every.size(), 401U);
+  EXPECT_NEAR(every[200][1], rows[200][1], 1e-15);
+  EXPECT_EQ(numbers(window + "--every 6e-5").size(), 334U);  // whose last one is not at the end
+}
+
+// Asked directly: a run that ends at the time of a row.
+TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
+  const auto rows = numbers(
+      "--from 29.1 --until 29.13 --rows 61 --columns "
+      "time_s,q1_m,q2_m,q3_rate_rad_per_s,normal_force_N");
+  for (const std::size_t n : {7U, 23U, 41U, 58U}) {
+    Scenario scenario{.until = rows[n][0]};
+    Observer null_observer;
+    const Instant at = run(scenario, null_observer).last;
+    const Ring<double> ring(scenario.parameters);
+    EXPECT_NEAR(rows[n][1], at.state[0], 1e-10) << n;
+    EXPECT_NEAR(rows[n][2], at.state[1], 1e-10) << n;
+    EXPECT_NEAR(rows[n][3] / at.state[5], 1, 1e-9) << n;
+    const double force = at.contact == ContactState::free || at.contact == ContactState::indented
+                             ? 0
+                             : ring.normal_force(ring.rim_point(at.motion()));
+    EXPECT_NEAR(rows[n][4], force, 1e-3 + 1e-6 * std::abs(force)) << n;
+  }
+}
+
+TEST_F(Trace, RefusesDistancesThatMeanNothing) {
+  const std::string trace = "run --until 1 --no-separation --trace t.csv ";
+  expect_refusal(trace + "--every 0", "--every 0: must be above 0 s");
+  expect_refusal(trace + "--every 1e-12", "must be above 0 s, and leave less than");
+  expect_refusal(trace + "--rows 1", "--rows 1: must be from 2 to");
+  expect_refusal(trace + "--rows 9 --method rk4", "only --method event knows");
+  expect_refusal(trace + "--rows 9 --every 0.1", "--every");
+  expect_refusal("run --columns time_s", "--columns requires --trace, or is help");
+}
+
+TEST_F(Trace, ListsItsColumns) {
+  const std::string list = rotor("run --columns help").output;
+  for (const Column& column : all_columns()) {
+    EXPECT_NE(list.find(column.name), std::string::npos) << column.name;
+    EXPECT_NE(list.find(column.meaning), std::string::npos) << column.name;
+  }
+}
+
+// The powers add up to what EnergyObserver says, by the trapezoidal rule over fine rows.
+TEST_F(Trace, HasThePowersWhoseIntegralsAreTheWorksByCause) {
+  const double from = 29.1, until = 29.127;  // before the onset of rolling
+  const auto rows = numbers(
+      "--from 29.1 --until 29.127 --every 2e-7 --columns "
+      "time_s,motor_power_W,support_damping_power_W,friction_power_W,contact_damping_power_W,"
+      "support_energy_J,contact_energy_J");
+  std::array<double, 4> work{};
+  for (std::size_t n = 1; n < rows.size(); ++n)
+    for (std::size_t i = 0; i < work.size(); ++i)
+      work[i] += (rows[n][i + 1] + rows[n - 1][i + 1]) / 2 * (until - from) /
+                 static_cast<double>(rows.size() - 1);
+  const Scenario scenario{.until = until};
+  EnergyObserver energy(scenario);
+  run(scenario, energy);
+  const EnergyBalance& balance = energy.balance();
+  EXPECT_EQ(work[0], balance.motor);
+  // The powers jump at contacts, by up to 3 MW within a row.
+  EXPECT_NEAR(work[1], balance.support_damping, 1e-3);
+  EXPECT_NEAR(work[2] / balance.friction, 1, 1e-3);
+  EXPECT_NEAR(work[3] / balance.contact_damping, 1, 2e-2);
+  EXPECT_NEAR(rows.back()[5], balance.support_springs, 1e-9);
+  EXPECT_NEAR(rows.back()[6], balance.contact_spring, 1e-6);
+}
+
+// Written out anew, from the state alone.
+TEST_F(Trace, HasBearingForceWhirlAndDirectionOfTheContact) {
+  const auto rows = numbers(
+      "--from 29.1 --until 29.2 --rows 50 --columns "
+      "time_s,q1_m,q2_m,q3_rad,q1_rate_m_per_s,q2_rate_m_per_s,q3_rate_rad_per_s,bearing_force_N,"
+      "whirl_frequency_Hz,contact_angle_rad");
+  const double k = 20e3, d = 25, pi = std::acos(-1.);
+  for (const auto& row : rows) {
+    const double q1 = row[1], q2 = row[2], w = row[6];
+    const double v1 = row[4] - w * q2, v2 = row[5] + w * q1;  // relative to the stator
+    EXPECT_NEAR(row[7], std::hypot(k * q1 + d * v1, k * q2 + d * v2), 1e-9 * row[7]);
+    EXPECT_NEAR(row[8], (q1 * v2 - q2 * v1) / (q1 * q1 + q2 * q2) / (2 * pi),
+                1e-9 * std::abs(row[8]));
+    const double angle = std::remainder(std::atan2(q2, q1) + row[3] - row[9], 2 * pi);
+    EXPECT_NEAR(angle, 0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace rotor
