@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
 #include "figures/data/interruption.hpp"
@@ -20,7 +23,7 @@
 namespace rotor {
 namespace {
 
-/// The scene with the one run that is asked for.
+/// The scene with the runs that are asked for.
 Scene scene_of(const RunOptions& options) {
   if (options.scene.empty()) {
     const Statement stated = options.equations_and_method.overridden_by(options.numbers);
@@ -30,32 +33,33 @@ Scene scene_of(const RunOptions& options) {
             .runs = {{"run", scenario_of(stated), stated.states_equations()}}};
   }
   Scene scene = read_scene(options.scene, {options.equations_and_method, options.numbers});
-  for (const SceneRun& run : scene.runs)
-    if (run.name == options.run_name || (options.run_name.empty() && scene.runs.size() == 1)) {
-      scene.runs = {SceneRun(run)};
-      return scene;
-    }
+  if (options.run_name.empty()) return scene;
   std::vector<std::string> names;
   for (const SceneRun& run : scene.runs) names.push_back(run.name);
-  throw InputError(fmt::format("{}: choose one of its runs with --run: {}", options.scene,
-                               fmt::join(names, ", ")));
+  std::erase_if(scene.runs, [&](const SceneRun& run) { return run.name != options.run_name; });
+  if (scene.runs.empty())
+    throw InputError(fmt::format("{}: choose one of its runs with --run: {}", options.scene,
+                                 fmt::join(names, ", ")));
+  return scene;
 }
 
 /// The same, with what the options state beside it.
 Scene requested_scene(const RunOptions& options) {
   Scene result = scene_of(options);
-  const Scenario& scenario = result.runs.front().scenario;
-  if (!options.events.empty() && scenario.method == Method::rk4)
-    throw InputError("--events: only --method event locates events");
+  if (result.runs.size() > 1 && !(options.trace.empty() && options.events.empty()))
+    throw InputError(fmt::format("{}: --trace and --events are of one run; choose it with --run",
+                                 options.scene));
+  for (const SceneRun& run : result.runs) {
+    if (!options.events.empty() && run.scenario.method == Method::rk4)
+      throw InputError("--events: only --method event locates events");
+    if (options.from_s && !(*options.from_s >= 0 && *options.from_s < run.scenario.until))
+      throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s",
+                                   *options.from_s, run.scenario.until));
+  }
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
   if (result.columns.empty())
     for (const Column& column : all_columns()) result.columns.push_back(&column);
-  if (options.from_s) {
-    if (!(*options.from_s >= 0 && *options.from_s < scenario.until))
-      throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s",
-                                   *options.from_s, scenario.until));
-    result.window = {.from_s = *options.from_s};
-  }
+  if (options.from_s) result.window = {.from_s = *options.from_s};
   return result;
 }
 
@@ -95,27 +99,27 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
 }
 
 /// Of a rotor that is not the paper's nobody can know which equations are meant.
-void say_which_equations(const SceneRun& run) {
+bool leaves_equations_open(const SceneRun& run) {
   Parameters parameters = run.scenario.parameters;
   parameters.separates = true;
-  if (run.states_equations || parameters == Parameters{}) return;
+  return !(run.states_equations || parameters == Parameters{});
+}
+
+void say_which_equations() {
   fmt::print(stderr,
              "rotor: equations published were used, as none were stated: as printed, the velocity "
              "jump of the mass loss counts twice and the moment of gravity in full; --equations "
              "consistent puts both right\n");
 }
 
-}  // namespace
+/// What a run says of itself.
+struct Account {
+  nlohmann::ordered_json summary;
+  std::vector<Remark> remarks;
+};
 
-void run_rotor(const RunOptions& options) {
-  if (options.columns == std::vector<std::string>{"help"}) {
-    for (const Column& column : all_columns())
-      fmt::print("{:<24} {}\n", column.name, column.meaning);
-    return;
-  }
-  if (!options.columns.empty() && options.trace.empty())
-    throw InputError("--columns requires --trace, or is help");
-  const Scene scene = requested_scene(options);
+/// The one run of a scene, with what it writes.
+Account run_one(const RunOptions& options, const Scene& scene) {
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
   std::vector<std::filesystem::path> outputs;
@@ -169,13 +173,71 @@ void run_rotor(const RunOptions& options) {
         fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }
   files.commit();
-  say_which_equations(scene.runs.front());
+  Account account{to_json(summary.summary(), end, scenario, early),
+                  remarks(summary.summary(), end, scenario, early)};
+  if (energy) account.summary["energy_J"] = to_json(*energy);
+  return account;
+}
+
+/// Several runs, a row each.
+void print_table(const nlohmann::ordered_json& runs, std::FILE* to) {
+  const std::array keys = {"run",
+                           "outcome",
+                           "collisions",
+                           "first_contact_s",
+                           "rolling_onset_s",
+                           "peak_normal_force_N",
+                           "final_speed_Hz"};
+  for (const char* key : keys) fmt::print(to, "{:<20} ", key);
+  for (const auto& run : runs) {
+    fmt::print(to, "\n");
+    for (const char* key : keys) {
+      const auto& value = run.at(key);
+      fmt::print(to, "{:<20} ",
+                 value.is_null()     ? "-"
+                 : value.is_string() ? value.get<std::string>()
+                                     : value.dump());
+    }
+  }
+  fmt::print(to, "\n");
+}
+
+}  // namespace
+
+void run_rotor(const RunOptions& options) {
+  if (options.columns == std::vector<std::string>{"help"}) {
+    for (const Column& column : all_columns())
+      fmt::print("{:<24} {}\n", column.name, column.meaning);
+    return;
+  }
+  if (!options.columns.empty() && options.trace.empty())
+    throw InputError("--columns requires --trace, or is help");
+  const Scene scene = requested_scene(options);
+  auto runs = nlohmann::ordered_json::array();
+  std::vector<std::string> missed;
+  for (const SceneRun& run : scene.runs) {
+    Scene alone = scene;
+    alone.runs = {run};
+    const Account account = run_one(options, alone);
+    const bool one_of_many = scene.runs.size() > 1;
+    for (const Remark& remark : account.remarks)
+      if (remark.missed) missed.push_back((one_of_many ? run.name + ": " : "") + remark.sentence);
+    nlohmann::ordered_json row;
+    if (one_of_many) row["run"] = run.name;
+    row.update(account.summary);
+    runs.push_back(row);
+  }
   const bool standard_output_is_taken = options.trace == "-" || options.events == "-";
-  nlohmann::ordered_json json = to_json(summary.summary(), end, scenario, early);
-  if (energy) json["energy_J"] = to_json(*energy);
-  print_summary(json, options.json, standard_output_is_taken ? stderr : stdout);
-  for (const Remark& remark : remarks(summary.summary(), end, scenario, early))
-    if (remark.missed) fmt::print(stderr, "rotor: {}\n", remark.sentence);
+  std::FILE* const to = standard_output_is_taken ? stderr : stdout;
+  if (runs.size() == 1)
+    print_summary(runs.front(), options.json, to);
+  else if (options.json)
+    fmt::print(to, "{}\n", nlohmann::ordered_json{{"runs", runs}}.dump(2));
+  else
+    print_table(runs, to);
+  for (const std::string& message : missed) fmt::print(stderr, "rotor: {}\n", message);
+  if (std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
+    say_which_equations();
 }
 
 }  // namespace rotor

@@ -239,6 +239,25 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   EXPECT_TRUE(summary("--energy --separation-time 9.4")["energy_J"]["until_rolling"].is_null());
 }
 
+// A scene's runs, each the same as on its own.
+TEST_F(RunCommand, RunsAllRunsOfAScene) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n[[run]]\nname = \"a\"\n"
+        "[[run]]\nname = \"b\"\nfriction = 0.2\n");
+  const Json runs = summary("--scene two.toml")["runs"];
+  ASSERT_EQ(runs.size(), 2U);
+  for (const Json& run : runs) {
+    Json alone = summary("--scene two.toml --run " + run["run"].get<std::string>());
+    alone["run"] = run["run"];
+    EXPECT_EQ(run, alone);
+  }
+  EXPECT_NE(runs[0]["collisions"], runs[1]["collisions"]);
+  const std::string table = rotor("run --scene two.toml").output;
+  EXPECT_NE(table.find("\na  "), std::string::npos);
+  EXPECT_NE(table.find("\nb  "), std::string::npos);
+  expect_refusal("run --scene two.toml --trace t.csv", "choose it with --run");
+}
+
 TEST_F(RunCommand, NamesItsInputs) {
   const Json printed = summary("--separation-speed-hz 75 --clearance 2e-3");
   EXPECT_NEAR(printed["speed_at_separation_Hz"].get<double>(), 75, 1e-9);
