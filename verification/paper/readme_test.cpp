@@ -1,0 +1,93 @@
+/// What the README says in numbers, held against the engine.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+/// The rows of the README's table that has this heading, cells without blanks around them.
+std::vector<Cells> table(const std::string& heading) {
+  std::ifstream file(ROTOR_SOURCES "/README.md");
+  std::vector<Cells> rows;
+  bool inside = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(heading)) {
+      inside = true;
+      std::getline(file, line);  // the line below the heading
+    } else if (inside && line.starts_with('|')) {
+      Cells cells;
+      std::istringstream stream(line.substr(1));
+      for (std::string cell; std::getline(stream, cell, '|');) {
+        const std::size_t first = cell.find_first_not_of(" `");
+        cells.push_back(first == std::string::npos
+                            ? ""
+                            : cell.substr(first, cell.find_last_not_of(" `") - first + 1));
+      }
+      rows.push_back(cells);
+    } else {
+      inside = false;
+    }
+  }
+  return rows;
+}
+
+class Readme : public CommandLine {
+ protected:
+  nlohmann::json summary(const std::string& arguments) const {
+    return nlohmann::json::parse(rotor("run --json " + arguments + " 2>/dev/null").output);
+  }
+  std::string force(const nlohmann::json& summary, int digits) const {
+    const auto& force = summary["peak_normal_force_N"];
+    return force.is_null() ? "" : fmt::format("{:.{}f}", force.get<double>() / 1000, digits);
+  }
+};
+
+TEST_F(Readme, ShowsWhatEachCorrectionDoesOnItsOwn) {
+  const auto rows = table("| velocity jump | gravity's moment |");
+  ASSERT_EQ(rows.size(), 4U);
+  std::map<std::string, std::map<std::size_t, double>> forces;
+  for (const Cells& row : rows) {
+    std::size_t column = 2;
+    for (const char* loss :
+         {"--separation-time 29.1", "--separation-time 19.1", "--separation-speed-hz 75"}) {
+      const auto found =
+          summary(fmt::format("{} --velocity-jump {} --gravity-moment {}", loss, row[0], row[1]));
+      const std::string peak = force(found, 2);
+      EXPECT_EQ(row[column], peak.empty() ? "no contact" : peak) << row[0] << ' ' << row[1];
+      // Gravity's part, between two rows of the same jump.
+      if (!peak.empty()) {
+        const auto [other, is_first] = forces[row[0]].emplace(column, std::stod(peak));
+        EXPECT_LT(std::abs(other->second - std::stod(peak)), 0.05);
+      }
+      ++column;
+    }
+  }
+  const auto at_100_Hz = summary("--separation-speed-hz 100 --velocity-jump once");
+  EXPECT_EQ(at_100_Hz["outcome"], "freed");
+  EXPECT_EQ(at_100_Hz["collisions"], 2);
+  EXPECT_EQ(force(at_100_Hz, 2), "6.05");
+}
+
+TEST_F(Readme, ShowsWhatItsThreeCasesGive) {
+  const auto rows = table("| `build/rotor run` |");
+  ASSERT_EQ(rows.size(), 3U);
+  for (const Cells& row : rows) {
+    const auto found = summary(row[0]);
+    EXPECT_EQ(row[1], found["outcome"]) << row[0];
+    EXPECT_EQ(row[2], found["collisions"].dump()) << row[0];
+    const std::string peak = force(found, 1);
+    EXPECT_EQ(row[3], peak.empty() ? "-" : peak) << row[0];
+  }
+}
+
+}  // namespace
+}  // namespace rotor
