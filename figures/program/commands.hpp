@@ -9,6 +9,9 @@ namespace rotor {
 /// `rotor figure` writes the data of the paper's figures.
 void write_figures(const FigureOptions& options);
 
+/// `rotor plot` draws a scene.
+void plot_scene(const PlotOptions& options);
+
 /// `rotor run` runs any rotor.
 void run_rotor(const RunOptions& options);
 

@@ -4,19 +4,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <deque>
 #include <filesystem>
 
-#include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
-#include "figures/data/interruption.hpp"
 #include "figures/data/text.hpp"
-#include "figures/data/thinning.hpp"
 #include "figures/program/commands.hpp"
-#include "figures/program/progress.hpp"
-#include "figures/scenes/production.hpp"
+#include "figures/program/scene_tables.hpp"
 #include "figures/scenes/provenance.hpp"
-#include "figures/scenes/recorder.hpp"
 
 namespace rotor {
 namespace {
@@ -65,36 +59,12 @@ void write_figures(const FigureOptions& options) {
     return fs::path(options.out) / fmt::format("fig{:02}.csv", number);
   };
 
-  std::map<int, std::vector<NamedTable>> tables;
-  std::deque<Recorder> recorders;
-  std::vector<Request> requests;
-  for (const auto& [number, scene] : scenes) {
-    auto& own = tables[number];
-    own.reserve(scene.runs.size());  // the recorders refer to them
-    for (const SceneRun& run : scene.runs) {
-      const Scenario& scenario = run.scenario;
-      Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
-      requests.push_back(
-          {scenario, recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
-                                            [&table](auto row) { table.add(row); })});
-    }
-  }
-  Interruptible interruptible;
-  const ProductionReport report = produce(requests, &interruptible);
-  if (is_interrupted()) throw Interrupted();
-
+  const auto& [tables, report] = compute_tables(scenes);
   FileTransaction files;
-  for (const auto& [number, scene] : scenes) {
-    for (NamedTable& table : tables.at(number)) {
-      if (table.table.rows() == 0)
-        throw InputError(fmt::format("figure {}: nothing of the run \"{}\" lies in the window",
-                                     number, table.name));
-      table.table = thinned(table.table, thinning);
-    }
+  for (const auto& [number, scene] : scenes)
     files.write(file_of(number),
                 to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene),
                        headings("run", scene.columns), tables.at(number)));
-  }
   files.commit();
   fmt::print(stderr,
              "data of {} figure(s): {} run-up(s) in {:.3f} s, {} run(s) after it in {:.3f} s, {} "

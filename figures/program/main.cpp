@@ -99,6 +99,16 @@ void add_options(CLI::App& command, FigureOptions& options) {
   command.footer("What a [[run]] of a scene states itself takes precedence over these options.");
 }
 
+void add_options(CLI::App& command, PlotOptions& options) {
+  command.add_option("scene", options.scene, "scene file (TOML)")->required()->check(not_empty());
+  command
+      .add_option(
+          "--out", options.out,
+          "picture, svg, pdf or png by its ending; the scene's name with .svg, if not given")
+      ->check(not_empty());
+  add_options(command, static_cast<CommonOptions&>(options));
+}
+
 void add_options(CLI::App& command, RunOptions& options) {
   auto* scene = command
                     .add_option("--scene", options.scene,
@@ -227,8 +237,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   FigureOptions figure;
+  PlotOptions plot;
   RunOptions run;
   add_command(app, "figure", "Write the data of the paper's figures as CSV", figure, write_figures);
+  add_command(app, "plot", "Draw force, speed, displacement and orbit of a scene", plot,
+              plot_scene);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
   int status = 0;
   try {

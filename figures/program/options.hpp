@@ -20,6 +20,11 @@ struct FigureOptions : CommonOptions {
   std::string scenes;  ///< folder with figNN.toml
 };
 
+struct PlotOptions : CommonOptions {
+  std::string scene;
+  std::string out;  ///< the scene's name with .svg, if empty
+};
+
 struct RunOptions : CommonOptions {
   std::string scene, run_name;
   Statement numbers;          ///< and whether mass is lost

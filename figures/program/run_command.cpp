@@ -52,6 +52,8 @@ Scene requested_scene(const RunOptions& options) {
   for (const SceneRun& run : result.runs) {
     if (!options.events.empty() && run.scenario.method == Method::rk4)
       throw InputError("--events: only --method event locates events");
+    if (options.energy && run.scenario.method == Method::rk4)
+      throw InputError("--energy: only --method event knows the motion between its steps");
     if (options.from_s && !(*options.from_s >= 0 && *options.from_s < run.scenario.until))
       throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s",
                                    *options.from_s, run.scenario.until));

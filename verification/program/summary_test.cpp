@@ -236,6 +236,7 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   const double share = rolling["friction"].get<double>() / rolling["initial"].get<double>();
   EXPECT_NEAR(share, -0.69, 0.005);
   EXPECT_FALSE(summary("").contains("energy_J"));
+  expect_refusal("run --energy --method rk4", "--energy: only --method event knows the motion");
   EXPECT_TRUE(summary("--energy --separation-time 9.4")["energy_J"]["until_rolling"].is_null());
 }
 

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "figures/data/files.hpp"
+#include "figures/data/text.hpp"
+#include "figures/program/commands.hpp"
+#include "figures/program/scene_tables.hpp"
+#include "figures/scenes/provenance.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own, which is gone in the end.
+class DraftFolder {
+ public:
+  /// In another folder, so that a file can be moved there whole.
+  explicit DraftFolder(const fs::path& in) : path_((in / ".rotor-plot-XXXXXX").string()) {
+    if (!::mkdtemp(path_.data()))
+      throw std::runtime_error(
+          fmt::format("{}: cannot be written: {}", in.string(), std::strerror(errno)));
+  }
+  ~DraftFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  DraftFolder(const DraftFolder&) = delete;
+  DraftFolder& operator=(const DraftFolder&) = delete;
+
+  fs::path file(const char* name) const { return fs::path(path_) / name; }
+
+ private:
+  std::string path_;
+};
+
+/// As gnuplot reads a text between single quotes.
+std::string quoted(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 2)
+    text.insert(at, 1, '\'');
+  return '\'' + text + '\'';
+}
+
+void run_gnuplot(const std::string& settings, const std::string& style, const std::string& script) {
+  std::array<const char*, 6> arguments = {"gnuplot",     "-e",           settings.c_str(),
+                                          style.c_str(), script.c_str(), nullptr};
+  pid_t child = 0;
+  int status = ::posix_spawnp(&child, "gnuplot", nullptr, nullptr,
+                              const_cast<char**>(arguments.data()), environ);
+  if (status != 0)
+    throw std::runtime_error(
+        fmt::format("gnuplot, which draws, cannot be started: {}", std::strerror(status)));
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!(WIFEXITED(status) && WEXITSTATUS(status) == 0))
+    throw std::runtime_error("gnuplot has not drawn the picture");
+}
+
+}  // namespace
+
+void plot_scene(const PlotOptions& options) {
+  Scene scene = read_scene(options.scene, {options.equations_and_method, {}});
+  scene.columns =
+      parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
+  const fs::path out = options.out.empty()
+                           ? fs::path(options.scene).filename().replace_extension(".svg")
+                           : fs::path(options.out);
+  const std::string format = out.extension().string();
+  if (format != ".svg" && format != ".pdf" && format != ".png")
+    throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
+
+  const SceneTables tables = compute_tables({{1, scene}});
+  const DraftFolder drafts(out.has_parent_path() ? out.parent_path() : fs::path("."));
+  FileTransaction files;
+  files.write(drafts.file("data.csv"), to_csv(provenance(scene.title, scene),
+                                              headings("run", scene.columns), tables.of.at(1)));
+  files.commit();
+  double clearance = 0;
+  std::string names;
+  for (const SceneRun& run : scene.runs) {
+    const Parameters& p = run.scenario.parameters;
+    clearance = std::max(clearance, p.stator_radius - p.rotor_radius);
+    names += fmt::format("run{} = {}; ", &run - scene.runs.data() + 1, quoted(run.name));
+  }
+  const std::string title = scene.title.empty() ? out.stem().string() : scene.title;
+  const fs::path picture = drafts.file("picture");
+  run_gnuplot(
+      fmt::format("data = {}; output = {}; format = '{}'; heading = {}; "
+                  "clearance_mm = {}; runs = {}; {}",
+                  quoted(drafts.file("data.csv").string()), quoted(picture.string()),
+                  format.substr(1), quoted(title), 1000 * clearance, scene.runs.size(), names),
+      ROTOR_SCENES "/style.gp", ROTOR_SCENES "/../program/plot.gp");
+  fs::rename(picture, out);
+  fmt::print("{}\n", out.string());
+}
+
+}  // namespace rotor

@@ -1,0 +1,42 @@
+#include "figures/program/scene_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <deque>
+
+#include "figures/data/interruption.hpp"
+#include "figures/data/thinning.hpp"
+#include "figures/program/progress.hpp"
+#include "figures/scenes/recorder.hpp"
+
+namespace rotor {
+
+SceneTables compute_tables(const std::map<int, Scene>& scenes) {
+  SceneTables tables;
+  std::deque<Recorder> recorders;
+  std::vector<Request> requests;
+  for (const auto& [number, scene] : scenes) {
+    auto& own = tables.of[number];
+    own.reserve(scene.runs.size());  // the recorders refer to them
+    for (const SceneRun& run : scene.runs) {
+      const Scenario& scenario = run.scenario;
+      Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
+      requests.push_back(
+          {scenario, recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
+                                            [&table](auto row) { table.add(row); })});
+    }
+  }
+  Interruptible interruptible;
+  tables.cost = produce(requests, &interruptible);
+  if (is_interrupted()) throw Interrupted();
+  for (auto& [number, own] : tables.of)
+    for (NamedTable& table : own) {
+      if (table.table.rows() == 0)
+        throw InputError(fmt::format("scene {}: nothing of the run \"{}\" lies in the window",
+                                     number, table.name));
+      table.table = thinned(table.table, thinning);
+    }
+  return tables;
+}
+
+}  // namespace rotor
