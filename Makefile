@@ -54,7 +54,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench \
+.PHONY: help bench-programs deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench \
         deps-lint deps-clang deps-portable stress sanitize portable clean
 
 help: ## list all targets
@@ -132,8 +132,9 @@ reference: build ## recompute reference-data/high-precision.csv in quadruple pre
 	@$(BUILD)/reference reference-data/high-precision.csv
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
-bench: build ## run time against error of every method, with pictures, into build/bench
-	$(call build-target,benchmark scene-costs)
+bench-programs: build ## build what make bench, stress and reference run
+	$(call build-target,benchmark scene-costs stress precision reference)
+bench: bench-programs ## run time against error of every method, with pictures, into build/bench
 	@$(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/benchmark/peers/scipy_peer.py
 	@echo && $(BUILD)/scene-costs figures/paper
 	@gnuplot -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \

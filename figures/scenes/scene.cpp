@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "figures/data/text.hpp"
 #include "figures/scenes/toml_file.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 class SceneReader : TomlFile {
  public:
-  SceneReader(const std::filesystem::path& file, const Overrides& overrides)
-      : TomlFile(file), overrides_(overrides) {}
+  SceneReader(const std::filesystem::path& file, Overrides overrides)
+      : TomlFile(file), overrides_(std::move(overrides)) {}
 
   Scene read() {
     const toml::table& root = this->root();

@@ -79,7 +79,9 @@ class FlightChart {
     if (!synchronous_.exists())
       return {x[3], x[4], at.motion.speed, a.mass_centre.x(), a.mass_centre.y(), a.angular};
     // w and w' are what theta' and W' make of them.
-    const auto& [value, by_angle, by_speed] = at.synchronous;
+    const auto& value = at.synchronous.value;
+    const auto& by_angle = at.synchronous.by_angle;
+    const auto& by_speed = at.synchronous.by_speed;
     const S half = value.real(Synchronous::angle_ripple) / 2, per_half = 1 / (1 + half * half);
     const S phi_by_theta = 1 + by_angle.real(Synchronous::angle_ripple) * per_half;
     const S phi_by_W = by_speed.real(Synchronous::angle_ripple) * per_half;

@@ -197,7 +197,7 @@ class SynchronousMotion {
 
     // The response to a force(W) e^(i n theta), and what it lacks because the speed changes.
     const auto impedance = [&](int n) -> typename Series::Quadratic {
-      const S w = S(n) * centre_, slope(n);
+      const S slope = static_cast<S>(n), w = slope * centre_;
       return {Vector<S>(k - m * w * w, d * w), Vector<S>(-2 * m * w * slope, d * slope),
               Vector<S>(-m * slope * slope, 0)};
     };
@@ -240,7 +240,7 @@ class SynchronousMotion {
       const S drag = d * e * e / inertia, pull = k * e * e / (2 * inertia);
       H = integral(n, g + pull * K - drag * H);
       K = integral(n, H);
-      const S strong(0.1);
+      const S strong = S(1) / 10;
       if (!(K[0].norm() < strong)) return Series();
       harmonic.lay(speed_ripple, H);
       harmonic.lay(angle_ripple, K);

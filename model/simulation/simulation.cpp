@@ -44,7 +44,7 @@ Simulation::Simulation(Simulation&& other) noexcept = default;
 Simulation::~Simulation() = default;
 
 Simulation& Simulation::operator=(const Simulation& other) {
-  state_ = std::make_unique<State>(*other.state_);
+  if (this != &other) state_ = std::make_unique<State>(*other.state_);
   return *this;
 }
 

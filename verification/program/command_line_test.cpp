@@ -32,7 +32,7 @@ TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
                  "--frcition: there is no such option of run; did you mean "
                  "--friction?");
   expect_refusal("run --weight 5", "--weight: there is no such option of run");
-  expect_refusal("foo", "foo: there is no such command; the commands are: figure, run");
+  expect_refusal("foo", "foo: there is no such command; the commands are: figure, plot, run");
   expect_refusal("rnu", "rnu: there is no such command; did you mean run?");
   expect_refusal("run --mass " + std::string(100'000, '9') + "x",
                  "--mass: must be a finite number");
