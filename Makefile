@@ -59,8 +59,8 @@ endef
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
-	  awk -F '\t' '{ printf "  make %-12s %s\n", $$1, $$2 }'
-	@echo "  make figNN        redraw one figure: $(FIGURES)"
+	  awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
+	@echo "  make figNN          redraw one figure: $(FIGURES)"
 	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures)"
 
 deps: ## install the Debian packages that are missing
