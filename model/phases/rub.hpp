@@ -129,7 +129,6 @@ struct Sliding : Rub<S, Chart> {
         return {Event::motor_off, ContactState::sliding, direction};
     }
   }
-  static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
 
   /// Nearly as small as in flight.
   Unknowns scale(const Unknowns& x) const {
@@ -166,9 +165,12 @@ struct Rolling : Rub<S, Chart> {
         return rotor.motor_guard(x[5]);  // f = f_max
     }
   }
-  /// In most steps friction stays far from its limit, and the guard that costs most needs no look:
-  /// twice what holds the rim at both ends is less than it can be anywhere in between.
+
   using Point = rotor::Point<S, Unknowns>;
+
+  /// In most steps friction stays far from its limit, and the guard that costs most needs no look:
+  /// twice as much as can hold the rim at the ends of the step is less than the limit all through
+  /// it, which is as smooth as estimated_curvature takes it to be.
   std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
     using std::max;
     const S friction = 2 * max(friction_bound(from), friction_bound(to));
@@ -201,13 +203,15 @@ struct Rolling : Rub<S, Chart> {
   }
 
  private:
-  /// A bound of |F_tau|, N, from the moments about C of all other loads.
+  /// A bound of |F_tau|, N, from the moments about C of all other loads. There is none if C may lie
+  /// on the line of friction.
   S friction_bound(const Point& at) const {
     using std::abs;
     const Body<S>& body = rotor.body;
     const Supports<S>& supports = rotor.supports;
     const RimPoint<S> k = chart.rim_point(at.x);
     const S e = body.eccentricity, r = rotor.ring.rotor_radius, w = abs(at.x[5]);
+    if (!(e < r)) return std::numeric_limits<S>::infinity();
     const S support =
         supports.stiffness * k.displacement + supports.damping * (abs(at.x[3]) + r * w);
     const S moment = body.inertia * abs(at.rates[5]) + supports.torque +
