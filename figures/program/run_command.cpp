@@ -59,8 +59,7 @@ Scene requested_scene(const RunOptions& options) {
                                    *options.from_s, run.scenario.until));
   }
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
-  if (result.columns.empty())
-    for (const Column& column : all_columns()) result.columns.push_back(&column);
+  if (result.columns.empty()) result.columns = every_column();
   if (options.from_s) result.window = {.from_s = *options.from_s};
   return result;
 }

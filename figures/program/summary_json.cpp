@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "figures/scenes/scene.hpp"
 #include "model/mechanics/mass_loss.hpp"
@@ -13,8 +12,8 @@ namespace {
 
 constexpr int schema = 2;  // 1 had neither outcome nor parameters
 
-double critical_speed_Hz(const Parameters& p, double mass) {
-  return std::sqrt(p.support_stiffness / mass) / (2 * std::numbers::pi);
+double critical_speed_Hz(const Parameters& p) {
+  return in_Hz(std::sqrt(p.support_stiffness / p.mass));
 }
 
 }  // namespace
@@ -47,7 +46,7 @@ nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const 
   put("whirl_frequency_Hz", summary.whirl_frequency_Hz);
   put("motor_off_s", summary.motor_off_s);
   put("speed_at_separation_Hz", summary.speed_at_separation_Hz);
-  const double critical = critical_speed_Hz(p, p.mass);
+  const double critical = critical_speed_Hz(p);
   put("speed_ratio_at_separation", summary.speed_at_separation_Hz
                                        ? std::optional(*summary.speed_at_separation_Hz / critical)
                                        : std::nullopt);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace rotor {
 namespace {
@@ -18,16 +17,7 @@ double whirl_frequency(View& view) {
   const Motion<double>& m = view.motion();
   const double square = m.displacement.squaredNorm();
   return square == 0 ? std::numeric_limits<double>::quiet_NaN()
-                     : cross(m.displacement, m.velocity) / square / (2 * std::numbers::pi);
-}
-
-double contact_damping_power(View& view) {
-  if (view.at().contact == ContactState::free) return 0;
-  const RimPoint<double>& k = view.rim_point();
-  const Ring<double>& ring = view.ring();
-  // Clear of the rim, the ring's spring works on its damper alone.
-  return view.in_contact() ? -ring.damping * k.normal_velocity * k.normal_velocity
-                           : ring.stiffness * k.indentation * k.normal_velocity;
+                     : in_Hz(cross(m.displacement, m.velocity) / square);
 }
 
 constexpr std::array columns = {
@@ -45,8 +35,7 @@ constexpr std::array columns = {
            [](View& v) { return v.displacement_in_stator_frame().x(); }},
     Column{"y_a_m", "O along y_a in the stator's frame",
            [](View& v) { return v.displacement_in_stator_frame().y(); }},
-    Column{"speed_Hz", "rotation speed f",
-           [](View& v) { return v.at().state[5] / (2 * std::numbers::pi); }},
+    Column{"speed_Hz", "rotation speed f", [](View& v) { return in_Hz(v.at().state[5]); }},
     Column{"normal_force_N", "F_n on the rotor, negative in compression",
            [](View& v) { return v.normal_force(); }, Extreme::normal_force},
     Column{"friction_force_N", "F_tau on the rotor, positive in the sense of q3",
@@ -70,7 +59,10 @@ constexpr std::array columns = {
            [](View& v) { return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0; }},
     Column{"contact_damping_power_W",
            "power of the contact's damper, negative; also while the ring comes back",
-           contact_damping_power},
+           [](View& v) {
+             const bool is_clear = v.at().contact == ContactState::free;  // where K may not exist
+             return is_clear ? 0 : v.ring().damping_power(v.rim_point(), v.at().contact);
+           }},
     Column{
         "support_energy_J", "potential energy of the supports' springs",
         [](View& v) { return v.supports().stiffness * v.motion().displacement.squaredNorm() / 2; }},
@@ -96,9 +88,7 @@ const RimPoint<double>& View::rim_point() {
   return *rim_point_;
 }
 
-bool View::in_contact() const {
-  return at_.contact == ContactState::sliding || at_.contact == ContactState::rolling;
-}
+bool View::in_contact() const { return at_.touches(); }
 
 double View::normal_force() { return in_contact() ? context_.ring.normal_force(rim_point()) : 0; }
 
@@ -123,6 +113,12 @@ Vector<double> View::displacement_in_stator_frame() {
 }
 
 std::span<const Column> all_columns() { return columns; }
+
+std::vector<const Column*> every_column() {
+  std::vector<const Column*> all;
+  for (const Column& column : columns) all.push_back(&column);
+  return all;
+}
 
 const Column* find_column(std::string_view name) {
   const auto* const found = std::find_if(columns.begin(), columns.end(),

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "model/phases/phase.hpp"
 #include "model/simulation/instant.hpp"
@@ -56,6 +57,7 @@ struct Column {
 
 /// All columns, in the order in which a trace has them.
 std::span<const Column> all_columns();
+std::vector<const Column*> every_column();  ///< the same, as scenes list them
 
 /// The column of that name, or null.
 const Column* find_column(std::string_view name);

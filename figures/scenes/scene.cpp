@@ -33,7 +33,7 @@ class SceneReader : TomlFile {
  private:
   std::vector<const Column*> columns(const toml::table& root) const {
     const toml::node* node = root.get("columns");
-    if (!node) return {all_columns_as_vector()};
+    if (!node) return every_column();
     std::vector<std::string> names;
     if (const toml::array* array = node->as_array())
       for (const toml::node& item : *array) names.push_back(item.value_or<std::string>(""));
@@ -41,12 +41,6 @@ class SceneReader : TomlFile {
     if (names.front() != "time_s" || names.size() == 1)
       fail(*node, "columns", "must begin with \"time_s\" and have another column");
     return at(*node, "columns", [&] { return parse_columns(names); });
-  }
-
-  static std::vector<const Column*> all_columns_as_vector() {
-    std::vector<const Column*> all;
-    for (const Column& column : all_columns()) all.push_back(&column);
-    return all;
   }
 
   /// What a table states.

@@ -91,6 +91,19 @@ struct Ring {
     return -damping * k.normal_velocity > stiffness * rounding;
   }
 
+  /// Power of the damper, W: while the rim presses it, and while the ring's own spring pushes it
+  /// back.
+  S damping_power(const RimPoint<S>& k, ContactState contact) const {
+    switch (contact) {
+      case ContactState::free:
+        return S(0);
+      case ContactState::indented:
+        return stiffness * k.indentation * k.normal_velocity;
+      default:
+        return -damping * k.normal_velocity * k.normal_velocity;
+    }
+  }
+
   /// F_tau against a sliding rim. `direction` is the sign of the slip velocity.
   S sliding_friction(const S& normal_force, int direction) const {
     return S(direction) * friction * normal_force;  // Eqs. (22)-(24): F_n < 0

@@ -37,7 +37,6 @@ struct Flight : Phase<S, Chart> {
   using typename Phase<S, Chart>::Unknowns;
   using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
   static constexpr bool contact_in_rates = false;
-  static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const auto at = chart.kinematics(x);

@@ -181,8 +181,8 @@ class FlightChart {
                : x[2];
   }
 
-  /// Far above the critical speed. Near it the response changes too fast with the speed to be worth
-  /// subtracting.
+  /// Above the critical speed by 1.4 times. Nearer to it the response changes too fast with the
+  /// speed to be worth subtracting.
   bool is_fast(const S& speed) const {
     const S critical = rotor_.supports.stiffness / rotor_.body.mass;  // squared
     return speed * speed > 2 * critical;

@@ -35,6 +35,9 @@ template <class S, class Chart>
 struct Phase {
   using Unknowns = typename Chart::Unknowns;
 
+  /// Whether the n-th guard works out all loads of the contact.
+  static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
+
   const RotorSystem<S>& rotor;
   const Chart& chart;
 };

@@ -8,17 +8,16 @@
 
 namespace rotor {
 
-template <class S>
-constexpr std::size_t series_degree = 5;
+inline constexpr std::size_t series_degree = 5;
 
 /// A series with real terms.
 template <class S>
-using RealSeries = std::array<S, series_degree<S> + 1>;
+using RealSeries = std::array<S, series_degree + 1>;
 
 template <class S>
 class PlaneSeries {
  public:
-  static constexpr std::size_t degree = series_degree<S>;
+  static constexpr std::size_t degree = series_degree;
 
   PlaneSeries() { terms_.fill(Vector<S>(0, 0)); }
   static PlaneSeries linear(const Vector<S>& constant, const Vector<S>& factor) {

@@ -96,9 +96,8 @@ class SynchronousMotion {
     S speed_ripple;  ///< rad/s
   };
   Amplitudes amplitudes(const S& speed) const {
-    const Vector<S> one(1, 0);
-    const Vectors once = first_.at(speed - centre_, one).value;
-    const Vectors twice = second_.at(speed - centre_, one).value;
+    const Vectors once = first_.coefficients(speed - centre_);
+    const Vectors twice = second_.coefficients(speed - centre_);
     const auto bound = [&](Function f) { return S(once(f).norm() + twice(f).norm()); };
     return {bound(displacement), bound(velocity), bound(speed_ripple)};
   }
@@ -125,6 +124,14 @@ class SynchronousMotion {
         term.x[f] = by.x();
         term.y[f] = by.y();
       }
+    }
+
+    /// At a speed that is x away from the centre.
+    Vectors coefficients(const S& x) const {
+      Vectors value = terms_[Degree];
+      for (std::size_t n = Degree; n-- > 0;)
+        value = {terms_[n].x + x * value.x, terms_[n].y + x * value.y};
+      return value;
     }
 
     struct ValueAndSlope {

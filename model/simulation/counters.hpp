@@ -6,8 +6,8 @@ namespace rotor {
 struct Counters {
   long steps = 0;             ///< that have been kept
   long right_hand_sides = 0;  ///< in these and all other steps
-  long contact_evaluations =
-      0;  ///< of the loads in contact, Eqs. (15)-(25): right-hand sides and guards
+  /// Of all loads in contact, Eqs. (15)-(25): in right-hand sides and in guards that need them.
+  long contact_evaluations = 0;
   long located_events = 0;
 
   Counters& operator+=(const Counters& other) {

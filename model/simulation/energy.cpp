@@ -9,25 +9,23 @@ namespace {
 Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<double>& ring,
                                   const Instant& at) {
   const Motion<double> m = at.motion();
-  double dashpot = 0, friction = 0;
+  double damping = 0, friction = 0;
   if (at.contact != ContactState::free) {
     const RimPoint<double> k = ring.rim_point(m);
-    if (at.contact == ContactState::indented) {
-      dashpot = ring.stiffness * k.indentation * k.normal_velocity;  // the ring's spring on it
-    } else {
+    damping = ring.damping_power(k, at.contact);
+    if (at.touches()) {
       const double normal = ring.elastic_force(k);
       const double tangential =
           at.contact == ContactState::rolling
               ? friction_without_slip(at.body, ring, m, k, supports.loads(at.body, m, at.motor_on),
                                       normal)
               : ring.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1);
-      dashpot = -ring.damping * k.normal_velocity * k.normal_velocity;
       friction = tangential * k.slip_velocity;
     }
   }
   return {at.motor_on ? supports.torque * m.speed : 0,
           supports.gravity_moment(at.body, m) * m.speed,
-          -supports.damping * m.velocity.squaredNorm(), dashpot, friction};
+          -supports.damping * m.velocity.squaredNorm(), damping, friction};
 }
 
 }  // namespace

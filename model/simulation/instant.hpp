@@ -1,6 +1,8 @@
 /// The rotor at one instant of a run.
 #pragma once
 
+#include <numbers>
+
 #include "model/mechanics/rotating_frame.hpp"
 #include "model/phases/transition.hpp"
 
@@ -18,9 +20,17 @@ struct BasicInstant {
   Event event = Event::none;  ///< what has just happened
 
   Motion<S> motion() const { return RotatingFrame<S>::motion(body, state); }
+
+  /// Whether the rim is pressed against the ring.
+  bool touches() const {
+    return contact == ContactState::sliding || contact == ContactState::rolling;
+  }
 };
 
 using Instant = BasicInstant<double>;
+
+/// A speed in rad/s as turns per second.
+inline double in_Hz(double speed) { return speed / (2 * std::numbers::pi); }
 
 /// At t = 0, where every run starts.
 template <class S = double>

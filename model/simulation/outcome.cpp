@@ -38,10 +38,9 @@ OutcomeWatch::OutcomeWatch(const Scenario& scenario)
 }
 
 void OutcomeWatch::note(const Instant& at) {
-  const bool touches = at.contact == ContactState::sliding || at.contact == ContactState::rolling;
-  touched_ = touched_ || touches;
+  touched_ = touched_ || at.touches();
   rolled_ = rolled_ || at.contact == ContactState::rolling;
-  if (!touches)
+  if (!at.touches())
     contact_since_s_ = std::nullopt;
   else if (!contact_since_s_)
     contact_since_s_ = at.time_s;

@@ -1,16 +1,9 @@
 #include "model/simulation/summary.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace rotor {
 namespace {
-
-double in_Hz(double speed) { return speed / (2 * std::numbers::pi); }
-
-bool touches(const Instant& at) {
-  return at.contact == ContactState::sliding || at.contact == ContactState::rolling;
-}
 
 void raise(std::optional<double>& greatest, double value) {
   if (!greatest || value > *greatest) greatest = value;
@@ -31,7 +24,7 @@ void SummaryObserver::on_instant(const Instant& at) {
 
   summary_.outcome = watch_.outcome();
   summary_.whirl_frequency_Hz = std::nullopt;
-  if (touches(at))
+  if (at.touches())
     summary_.whirl_frequency_Hz =
         in_Hz(cross(motion.displacement, motion.velocity) / motion.displacement.squaredNorm());
   summary_.final_speed_Hz = in_Hz(motion.speed);
@@ -70,7 +63,7 @@ void SummaryObserver::note_extremes(const Instant& at, const Motion<double>& mot
   const Vector<double> bearings =
       supports_.stiffness * motion.displacement + supports_.damping * motion.velocity;
   summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, bearings.norm());
-  if (!touches(at)) return;
+  if (!at.touches()) return;
   const double force = -ring_.normal_force(ring_.rim_point(motion));
   if (!at.separated) raise(summary_.peak_normal_force_before_loss_N, force);
   if (force > summary_.peak_normal_force_N.value_or(0)) {
@@ -80,7 +73,7 @@ void SummaryObserver::note_extremes(const Instant& at, const Motion<double>& mot
 }
 
 void SummaryObserver::note_contact(const Instant& at, const Motion<double>& motion) {
-  if (begun_ && touches(last_)) summary_.contact_time_s += at.time_s - last_.time_s;
+  if (begun_ && last_.touches()) summary_.contact_time_s += at.time_s - last_.time_s;
   if (at.contact != ContactState::free) {
     if (!begun_ || last_.contact == ContactState::free) {
       ++summary_.collisions;

@@ -1,6 +1,6 @@
 /// The balances of a run's energy and angular momentum: what they are, and what they must be from
-/// the work and the moments of the loads. Works from the outside, by quadrature along the motion;
-/// the model carries none of it.
+/// the work and the moments of the loads. Works from the outside, by quadrature along the motion,
+/// and on purpose without the model's own energy by cause (energy.hpp).
 #pragma once
 
 #include <boost/math/quadrature/gauss.hpp>
