@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "figures/data/interruption.hpp"
-
 namespace rotor {
 namespace {
 
@@ -19,10 +17,6 @@ std::string duration(double seconds) {
 }
 
 }  // namespace
-
-bool Interruptible::goes_on(const double& /*time_s*/, const double& /*speed*/) {
-  return !is_interrupted();
-}
 
 RunProgress::RunProgress(double until_s)
     : until_s_(until_s), next_s_(first_report_s), on_terminal_(::isatty(STDERR_FILENO) != 0) {}

@@ -3,19 +3,13 @@
 
 #include <chrono>
 
-#include "model/simulation/observer.hpp"
+#include "figures/scenes/interruptible.hpp"
 
 namespace rotor {
 
-/// Lets runs go on until there is an interruption.
-class Interruptible : public Observer {
- public:
-  bool goes_on(const double& time_s, const double& speed) override;
-};
-
-/// The same for one run. After a few seconds it says on standard error how far the run is and how
-/// long the rest will take if it goes on like this: again and again in one line of a terminal, and
-/// seldom elsewhere.
+/// Interruptible, for one run. After a few seconds it says on standard error how far the run is and
+/// how long the rest will take if it goes on like this: again and again in one line of a terminal,
+/// and seldom elsewhere.
 class RunProgress : public Interruptible {
  public:
   explicit RunProgress(double until_s);

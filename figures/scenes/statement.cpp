@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "figures/scenes/interruptible.hpp"
 #include "model/simulation/time_at_speed.hpp"
 
 namespace rotor {
@@ -119,7 +120,9 @@ Scenario scenario_of(const Statement& statement) {
     p.separation_time = 0;  // until it is known
     scenario.until = until.value_or(default_rub_s);
     check(scenario);
-    const SpeedReached reached = time_at_speed(scenario, *speed, until);
+    Interruptible monitor;
+    const SpeedReached reached = time_at_speed(scenario, *speed, until, monitor);
+    if (is_interrupted()) throw Interrupted();
     if (!reached.time_s)
       throw InputError(
           fmt::format("{} = {} Hz: is not reached; until {:.6g} s the rotor has {:.6g} Hz at most",

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "model/simulation/observer.hpp"
 #include "model/simulation/scenario.hpp"
 
 namespace rotor {
@@ -14,7 +15,8 @@ struct SpeedReached {
 };
 
 /// Without mass loss; until a time, or twice as long as the motor would take without any
-/// resistance.
-SpeedReached time_at_speed(Scenario scenario, double speed_Hz, std::optional<double> until_s);
+/// resistance. The monitor is asked after every step whether to go on.
+SpeedReached time_at_speed(Scenario scenario, double speed_Hz, std::optional<double> until_s,
+                           Observer& monitor);
 
 }  // namespace rotor

@@ -104,7 +104,8 @@ TEST(Statement, OfTheEquationsAboveAnotherTakesBothCorrections) {
 }
 
 TEST(SeparationSpeed, IsThatAtTheMassLoss) {
-  for (const double speed_Hz : {20., 75., 149.99, 150.}) {  // where the motor is switched off, too
+  for (const double speed_Hz :
+       {20., 75., 149.9995, 150.}) {  // where the motor is switched off, too
     const Scenario scenario = scenario_of(numbers({{"separation_speed_hz", speed_Hz}}));
     Observer null_observer;
     Simulation simulation(scenario);
@@ -114,6 +115,8 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   EXPECT_NE(refusal(numbers({{"separation_speed_hz", 151}})).find("is not reached"),
             std::string::npos);
   EXPECT_NE(refusal(numbers({{"separation_speed_hz", 75}, {"until", 3}})).find("is not reached"),
+            std::string::npos);
+  EXPECT_NE(refusal(numbers({{"separation_speed_hz", 75}, {"torque", 0}})).find("0 Hz at most"),
             std::string::npos);
 }
 

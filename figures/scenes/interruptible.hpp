@@ -1,0 +1,17 @@
+/// Work that an interruption ends.
+#pragma once
+
+#include "figures/data/interruption.hpp"
+#include "model/simulation/observer.hpp"
+
+namespace rotor {
+
+/// Lets runs go on until there is an interruption.
+class Interruptible : public Observer {
+ public:
+  bool goes_on(const double& /*time_s*/, const double& /*speed*/) override {
+    return !is_interrupted();
+  }
+};
+
+}  // namespace rotor
