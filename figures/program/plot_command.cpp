@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "figures/data/files.hpp"
 #include "figures/data/text.hpp"
@@ -19,14 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, which is gone in the end.
+/// A folder of its own for what gnuplot reads and draws, which is gone in the end.
 class DraftFolder {
  public:
-  /// In another folder, so that a file can be moved there whole.
-  explicit DraftFolder(const fs::path& in) : path_((in / ".rotor-plot-XXXXXX").string()) {
+  DraftFolder() : path_((fs::temp_directory_path() / "rotor-plot-XXXXXX").string()) {
     if (!::mkdtemp(path_.data()))
-      throw std::runtime_error(
-          fmt::format("{}: cannot be written: {}", in.string(), std::strerror(errno)));
+      throw std::runtime_error(fmt::format(
+          "{}: cannot be written: {}", fs::temp_directory_path().string(), std::strerror(errno)));
   }
   ~DraftFolder() {
     std::error_code ignored;
@@ -76,12 +77,18 @@ void plot_scene(const PlotOptions& options) {
   if (format != ".svg" && format != ".pdf" && format != ".png")
     throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
 
+  const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder))
+    throw InputError(
+        fmt::format("{}: cannot be written: there is no such folder", folder.string()));
+  FileTransaction::require_distinct({out});
+
   const SceneTables tables = compute_tables({{1, scene}});
-  const DraftFolder drafts(out.has_parent_path() ? out.parent_path() : fs::path("."));
-  FileTransaction files;
-  files.write(drafts.file("data.csv"), to_csv(provenance(scene.title, scene),
-                                              headings("run", scene.columns), tables.of.at(1)));
-  files.commit();
+  const DraftFolder drafts;
+  FileTransaction data;
+  data.write(drafts.file("data.csv"), to_csv(provenance(scene.title, scene),
+                                             headings("run", scene.columns), tables.of.at(1)));
+  data.commit();
   double clearance = 0;
   std::string names;
   for (const SceneRun& run : scene.runs) {
@@ -97,7 +104,10 @@ void plot_scene(const PlotOptions& options) {
                   quoted(drafts.file("data.csv").string()), quoted(picture.string()),
                   format.substr(1), quoted(title), 1000 * clearance, scene.runs.size(), names),
       ROTOR_SCENES "/style.gp", ROTOR_SCENES "/../program/plot.gp");
-  fs::rename(picture, out);
+  std::ifstream drawn(picture, std::ios::binary);
+  FileTransaction files;
+  files.write(out, std::string(std::istreambuf_iterator<char>(drawn), {}));
+  files.commit();
   fmt::print("{}\n", out.string());
 }
 

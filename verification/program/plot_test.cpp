@@ -36,6 +36,17 @@ TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {
   EXPECT_TRUE(content("a.png").substr(1).starts_with("PNG"));
 }
 
+TEST_F(Plot, FollowsLinksAndKeepsTheMode) {
+  write("target.svg", "old");
+  fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("target.svg", folder_ / "link.svg");
+  EXPECT_EQ(rotor("plot \"it's.toml\" --out link.svg").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.svg"));
+  EXPECT_NE(content("target.svg").find("</svg>"), std::string::npos);
+  EXPECT_EQ(fs::status(folder_ / "target.svg").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
 TEST_F(Plot, LeavesNothingBehindWhereItFails) {
   write("a.svg", "old");
   expect_refusal("plot \"it's.toml\" --out a.jpg", "must end in .svg, .pdf or .png");
