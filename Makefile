@@ -54,8 +54,8 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help bench-programs deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench \
-        deps-lint deps-clang deps-portable stress sanitize portable clean
+.PHONY: help deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench-programs \
+        bench deps-lint deps-clang deps-portable stress sanitize portable clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \

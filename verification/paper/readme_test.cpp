@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "model/simulation/simulation.hpp"
+#include "verification/paper/published_values.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -42,6 +44,17 @@ std::vector<Cells> table(const std::string& heading) {
 
 class Readme : public CommandLine {
  protected:
+  /// Its words, with single blanks between them.
+  static std::string text() {
+    std::ifstream file(ROTOR_SOURCES "/README.md");
+    std::string all;
+    for (std::string word; file >> word;) all += word + ' ';
+    return all;
+  }
+  static void expect_said(const std::string& sentence) {
+    EXPECT_NE(text().find(sentence), std::string::npos) << "does not say: " << sentence;
+  }
+
   nlohmann::json summary(const std::string& arguments) const {
     return nlohmann::json::parse(rotor("run --json " + arguments + " 2>/dev/null").output);
   }
@@ -87,6 +100,58 @@ TEST_F(Readme, ShowsWhatItsThreeCasesGive) {
     const std::string peak = force(found, 1);
     EXPECT_EQ(row[3], peak.empty() ? "-" : peak) << row[0];
   }
+}
+
+/// Has the largest force located, and nothing else, as the benchmark does.
+struct LargestForce : Observer {
+  double threshold(Extreme of, const double& from_s, const double& until_s) const override {
+    return of == Extreme::normal_force ? largest : Observer::threshold(of, from_s, until_s);
+  }
+  void on_instant(const Instant& at) override {
+    if (at.touches()) largest = std::max(largest, -ring.normal_force(ring.rim_point(at.motion())));
+  }
+  void on_maximum(const Maximum& maximum) override { on_instant(maximum.at); }
+
+  Ring<double> ring{Parameters{}};
+  double largest = 0;
+};
+
+TEST_F(Readme, CountsTheRightHandSides) {
+  const auto rows = table("| mu = 0.3, from the mass loss to 29.2 s |");
+  ASSERT_EQ(rows.size(), 4U);
+  std::vector<Scenario> scenarios(rows.size());
+  scenarios[0].method = Method::rk4;
+  scenarios[1].tolerance = 1e-6;
+  scenarios[2].tolerance = 1e-8;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    scenarios[n].until = 29.2;
+    LargestForce observer;
+    Simulation simulation(scenarios[n]);
+    simulation.pass_mass_loss(observer);
+    const long before = simulation.counters().right_hand_sides;
+    simulation.finish(observer);
+    const long count = simulation.counters().right_hand_sides - before;
+    const Cells& row = rows[n];
+    const double said =
+        std::stod(row[1].substr(0, row[1].find(',')) + row[1].substr(row[1].find(',') + 1));
+    EXPECT_NEAR(static_cast<double>(count), said, said / 100) << row[0];  // as compilers may differ
+  }
+}
+
+TEST_F(Readme, CountsVerdictsAndWrongChanges) {
+  std::map<std::string, int> verdicts, kinds;
+  const auto values = published_values(ROTOR_REFERENCE_DATA "/published-values.csv");
+  for (const PublishedValue& value : values) {
+    ++verdicts[value.verdict];
+    ++kinds[value.kind];
+  }
+  expect_said(
+      fmt::format("Of the text's {} numbers and claims, {} are reproduced, {} close (within 5 %), "
+                  "{} differ, and {} are refuted",
+                  values.size(), verdicts["reproduced"], verdicts["close"], verdicts["differs"],
+                  verdicts["refuted"]));
+  expect_said(fmt::format("each of the {} rows", values.size()));
+  expect_said(fmt::format("{} of them arithmetic on the inputs", kinds["arithmetic"]));
 }
 
 }  // namespace
