@@ -25,13 +25,13 @@ RunProgress::~RunProgress() {
   if (has_reported_ && on_terminal_) fmt::print(stderr, "\n");
 }
 
-bool RunProgress::goes_on(const double& time_s, const double& speed) {
+bool RunProgress::goes_on(const Progress& now) {
   constexpr long seldom = 256;  // a clock takes as long as a small part of a step
   if (++steps_ % seldom == 0) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    if (elapsed.count() > next_s_) report(time_s, elapsed.count());
+    if (elapsed.count() > next_s_) report(now.time_s, elapsed.count());
   }
-  return Interruptible::goes_on(time_s, speed);
+  return Interruptible::goes_on(now);
 }
 
 void RunProgress::report(double time_s, double elapsed_s) {

@@ -17,7 +17,7 @@ class RunProgress : public Interruptible {
   RunProgress(const RunProgress&) = delete;
   RunProgress& operator=(const RunProgress&) = delete;
 
-  bool goes_on(const double& time_s, const double& speed) override;
+  bool goes_on(const Progress& now) override;
 
  private:
   void report(double time_s, double elapsed_s);

@@ -44,6 +44,8 @@ nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const 
   put("contact_time_s", summary.contact_time_s);
   put("peak_bearing_force_N", summary.peak_bearing_force_N);
   put("whirl_frequency_Hz", summary.whirl_frequency_Hz);
+  put("whirl_from_s", summary.whirl_from_s);
+  put("whirl_until_s", summary.whirl_until_s);
   put("motor_off_s", summary.motor_off_s);
   put("speed_at_separation_Hz", summary.speed_at_separation_Hz);
   const double critical = critical_speed_Hz(p);

@@ -20,9 +20,9 @@ class Audience : public Observer {
     for (Observer* observer : all_) observer->on_instant(at);
   }
 
-  bool goes_on(const double& time_s, const double& speed) override {
+  bool goes_on(const Progress& now) override {
     bool all = true;
-    for (Observer* observer : all_) all = observer->goes_on(time_s, speed) && all;
+    for (Observer* observer : all_) all = observer->goes_on(now) && all;
     return all;
   }
 

@@ -44,7 +44,7 @@ constexpr std::array columns = {
     Column{"kinetic_energy_J", "T of the rotor",
            [](View& v) { return kinetic_energy(v.at().body, v.motion()); }},
     Column{"bearing_force_N", "magnitude of k r_O + d v_O of the supports",
-           [](View& v) { return v.bearing_force().norm(); }},
+           [](View& v) { return v.bearing_force().norm(); }, Extreme::bearing_force},
     Column{"whirl_frequency_Hz", "of O about O_a, negative against the rotation", whirl_frequency},
     Column{"contact_angle_rad", "direction of O from O_a in the stator's frame, from x_a",
            [](View& v) {
@@ -105,7 +105,7 @@ double View::friction() {
 }
 
 Vector<double> View::bearing_force() {
-  return supports().stiffness * motion().displacement + supports().damping * motion().velocity;
+  return supports().bearing_force(motion().displacement, motion().velocity);
 }
 
 Vector<double> View::displacement_in_stator_frame() {

@@ -9,9 +9,7 @@ namespace rotor {
 /// Lets runs go on until there is an interruption.
 class Interruptible : public Observer {
  public:
-  bool goes_on(const double& /*time_s*/, const double& /*speed*/) override {
-    return !is_interrupted();
-  }
+  bool goes_on(const Progress& /*now*/) override { return !is_interrupted(); }
 };
 
 }  // namespace rotor

@@ -66,8 +66,8 @@ class Recorder : public Observer {
   long rows_ = 0;
   std::vector<Instant> maxima_;  ///< in the step that comes next
   Row last_;
-  Row least_, greatest_;             ///< of each column so far
-  std::array<double, 2> largest_{};  ///< of each Extreme so far
+  Row least_, greatest_;                         ///< of each column so far
+  std::array<double, extreme_count> largest_{};  ///< of each Extreme so far
 };
 
 }  // namespace rotor

@@ -89,6 +89,12 @@ struct Supports {
         torque(S(p.torque)),
         balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
+  /// What the supports are loaded with by a position and a velocity of O, and what that changes by
+  /// with their rates, N or N/s.
+  Vector<S> bearing_force(const Vector<S>& displacement, const Vector<S>& velocity) const {
+    return stiffness * displacement + damping * velocity;
+  }
+
   Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
     const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;
     return {force, -damping * cross(motion.displacement, motion.velocity) +

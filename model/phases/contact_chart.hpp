@@ -65,6 +65,7 @@ class ContactChart {
   }
 
   S speed(const Unknowns& x) const { return x[5]; }
+  S whirl_angle(const Unknowns& x) const { return q3_ + alpha_ + x[1] + x[2]; }
 
   RimPoint<S> rim_point(const Unknowns& x) const {
     return {.normal = Vector<S>(1, 0),

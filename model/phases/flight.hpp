@@ -94,17 +94,23 @@ struct FreeFlight : Flight<S, Chart> {
              {!rotor.motor_on || bounds->speed < rotor.motor_off, std::nullopt}}};
   }
 
-  std::array<ExtremeValue<S>, 1> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
+  static constexpr std::array extremes_of = {Extreme::displacement, Extreme::bearing_force};
+  static constexpr bool extreme_takes_rates(std::size_t /*i*/) { return false; }
+  std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
     const Motion<S> m = chart.kinematics(x).motion;
-    const S rho = m.displacement.norm();
-    const S rate = rho > 0 ? S(m.displacement.dot(m.velocity) / rho) : S(0);
-    return {{{Extreme::displacement, rho, rate}}};
+    const Supports<S>& supports = rotor.supports;
+    const Vector<S> of_O = acceleration_of_centre(acceleration(rotor.body, m, rotor.loads(m)), m);
+    return {{ExtremeValue<S>::length(m.displacement, m.velocity),
+             ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
+                                     supports.bearing_force(m.velocity, of_O))}};
   }
 
-  /// A bound of rho within a step, if it can be told, m.
-  std::optional<S> reach(const Point& from, const Point& to) const {
+  /// Bounds of them within a step, if they can be told.
+  std::optional<std::array<S, 2>> reach(const Point& from, const Point& to) const {
     const auto bounds = motion_bounds(from, to);
-    return bounds ? std::optional(bounds->displacement) : std::nullopt;
+    if (!bounds) return std::nullopt;
+    return {{bounds->displacement, rotor.supports.stiffness * bounds->displacement +
+                                       rotor.supports.damping * bounds->velocity}};
   }
 
  private:

@@ -50,6 +50,7 @@ class FlightChart {
 
   /// Without ripple, rad/s.
   S speed(const Unknowns& x) const { return speed_ + x[5]; }
+  S whirl_angle(const Unknowns& /*x*/) const { return S(0); }
 
   Kinematics kinematics(const Unknowns& x) const {
     using std::cos, std::sin;

@@ -5,6 +5,7 @@
 ///   unknowns(q), state(x)    from and to the paper's coordinates
 ///   kinematics(x)            the motion, in a basis of the chart's own
 ///   speed(x)                 of the rotor, ripple aside
+///   whirl_angle(x)           of O in the stator's frame, continuous; 0 in flight
 ///   rim_point(x)             K, in the same basis
 ///   rates(x, kinematics, a)  of the unknowns, from the accelerations
 ///   scale(...)               of the unknowns, from those of the motion
@@ -21,14 +22,20 @@
 namespace rotor {
 
 /// The quantities whose maxima a run can locate.
-enum class Extreme { displacement, normal_force };
+enum class Extreme { displacement, bearing_force, normal_force };
+constexpr std::size_t extreme_count = 3;
 
 /// Such a quantity. It has its maximum where its rate becomes negative.
 template <class S>
 struct ExtremeValue {
-  Extreme of;
   S value;  ///< m or N
   S rate;   ///< m/s or N/s
+
+  /// The length of a vector.
+  static ExtremeValue length(const Vector<S>& vector, const Vector<S>& rate) {
+    const S length = vector.norm();
+    return {length, length > 0 ? S(vector.dot(rate) / length) : S(0)};
+  }
 };
 
 template <class S, class Chart>

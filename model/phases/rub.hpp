@@ -23,12 +23,20 @@ struct Rub : Phase<S, Chart> {
     return rotor.swing(rotor.ring.stiffness, x[5], h);
   }
 
-  std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& rates) const {
+  static constexpr std::array extremes_of = {Extreme::displacement, Extreme::bearing_force,
+                                             Extreme::normal_force};
+  static constexpr bool extreme_takes_rates(std::size_t i) { return i > 0; }
+  std::array<ExtremeValue<S>, 3> extremes(const Unknowns& x, const Unknowns& rates) const {
     const Ring<S>& ring = rotor.ring;
     const auto k = chart.rim_point(x);
-    return {{{Extreme::displacement, k.displacement, k.normal_velocity},
-             {Extreme::normal_force, -ring.elastic_force(k),
-              ring.stiffness * x[3] + ring.damping * rates[3]}}};
+    // Along the normal and the tangent, which turn.
+    const Vector<S> position(k.displacement, 0), position_rate(x[3], 0);
+    const Vector<S> velocity(x[3], x[4] - ring.rotor_radius * x[5]),
+        velocity_rate(rates[3], rates[4] - ring.rotor_radius * rates[5]);
+    return {{{k.displacement, k.normal_velocity},
+             ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
+                                     rotor.supports.bearing_force(position_rate, velocity_rate)),
+             {-ring.elastic_force(k), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
 
   /// The rim pressed against the ring.

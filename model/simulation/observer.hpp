@@ -30,6 +30,14 @@ struct BasicMaximum {
   BasicInstant<S> at;
 };
 
+/// How far a run has got after a step.
+template <class S>
+struct BasicProgress {
+  S time_s;
+  S speed;        ///< rad/s
+  S whirl_angle;  ///< of O about O_a, rad; continuous as long as a contact lasts, 0 in flight
+};
+
 /// Watches a run. It is shown, in order: the start, both sides of every event, the end, and what it
 /// asks for, the maxima in a step before that step. A method with fixed steps shows the end of
 /// every step, and nothing in between.
@@ -40,8 +48,8 @@ class BasicObserver {
 
   virtual void on_instant(const BasicInstant<S>& /*at*/) {}
 
-  /// Asked after every step, with the speed there in rad/s. A run that is not to go on ends there.
-  virtual bool goes_on(const S& /*time_s*/, const S& /*speed*/) { return true; }
+  /// Asked after every step. A run that is not to go on ends there.
+  virtual bool goes_on(const BasicProgress<S>& /*now*/) { return true; }
 
   /// Whether to be shown the motion between those times.
   virtual bool wants_dense_output(const S& /*from_s*/, const S& /*until_s*/) const { return false; }
@@ -56,6 +64,7 @@ class BasicObserver {
 
 using DenseOutput = BasicDenseOutput<double>;
 using Maximum = BasicMaximum<double>;
+using Progress = BasicProgress<double>;
 using Observer = BasicObserver<double>;
 
 }  // namespace rotor

@@ -127,7 +127,13 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   at_.contact = contact;
   if (state[5] >= 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
   observer.on_instant(at_);
-  stopped_ = !observer.goes_on(at_.time_s, at_.state[5]);
+  if (contact == ContactState::free) {
+    whirl_angle_ = 0;
+  } else {
+    const double angle = state[2] + std::atan2(state[1], state[0]);
+    whirl_angle_ += std::remainder(angle - whirl_angle_, 2 * std::numbers::pi);
+  }
+  stopped_ = !observer.goes_on({at_.time_s, at_.state[5], whirl_angle_});
   return true;
 }
 

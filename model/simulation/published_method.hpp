@@ -47,7 +47,8 @@ class PublishedMethod {
   // Times are counted from the first step of a length, so that none depends on where others left
   // the run.
   double step_ = 0, origin_s_ = 0;
-  long steps_ = 0;  ///< since then
+  long steps_ = 0;          ///< since then
+  double whirl_angle_ = 0;  ///< rad
   Counters counters_;
   bool stopped_ = false;
 };

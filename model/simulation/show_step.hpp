@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -57,12 +58,18 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   const auto threshold = [&](Extreme of, const S& from, const S& until) {
     return observer.threshold(of, start.time_s + from, start.time_s + until);
   };
-  S reach = std::numeric_limits<S>::infinity();
-  const S displacement = threshold(Extreme::displacement, S(0), duration);
-  if (displacement >= reach && threshold(Extreme::normal_force, S(0), duration) >= reach) return;
+  constexpr auto& kinds = std::remove_cvref_t<decltype(phase)>::extremes_of;
+  std::array<S, kinds.size()> reach;
+  reach.fill(std::numeric_limits<S>::infinity());
+  const auto is_beyond_reach = [&] {
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      if (threshold(kinds[i], S(0), duration) < reach[i]) return false;
+    return true;
+  };
+  if (is_beyond_reach()) return;
   if constexpr (requires(Point p) { phase.reach(p, p); }) {
     reach = phase.reach(step.start(), step.end()).value_or(reach);
-    if (reach <= displacement) return;
+    if (is_beyond_reach()) return;
   }
   // In contact the ends of a step have to tell, or every step would cost an interpolation: at loose
   // tolerances it may swing by more than an arc, and hide a maximum.
@@ -79,16 +86,16 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
       const ExtremeValue<S>&l = at_left[i], &r = at_right[i];
       if (!(l.rate > 0 && r.rate < 0)) continue;
       using std::min;
-      const S bound = min(reach, where_tangents_meet(l, r, S(right.time - left.time)));
-      if (bound <= threshold(l.of, left.time, right.time)) continue;
+      const S bound = min(reach[i], where_tangents_meet(l, r, S(right.time - left.time)));
+      if (bound <= threshold(kinds[i], left.time, right.time)) continue;
       const auto rate = [&](const Unknowns& x) {
-        Unknowns rates;
-        step.system()(x, rates, S(0));
+        Unknowns rates{};
+        if (phase.extreme_takes_rates(i)) step.system()(x, rates, S(0));
         return phase.extremes(x, rates)[i].rate;
       };
       if (const auto maximum =
               step.crossing(rate, step.observe(rate, left.time), step.observe(rate, right.time))) {
-        found.push_back({l.of, bound, start});
+        found.push_back({kinds[i], bound, start});
         found.back().at.time_s = min(until_s, S(start.time_s + maximum->time));
         found.back().at.state = phase.chart.state(maximum->x);
       }

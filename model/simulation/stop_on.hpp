@@ -40,11 +40,11 @@ class StopObserver : public Observer {
     if (maximum.of == Extreme::normal_force && awaits_maximum()) reached_ = true;
   }
 
-  bool goes_on(const double& time_s, const double& speed) override {
+  bool goes_on(const Progress& now) override {
     constexpr double slow = 0.1 * 2 * std::numbers::pi, for_s = 1;
     const bool is_over = separated_ || !loses_mass_;
-    if (!is_over || std::abs(speed) >= slow) slow_since_s_ = time_s;
-    if (stop_on_ == StopOn::rest && time_s - slow_since_s_ >= for_s) reached_ = true;
+    if (!is_over || std::abs(now.speed) >= slow) slow_since_s_ = now.time_s;
+    if (stop_on_ == StopOn::rest && now.time_s - slow_since_s_ >= for_s) reached_ = true;
     return !reached_;
   }
 

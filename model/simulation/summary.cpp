@@ -23,10 +23,6 @@ void SummaryObserver::on_instant(const Instant& at) {
   begun_ = true;
 
   summary_.outcome = watch_.outcome();
-  summary_.whirl_frequency_Hz = std::nullopt;
-  if (at.touches())
-    summary_.whirl_frequency_Hz =
-        in_Hz(cross(motion.displacement, motion.velocity) / motion.displacement.squaredNorm());
   summary_.final_speed_Hz = in_Hz(motion.speed);
   summary_.final_kinetic_energy_J = kinetic_energy(at.body, motion);
   summary_.final_q1_m = at.state[0];
@@ -42,15 +38,34 @@ void SummaryObserver::on_step(const DenseOutput& step) {
   watch_.note_speed(step.at(watch_.time_of_speed_s()).state[5]);
 }
 
+bool SummaryObserver::goes_on(const Progress& now) {
+  if (!rolls_) return true;
+  if (!rolls_since_) {
+    rolls_since_ = now;
+  } else {
+    summary_.whirl_from_s = rolls_since_->time_s;
+    summary_.whirl_until_s = now.time_s;
+    summary_.whirl_frequency_Hz =
+        in_Hz((now.whirl_angle - rolls_since_->whirl_angle) / (now.time_s - rolls_since_->time_s));
+  }
+  return true;
+}
+
 void SummaryObserver::on_maximum(const Maximum& maximum) {
   note_extremes(maximum.at, maximum.at.motion());
 }
 
 double SummaryObserver::threshold(Extreme of, const double& /*from_s*/,
                                   const double& /*until_s*/) const {
-  if (of == Extreme::normal_force) return summary_.peak_normal_force_N.value_or(0);
-  return last_.separated ? summary_.max_displacement_m.value_or(0)
-                         : summary_.max_displacement_before_loss_m;
+  switch (of) {
+    case Extreme::displacement:
+      return last_.separated ? summary_.max_displacement_m.value_or(0)
+                             : summary_.max_displacement_before_loss_m;
+    case Extreme::bearing_force:
+      return summary_.peak_bearing_force_N;
+    default:
+      return summary_.peak_normal_force_N.value_or(0);
+  }
 }
 
 void SummaryObserver::note_extremes(const Instant& at, const Motion<double>& motion) {
@@ -60,8 +75,7 @@ void SummaryObserver::note_extremes(const Instant& at, const Motion<double>& mot
   else
     summary_.max_displacement_before_loss_m =
         std::max(summary_.max_displacement_before_loss_m, displacement);
-  const Vector<double> bearings =
-      supports_.stiffness * motion.displacement + supports_.damping * motion.velocity;
+  const Vector<double> bearings = supports_.bearing_force(motion.displacement, motion.velocity);
   summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, bearings.norm());
   if (!at.touches()) return;
   const double force = -ring_.normal_force(ring_.rim_point(motion));
@@ -89,6 +103,7 @@ void SummaryObserver::note_contact(const Instant& at, const Motion<double>& moti
   }
   if (rolls) summary_.rolling_until_s = std::nullopt;
   if (rolls_ && !rolls) summary_.rolling_until_s = at.time_s;
+  if (!rolls) rolls_since_ = std::nullopt;
   rolls_ = rolls;
 }
 

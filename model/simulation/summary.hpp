@@ -24,10 +24,11 @@ struct Summary {
   long collisions_before_loss = 0;           ///< of the touch-downs; all, without mass loss
   std::optional<double> peak_normal_force_before_loss_N;
   double max_displacement_before_loss_m = 0;
-  double contact_time_s = 0;  ///< sliding or rolling
-  /// |k r_O + d v_O| of the supports, where the displacement has a maximum or an event occurs.
-  double peak_bearing_force_N = 0;
-  std::optional<double> whirl_frequency_Hz;  ///< of O about O_a at the end, if it touches then
+  double contact_time_s = 0;        ///< sliding or rolling
+  double peak_bearing_force_N = 0;  ///< |k r_O + d v_O| of the supports
+  /// Of O about O_a, negative against the rotation: its mean over the last time that the rotor
+  /// rolls, which is this window.
+  std::optional<double> whirl_frequency_Hz, whirl_from_s, whirl_until_s;
   std::optional<double> motor_off_s;
   std::optional<double> speed_at_separation_Hz;
   double final_speed_Hz = 0;
@@ -49,6 +50,7 @@ class SummaryObserver : public Observer {
   void on_step(const DenseOutput& step) override;
   double threshold(Extreme of, const double& from_s, const double& until_s) const override;
   void on_maximum(const Maximum& maximum) override;
+  bool goes_on(const Progress& now) override;
   const Summary& summary() const { return summary_; }
 
  private:
@@ -60,6 +62,7 @@ class SummaryObserver : public Observer {
   OutcomeWatch watch_;
   Instant last_;
   bool begun_ = false, rolls_ = false;
+  std::optional<Progress> rolls_since_;  ///< from the first step on
   Summary summary_;
 };
 

@@ -18,9 +18,7 @@ class Watch : public Observer {
   void on_instant(const Instant& at) override {
     if (at.event == Event::motor_off) motor_off_s = at.time_s;
   }
-  bool goes_on(const double& time_s, const double& speed) override {
-    return monitor_.goes_on(time_s, speed);
-  }
+  bool goes_on(const Progress& now) override { return monitor_.goes_on(now); }
 
   std::optional<double> motor_off_s;
 

@@ -1,6 +1,4 @@
-/// What `rotor run` says of a run: its outcome, where it stops, and every key of its summary.
-#include "model/simulation/summary.hpp"
-
+/// What `rotor run` says of a run: where it stops, and every key of its summary.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,117 +6,12 @@
 #include <set>
 
 #include "figures/scenes/names.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/start.hpp"
 #include "verification/support/command_line.hpp"
-#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
 
 using Json = nlohmann::json;
-
-Summary summary_until(double until_s, Scenario scenario) {
-  scenario.until = until_s;
-  SummaryObserver summary(scenario);
-  run(scenario, summary);
-  return summary.summary();
-}
-
-TEST(Outcome, IsOneOfSeven) {
-  const auto outcome = [](double until_s, const auto& change) {
-    Scenario scenario;
-    change(scenario.parameters);
-    return name_of(summary_until(until_s, scenario).outcome);
-  };
-  EXPECT_EQ(outcome(29.35, [](Parameters&) {}), "rolling");
-  EXPECT_EQ(outcome(29.1005, [](Parameters&) {}), "undecided");  // on its way to the ring
-  EXPECT_EQ(outcome(29.11, [](Parameters&) {}), "bouncing");
-  EXPECT_EQ(outcome(9.65, [](Parameters& p) { p.separation_time = 9.4; }), "no_contact");
-  EXPECT_EQ(outcome(30, [](Parameters& p) { p.separation_time = 1; }), "stalled");  // at 11 Hz
-  EXPECT_EQ(outcome(6, [](Parameters& p) { p.separation_time = 2; }), "stalled");   // bouncing
-  EXPECT_EQ(outcome(29.35, [](Parameters& p) { p.friction = 0.08; }), "sliding");
-  EXPECT_EQ(outcome(29.35,
-                    [](Parameters& p) {
-                      p.friction = 0.08;
-                      p.contact_damping = 1.2e4;
-                    }),
-            "freed");
-}
-
-// Still at the critical speed, but on its way through it.
-TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
-  Scenario scenario;
-  scenario.parameters.separates = false;
-  EXPECT_NE(summary_until(1.9, scenario).outcome, Outcome::stalled);
-}
-
-// Exactly as far as it says: a free rotor that is let go with a vibration reaches it, and not more.
-TEST(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
-  Scenario scenario{.until = 3};
-  Parameters& p = scenario.parameters;
-  p.support_damping = p.gravity = p.torque = 0;
-  p.separates = false;
-  p.motor_off_Hz = 0;
-  p.stator_radius = 0.08;
-  scenario.start_speed_Hz = 60;
-  Instant start = start_of(scenario);
-  start.state[1] += 0.8e-3;
-  start.state[4] += 0.05;
-  const Supports<double> supports(p, scenario.equations);
-  const double bound = reach(start.body, supports, start.motion());
-  SummaryObserver summary(scenario);
-  run(scenario, start, summary);
-  const double greatest = summary.summary().max_displacement_before_loss_m;
-  EXPECT_LE(greatest, bound);
-  EXPECT_GT(greatest, 0.97 * bound);  // of amplitudes that only add up when they happen to meet
-}
-
-TEST(Summary, CountsContactsBeforeAndAfterTheMassLossApart) {
-  Scenario scenario;
-  scenario.parameters.support_stiffness = 1.2e5;  // hits the ring on its way to the resonance
-  scenario.parameters.separation_time = 10;
-  scenario.until = 10.25;
-  EventRecorder recorder;
-  run(scenario, recorder);
-  const Summary summary = summary_until(10.25, scenario);
-  long before = 0, after = 0;
-  for (const Instant& at : recorder.events())
-    if (at.event == Event::touch_down) ++(at.separated ? after : before);
-  ASSERT_GT(before, 0);
-  EXPECT_EQ(summary.collisions_before_loss, before);
-  EXPECT_EQ(summary.collisions, before + after);
-  EXPECT_GT(summary.max_displacement_before_loss_m, 3e-3);
-  EXPECT_GT(summary.peak_normal_force_before_loss_N.value_or(0), 0);
-}
-
-TEST(Summary, AddsUpTheTimeInContact) {
-  const Scenario scenario;
-  EventRecorder recorder;
-  const RunEnd end = run(scenario, recorder);
-  double time_s = 0, since_s = -1;
-  const auto touches = [](const Instant& at) {
-    return at.contact == ContactState::sliding || at.contact == ContactState::rolling;
-  };
-  for (const Instant& at : recorder.events()) {
-    if (since_s >= 0) time_s += at.time_s - since_s;
-    since_s = touches(at) ? at.time_s : -1;
-  }
-  if (since_s >= 0) time_s += end.last.time_s - since_s;
-  EXPECT_NEAR(summary_until(29.35, scenario).contact_time_s, time_s, 1e-12);
-}
-
-TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
-  const Summary rolling = summary_until(29.35, {});
-  EXPECT_FALSE(rolling.rolling_until_s);
-  const double clearance = 3e-3, radius = 0.06;  // rolling backwards on the ring: -f r / rho
-  EXPECT_NEAR(
-      rolling.whirl_frequency_Hz.value_or(0) / (-rolling.final_speed_Hz * radius / clearance), 1,
-      0.2);
-  const Summary later = summary_until(60, {});
-  EXPECT_NEAR(later.rolling_until_s.value_or(0), 30.49, 0.005);
-  EXPECT_EQ(later.outcome, Outcome::rolling);
-}
 
 class RunCommand : public CommandLine {
  protected:

@@ -1,0 +1,191 @@
+/// What is gathered along a run: its outcome and the quantities of its summary.
+#include "model/simulation/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <numbers>
+
+#include "figures/scenes/audience.hpp"
+#include "figures/scenes/names.hpp"
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/start.hpp"
+#include "verification/support/observers.hpp"
+
+namespace rotor {
+namespace {
+
+Summary summary_until(double until_s, Scenario scenario) {
+  scenario.until = until_s;
+  SummaryObserver summary(scenario);
+  run(scenario, summary);
+  return summary.summary();
+}
+
+TEST(Outcome, IsOneOfSeven) {
+  const auto outcome = [](double until_s, const auto& change) {
+    Scenario scenario;
+    change(scenario.parameters);
+    return name_of(summary_until(until_s, scenario).outcome);
+  };
+  EXPECT_EQ(outcome(29.35, [](Parameters&) {}), "rolling");
+  EXPECT_EQ(outcome(29.1005, [](Parameters&) {}), "undecided");  // on its way to the ring
+  EXPECT_EQ(outcome(29.11, [](Parameters&) {}), "bouncing");
+  EXPECT_EQ(outcome(9.65, [](Parameters& p) { p.separation_time = 9.4; }), "no_contact");
+  EXPECT_EQ(outcome(30, [](Parameters& p) { p.separation_time = 1; }), "stalled");  // at 11 Hz
+  EXPECT_EQ(outcome(6, [](Parameters& p) { p.separation_time = 2; }), "stalled");   // bouncing
+  EXPECT_EQ(outcome(29.35, [](Parameters& p) { p.friction = 0.08; }), "sliding");
+  EXPECT_EQ(outcome(29.35,
+                    [](Parameters& p) {
+                      p.friction = 0.08;
+                      p.contact_damping = 1.2e4;
+                    }),
+            "freed");
+}
+
+// Still at the critical speed, but on its way through it.
+TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
+  Scenario scenario;
+  scenario.parameters.separates = false;
+  EXPECT_NE(summary_until(1.9, scenario).outcome, Outcome::stalled);
+}
+
+// Exactly as far as it says: a free rotor that is let go with a vibration reaches it, and not more.
+TEST(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
+  Scenario scenario{.until = 3};
+  Parameters& p = scenario.parameters;
+  p.support_damping = p.gravity = p.torque = 0;
+  p.separates = false;
+  p.motor_off_Hz = 0;
+  p.stator_radius = 0.08;
+  scenario.start_speed_Hz = 60;
+  Instant start = start_of(scenario);
+  start.state[1] += 0.8e-3;
+  start.state[4] += 0.05;
+  const Supports<double> supports(p, scenario.equations);
+  const double bound = reach(start.body, supports, start.motion());
+  SummaryObserver summary(scenario);
+  run(scenario, start, summary);
+  const double greatest = summary.summary().max_displacement_before_loss_m;
+  EXPECT_LE(greatest, bound);
+  EXPECT_GT(greatest, 0.97 * bound);  // of amplitudes that only add up when they happen to meet
+}
+
+// What the supports carry is largest where the velocity is as well, far from the displacement's
+// maxima if they damp strongly; in flight as in contact.
+TEST(Summary, HasTheLargestBearingForceWhereverItOccurs) {
+  struct Samples : Observer {
+    explicit Samples(const Scenario& scenario)
+        : supports(scenario.parameters, scenario.equations) {}
+    bool wants_dense_output(const double& /*from_s*/, const double& until_s) const override {
+      return until_s > 29.09;
+    }
+    void on_step(const DenseOutput& step) override {
+      for (int n = 0; n <= 64; ++n) {
+        const Instant at = step.at(step.from_s + (step.until_s - step.from_s) * n / 64);
+        const Motion<double> m = at.motion();
+        const Vector<double> force =
+            supports.stiffness * m.displacement + supports.damping * m.velocity;
+        (at.touches() ? in_contact : in_flight) =
+            std::max(at.touches() ? in_contact : in_flight, force.norm());
+      }
+    }
+    Supports<double> supports;
+    double in_contact = 0, in_flight = 0;
+  };
+  int clear = 0;
+  for (const double damping : {25., 300., 3000.}) {
+    for (const double stator_radius : {0.062, 0.09}) {
+      Scenario scenario{.start_speed_Hz = 100};
+      scenario.parameters.support_damping = damping;
+      scenario.parameters.stator_radius = stator_radius;
+      Samples samples(scenario);
+      SummaryObserver summary(scenario);
+      Audience audience;
+      audience.add(summary);
+      audience.add(samples);
+      run(scenario, audience);
+      const double sampled = std::max(samples.in_contact, samples.in_flight);
+      clear += samples.in_contact == 0;
+      EXPECT_GE(summary.summary().peak_bearing_force_N, sampled * (1 - 1e-9)) << damping;
+      EXPECT_LE(summary.summary().peak_bearing_force_N, sampled * (1 + 1e-3)) << damping;
+    }
+  }
+  EXPECT_EQ(clear, 4);
+}
+
+TEST(Summary, CountsContactsBeforeAndAfterTheMassLossApart) {
+  Scenario scenario;
+  scenario.parameters.support_stiffness = 1.2e5;  // hits the ring on its way to the resonance
+  scenario.parameters.separation_time = 10;
+  scenario.until = 10.25;
+  EventRecorder recorder;
+  run(scenario, recorder);
+  const Summary summary = summary_until(10.25, scenario);
+  long before = 0, after = 0;
+  for (const Instant& at : recorder.events())
+    if (at.event == Event::touch_down) ++(at.separated ? after : before);
+  ASSERT_GT(before, 0);
+  EXPECT_EQ(summary.collisions_before_loss, before);
+  EXPECT_EQ(summary.collisions, before + after);
+  EXPECT_GT(summary.max_displacement_before_loss_m, 3e-3);
+  EXPECT_GT(summary.peak_normal_force_before_loss_N.value_or(0), 0);
+}
+
+TEST(Summary, AddsUpTheTimeInContact) {
+  const Scenario scenario;
+  EventRecorder recorder;
+  const RunEnd end = run(scenario, recorder);
+  double time_s = 0, since_s = -1;
+  const auto touches = [](const Instant& at) {
+    return at.contact == ContactState::sliding || at.contact == ContactState::rolling;
+  };
+  for (const Instant& at : recorder.events()) {
+    if (since_s >= 0) time_s += at.time_s - since_s;
+    since_s = touches(at) ? at.time_s : -1;
+  }
+  if (since_s >= 0) time_s += end.last.time_s - since_s;
+  EXPECT_NEAR(summary_until(29.35, scenario).contact_time_s, time_s, 1e-12);
+}
+
+TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
+  const Summary rolling = summary_until(29.35, {});
+  EXPECT_FALSE(rolling.rolling_until_s);
+  // The time integral of the whirl's rate, and what it must be by another method.
+  struct Whirl : Observer {
+    void on_instant(const Instant& at) override { rolls = at.contact == ContactState::rolling; }
+    bool wants_dense_output(const double&, const double&) const override { return rolls; }
+    void on_step(const DenseOutput& step) override {
+      if (!rolls || step.from_s < from_s) return;
+      using Rule = boost::math::quadrature::gauss<double, 15>;
+      turns += Rule::integrate(
+                   [&](double time_s) {
+                     const Motion<double> m = step.at(time_s).motion();
+                     return cross(m.displacement, m.velocity) / m.displacement.squaredNorm();
+                   },
+                   step.from_s, step.until_s) /
+               (2 * std::numbers::pi);
+      until_s = step.until_s;
+    }
+    double from_s = 0, until_s = 0, turns = 0;
+    bool rolls = false;
+  } whirl;
+  whirl.from_s = rolling.whirl_from_s.value_or(0);
+  run(Scenario{}, whirl);
+  EXPECT_LT(whirl.turns, -100);
+  EXPECT_EQ(rolling.whirl_until_s, whirl.until_s);
+  EXPECT_NEAR(*rolling.whirl_frequency_Hz * (whirl.until_s - whirl.from_s) / whirl.turns, 1, 1e-9);
+  Scenario published;
+  published.method = Method::rk4;
+  EXPECT_NEAR(*summary_until(29.35, published).whirl_frequency_Hz / *rolling.whirl_frequency_Hz, 1,
+              0.01);
+  Scenario sliding;
+  sliding.parameters.friction = 0.08;
+  EXPECT_FALSE(summary_until(29.35, sliding).whirl_frequency_Hz);
+  const Summary later = summary_until(60, {});
+  EXPECT_NEAR(later.rolling_until_s.value_or(0), 30.49, 0.005);
+  EXPECT_EQ(later.outcome, Outcome::rolling);
+}
+
+}  // namespace
+}  // namespace rotor
