@@ -10,11 +10,12 @@
 #include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/program/summary_json.hpp"
+#include "figures/scenes/account.hpp"
 #include "figures/scenes/audience.hpp"
 #include "figures/scenes/event_log.hpp"
 #include "figures/scenes/provenance.hpp"
 #include "figures/scenes/recorder.hpp"
+#include "figures/scenes/run_ups.hpp"
 #include "figures/scenes/sampler.hpp"
 #include "figures/scenes/scene.hpp"
 #include "model/simulation/simulation.hpp"
@@ -113,14 +114,14 @@ void say_which_equations() {
              "consistent puts both right\n");
 }
 
-/// What a run says of itself.
-struct Account {
+/// What is printed of a run.
+struct Printed {
   nlohmann::ordered_json summary;
   std::vector<Remark> remarks;
 };
 
 /// The one run of a scene, with what it writes.
-Account run_one(const RunOptions& options, const Scene& scene) {
+Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) {
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
   std::vector<std::filesystem::path> outputs;
@@ -130,11 +131,12 @@ Account run_one(const RunOptions& options, const Scene& scene) {
 
   // What is written goes out as it is computed: a long trace takes no memory.
   FileTransaction files;
-  SummaryObserver summary(scenario);
   RunProgress progress(scenario.until);
+  // Who writes sees the whole way.
+  auto [simulation, summary] =
+      outputs.empty() ? run_ups.depart(scenario, progress) : Departure(scenario);
   Audience audience;
   audience.add(progress);
-  audience.add(summary);
   std::optional<StopObserver> stop;
   if (options.stop_on) audience.add(stop.emplace(*options.stop_on, scenario));
   std::optional<EnergyObserver> energy;
@@ -162,9 +164,13 @@ Account run_one(const RunOptions& options, const Scene& scene) {
     audience.add(*events);
   }
 
-  const RunEnd end = run(scenario, audience);
+  audience.on_instant(simulation.instant());
+  audience.add(summary);
+  const bool is_cut = is_interrupted();  // on the way there
+  if (!is_cut) simulation.finish(audience);
+  const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
   const bool stop_reached = stop && stop->is_reached();
-  const EarlyEnd early{options.stop_on, stop_reached, end.stopped && !stop_reached};
+  const EarlyEnd early{options.stop_on, stop_reached, (is_cut || end.stopped) && !stop_reached};
   if (early.interrupted) {
     if (!options.keep_partial) throw Interrupted();
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
@@ -174,10 +180,10 @@ Account run_one(const RunOptions& options, const Scene& scene) {
         fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }
   files.commit();
-  Account account{to_json(summary.summary(), end, scenario, early),
-                  remarks(summary.summary(), end, scenario, early)};
-  if (energy) account.summary["energy_J"] = to_json(*energy);
-  return account;
+  const Account account{scenario, summary.summary(), end, early};
+  Printed printed{to_json(account), remarks(account)};
+  if (energy) printed.summary["energy_J"] = to_json(*energy);
+  return printed;
 }
 
 /// Several runs, a row each.
@@ -216,16 +222,17 @@ void run_rotor(const RunOptions& options) {
   const Scene scene = requested_scene(options);
   auto runs = nlohmann::ordered_json::array();
   std::vector<std::string> missed;
+  RunUps run_ups;
   for (const SceneRun& run : scene.runs) {
     Scene alone = scene;
     alone.runs = {run};
-    const Account account = run_one(options, alone);
+    const Printed printed = run_one(options, alone, run_ups);
     const bool one_of_many = scene.runs.size() > 1;
-    for (const Remark& remark : account.remarks)
+    for (const Remark& remark : printed.remarks)
       if (remark.missed) missed.push_back((one_of_many ? run.name + ": " : "") + remark.sentence);
     nlohmann::ordered_json row;
     if (one_of_many) row["run"] = run.name;
-    row.update(account.summary);
+    row.update(printed.summary);
     runs.push_back(row);
   }
   const bool standard_output_is_taken = options.trace == "-" || options.events == "-";

@@ -70,10 +70,10 @@ class EventMethod {
   RotorSystem<S> rotor_;
   BasicInstant<S> at_;
   std::variant<std::monostate, FlightChart<S>, ContactChart<S>> chart_;  ///< none at a restart
-  Point start_;               ///< of the next step, in that chart
-  bool phase_is_new_ = true;  ///< whether only the unknowns are known there
-  int direction_ = 0;         ///< of the slip, while sliding
-  S flight_step_{0}, contact_step_{0};
+  Point start_;                         ///< of the next step, in that chart
+  bool phase_is_new_ = true;            ///< whether only the unknowns are known there
+  int direction_ = 0;                   ///< of the slip, while sliding
+  S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
   Counters counters_;
   SwitchLimit<S> switch_limit_;
   bool stopped_ = false;

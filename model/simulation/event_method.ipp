@@ -19,7 +19,6 @@ EventMethod<S, Stepper>::EventMethod(const Scenario& scenario, const S& toleranc
     : control_(tolerance), rotor_(scenario.parameters, scenario.equations) {
   restart(from);
   flight_step_ = S(0.01) / rotor_.flight_frequency(at_.state[5]);
-  contact_step_ = S(0.1) / rotor_.contact_frequency(at_.state[5]);
 }
 
 template <class S, class Stepper>
@@ -101,6 +100,8 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
   const auto in = [&](const auto& phase, auto& chart, S& step) {
     return follow(phase, chart, step, until_s, observer, extent);
   };
+  if (at_.contact != ContactState::free && contact_step_ == 0)
+    contact_step_ = S(0.1) / rotor_.contact_frequency(at_.state[5]);
   switch (at_.contact) {
     case ContactState::free: {
       auto& chart = this->chart<FlightChart<S>>();
@@ -139,6 +140,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
   }
   for (;;) {
     const bool last = !(at_.time_s + step < until_s);
+    const Counters before = counters_;
     if (last && extent != Extent::everything) return std::nullopt;
     // As long as the time's digits say, so that times add up without rounding.
     Point end{.time = (last ? until_s : S(at_.time_s + step)) - at_.time_s};
@@ -155,8 +157,10 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
     const S end_s = last && !event ? until_s : S(at_.time_s + stop.time);
     std::optional<Transition> next;
     if (event) next = phase.next(*event, stop.x);
-    if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps)
+    if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
+      counters_ = before;  // the step is another's to take
       return std::nullopt;
+    }
     count_step();
     if (!last) step = next_step;
     show_step(taken, at_, end_s, observer);

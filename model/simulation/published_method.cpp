@@ -111,15 +111,18 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
 /// Returns whether the step has been taken: one that touches the ring is only if it `may_touch`.
 bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Observer& observer) {
   boost::numeric::odeint::runge_kutta4<State<double>> stepper;
-  const long contacts_before = counters_.contact_evaluations;
+  const Counters before = counters_;
   State<double> state = at_.state;
   stepper.do_step(RightHandSide(at_.body, supports_, ring_, at_.motor_on, counters_), state,
                   at_.time_s, length);
   ++counters_.steps;
   require_finite(state, end_s, length);
   const ContactState contact = contact_state(state, length);
-  const bool touched = counters_.contact_evaluations > contacts_before;
-  if (touched && !may_touch) return false;
+  const bool touched = counters_.contact_evaluations > before.contact_evaluations;
+  if (touched && !may_touch) {
+    counters_ = before;  // the step is another's to take
+    return false;
+  }
 
   ++steps_;
   at_.time_s = end_s;

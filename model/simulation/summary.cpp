@@ -11,6 +11,14 @@ void raise(std::optional<double>& greatest, double value) {
 
 }  // namespace
 
+SummaryObserver SummaryObserver::with(const Scenario& scenario) const {
+  SummaryObserver branch = *this;
+  branch.ring_ = Ring<double>(scenario.parameters);
+  branch.watch_ = OutcomeWatch(scenario);
+  branch.watch_.note(last_);
+  return branch;
+}
+
 void SummaryObserver::on_instant(const Instant& at) {
   const Motion<double> motion = at.motion();
   if (!at.motor_on && !summary_.motor_off_s) summary_.motor_off_s = at.time_s;

@@ -44,6 +44,12 @@ class SummaryObserver : public Observer {
         supports_(scenario.parameters, scenario.equations),
         watch_(scenario) {}
 
+  /// The same of a run on its way to what another scenario states, which has not differed so far:
+  /// clear of the ring, before its mass loss and time_of_speed_s().
+  SummaryObserver with(const Scenario& scenario) const;
+  /// When the speed is to be known that tells whether the rotor stalls, s.
+  double time_of_speed_s() const { return watch_.time_of_speed_s(); }
+
   /// Takes the instants of a run in order, the first one at its start.
   void on_instant(const Instant& at) override;
   bool wants_dense_output(const double& from_s, const double& until_s) const override;

@@ -1,4 +1,4 @@
-/// The summary of a run as JSON. What its keys mean is in summary.schema.json.
+/// What a run says of itself. As JSON its keys are those of program/summary.schema.json.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,9 +20,15 @@ struct EarlyEnd {
   bool interrupted = false;
 };
 
+struct Account {
+  Scenario scenario;
+  Summary summary;
+  RunEnd end;
+  EarlyEnd early;
+};
+
 /// What has not happened is null.
-nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const Scenario& scenario,
-                               const EarlyEnd& early = {});
+nlohmann::ordered_json to_json(const Account& account);
 nlohmann::ordered_json to_json(const EnergyObserver& energy);
 
 /// What a reader has to know of a run beside its numbers.
@@ -30,7 +36,6 @@ struct Remark {
   std::string sentence;
   bool missed = false;  ///< something that was stated was not reached
 };
-std::vector<Remark> remarks(const Summary& summary, const RunEnd& end, const Scenario& scenario,
-                            const EarlyEnd& early = {});
+std::vector<Remark> remarks(const Account& account);
 
 }  // namespace rotor

@@ -1,10 +1,10 @@
-#include "figures/program/summary_json.hpp"
+#include "figures/scenes/account.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "figures/scenes/scene.hpp"
+#include "figures/scenes/names.hpp"
 #include "model/mechanics/mass_loss.hpp"
 
 namespace rotor {
@@ -18,8 +18,8 @@ double critical_speed_Hz(const Parameters& p) {
 
 }  // namespace
 
-nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const Scenario& scenario,
-                               const EarlyEnd& early) {
+nlohmann::ordered_json to_json(const Account& account) {
+  const auto& [scenario, summary, end, early] = account;
   const Parameters& p = scenario.parameters;
   nlohmann::ordered_json json;
   const auto put = [&json](const char* key, const std::optional<double>& value) {
@@ -69,8 +69,7 @@ nlohmann::ordered_json to_json(const Summary& summary, const RunEnd& end, const 
     json["stop_on"] = nullptr;
   json["stop_reached"] = early.stop_reached;
   json["remarks"] = nlohmann::ordered_json::array();
-  for (const Remark& remark : remarks(summary, end, scenario, early))
-    json["remarks"].push_back(remark.sentence);
+  for (const Remark& remark : remarks(account)) json["remarks"].push_back(remark.sentence);
   json["right_hand_sides"] = end.counters.right_hand_sides;
   json["contact_evaluations"] = end.counters.contact_evaluations;
   json["steps"] = end.counters.steps;
@@ -113,9 +112,9 @@ nlohmann::ordered_json to_json(const EnergyObserver& energy) {
   return json;
 }
 
-std::vector<Remark> remarks(const Summary& summary, const RunEnd& end, const Scenario& scenario,
-                            const EarlyEnd& early) {
+std::vector<Remark> remarks(const Account& account) {
   constexpr bool missed = true;
+  const auto& [scenario, summary, end, early] = account;
   const Parameters& p = scenario.parameters;
   std::vector<Remark> all;
   if (p.separates && !end.last.separated)

@@ -1,0 +1,41 @@
+/// Runs that are watched for their summary alone, and share their run-ups.
+#pragma once
+
+#include <list>
+#include <vector>
+
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/summary.hpp"
+
+namespace rotor {
+
+/// A run and its summary, as far as they have got.
+struct Departure {
+  Simulation simulation;
+  SummaryObserver summary;
+
+  /// At the start.
+  explicit Departure(const Scenario& scenario);
+};
+
+/// Keeps the run-ups of the last runs at many places on their way. What they take does not depend
+/// on how many runs there are.
+class RunUps {
+ public:
+  /// A run on its way to its mass loss, clear of the ring, to the bit as it would get there by
+  /// itself. If it is to lose no mass, at its start. Throws as `run` does. Where the monitor stops
+  /// the way, the departure is of no use.
+  Departure depart(const Scenario& scenario, Observer& monitor);
+
+ private:
+  /// The runs of one run-up part, in the order of their times.
+  struct Family {
+    Scenario run_up;
+    std::vector<Departure> departures;
+  };
+  Family& family(const Scenario& scenario);
+
+  std::list<Family> families_;  ///< the last one that was used is first
+};
+
+}  // namespace rotor

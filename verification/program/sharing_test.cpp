@@ -1,0 +1,131 @@
+/// Runs that share a part of their way are, to the bit, what they are alone.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "figures/scenes/account.hpp"
+#include "figures/scenes/audience.hpp"
+#include "figures/scenes/production.hpp"
+#include "figures/scenes/run_ups.hpp"
+
+namespace rotor {
+namespace {
+
+std::string finished(Departure way, const Scenario& scenario) {
+  way.simulation.finish(way.summary);
+  return to_json({scenario,
+                  way.summary.summary(),
+                  {way.simulation.instant(), way.simulation.counters()},
+                  {}})
+      .dump(1);
+}
+
+/// Scenarios that differ in what their run-up depends on, or later, or in when they leave it.
+std::vector<Scenario> scenarios() {
+  std::mt19937_64 random(3);
+  const auto one_of = [&](auto... values) {
+    const std::vector<std::common_type_t<decltype(values)...>> all = {values...};
+    return all[random() % all.size()];
+  };
+  std::vector<Scenario> all;
+  for (int n = 0; n < 120; ++n) {
+    Scenario scenario{.tolerance = 1e-8};
+    Parameters& p = scenario.parameters;
+    p.friction = one_of(0.3, 0.1);
+    p.contact_stiffness = one_of(7.625e8, 4e8);
+    p.unbalance_factor = one_of(3., 2.);
+    p.eccentricity *= one_of(1., 1., 0.7);
+    // The stiffer support lets the rotor touch the ring before the mass loss.
+    p.support_stiffness = one_of(5e4, 5e4, 1.2e5);
+    p.separation_time = one_of(0., 0.5, 2.0, 9.4, 19.1, 29.1, 29.1, 29.100001, 28.0);
+    p.separates = one_of(true, true, true, true, false);
+    scenario.until = p.separation_time + one_of(0.02, 0.05, 0.3);
+    scenario.equations = one_of(Equations::published, Equations::consistent);
+    if (p.separation_time < 3) scenario.start_speed_Hz = one_of(0, 0, 100);
+    if (n % 8 == 0) {
+      scenario.method = Method::rk4;
+      p.separation_time = one_of(1.0, 2.0, 2.00003);
+      scenario.until = p.separation_time + 0.01;
+    }
+    if (scenario.start_speed_Hz > 0) p.support_stiffness = 5e4;
+    all.push_back(scenario);
+  }
+  return all;
+}
+
+TEST(RunUps, LeadWhereARunOfItsOwnLeadsTo) {
+  RunUps run_ups;
+  Observer null_observer;
+  int touching_before = 0;
+  for (const Scenario& scenario : scenarios()) {
+    const Departure shared = run_ups.depart(scenario, null_observer);
+    EXPECT_EQ(shared.simulation.instant().separated, false);
+    const std::string alone = finished(Departure(scenario), scenario);
+    touching_before += alone.find("\"collisions_before_loss\": 0") == std::string::npos;
+    EXPECT_EQ(finished(shared, scenario), alone);
+  }
+  EXPECT_GT(touching_before, 3);
+}
+
+// A second run of the same way costs no run-up.
+TEST(RunUps, AreNotRunTwice) {
+  RunUps run_ups;
+  struct : Observer {
+    bool goes_on(const Progress&) override { return ++steps > 0; }
+    long steps = 0;
+  } monitor;
+  const Scenario scenario;
+  run_ups.depart(scenario, monitor);
+  EXPECT_GT(monitor.steps, 1000);
+  Scenario later = scenario;
+  later.parameters.friction = 0.1;
+  later.parameters.separation_time = 29.15;
+  later.until = 29.4;
+  monitor.steps = 0;
+  run_ups.depart(later, monitor);
+  EXPECT_LT(monitor.steps, 100);
+}
+
+/// All that an observer is shown.
+struct Log : Observer {
+  explicit Log(bool all_maxima) : wants(all_maxima) {}
+  void on_instant(const Instant& at) override { note(at); }
+  double threshold(Extreme, const double&, const double&) const override {
+    return wants ? 0 : std::numeric_limits<double>::infinity();
+  }
+  void on_maximum(const Maximum& maximum) override { note(maximum.at); }
+  bool wants_dense_output(const double& from_s, const double&) const override {
+    return wants && from_s > 29.1;
+  }
+  void on_step(const DenseOutput& step) override {
+    note(step.at(step.from_s + (step.until_s - step.from_s) / 3));
+  }
+  void note(const Instant& at) {
+    seen.push_back(at.time_s);
+    seen.insert(seen.end(), at.state.begin(), at.state.end());
+    seen.push_back(static_cast<double>(at.contact));
+    seen.push_back(static_cast<double>(at.event));
+    seen.push_back(at.body.mass);
+  }
+  bool wants;
+  std::vector<double> seen;
+};
+
+TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
+  std::vector<Scenario> all = scenarios();
+  std::shuffle(all.begin(), all.end(), std::mt19937_64(4));
+  std::vector<Log> logs;
+  for (std::size_t n = 0; n < all.size(); ++n) logs.emplace_back(n % 3 == 0);
+  std::vector<Request> requests;
+  for (std::size_t n = 0; n < all.size(); ++n) requests.push_back({all[n], logs[n]});
+  const ProductionReport report = produce(requests);
+  EXPECT_LT(report.run_ups, 70);  // of 120
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    Log alone(n % 3 == 0);
+    run(all[n], alone);
+    EXPECT_TRUE(alone.seen == logs[n].seen) << n;
+  }
+}
+
+}  // namespace
+}  // namespace rotor
