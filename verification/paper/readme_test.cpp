@@ -90,6 +90,42 @@ TEST_F(Readme, ShowsWhatEachCorrectionDoesOnItsOwn) {
   EXPECT_EQ(force(at_100_Hz, 2), "6.05");
 }
 
+TEST_F(Readme, ShowsBothSetsOfEquationsBesideThePaper) {
+  const auto rows = table("| mass loss | |");
+  ASSERT_EQ(rows.size(), 8U);
+  for (const char* equations : {"published", "consistent"}) {
+    const std::size_t column = equations == std::string("published") ? 3 : 4;
+    const auto of = [&](const std::string& options) {
+      return summary(fmt::format("{} --equations {}", options, equations));
+    };
+    const auto touch_downs_and_force = [&](const nlohmann::json& found) {
+      return fmt::format("{}, {} kN", found["collisions"].get<int>(), force(found, 1));
+    };
+    const auto rub = of("");
+    const double to_rolling =
+        rub["rolling_onset_s"].get<double>() - rub["first_contact_s"].get<double>();
+    const auto weak = of("--friction 0.08");
+    const auto at_75_Hz = of("--separation-time 14.15");
+    const std::string at_75_Hz_force = force(at_75_Hz, 1);
+    const Cells expected = {
+        rub["collisions"].dump(),
+        fmt::format("{:.1f} ms", 1000 * to_rolling),
+        force(rub, 1) + " kN",
+        touch_downs_and_force(of("--friction 0.2")),
+        touch_downs_and_force(weak) + (weak["rolling_onset_s"].is_null() ? ", no rolling" : ""),
+        force(of("--separation-time 19.1"), 1) + " kN",
+        at_75_Hz_force.empty() ? "no contact" : at_75_Hz_force + " kN",
+    };
+    for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(rows[n][column], expected[n]);
+    const double lowest_Hz = std::stod(rows.back()[column]), digit_Hz = 0.01;
+    const auto touches = [&](double speed_Hz) {
+      return of(fmt::format("--separation-speed-hz {}", speed_Hz))["collisions"] != 0;
+    };
+    EXPECT_FALSE(touches(lowest_Hz - digit_Hz)) << equations;
+    EXPECT_TRUE(touches(lowest_Hz + digit_Hz)) << equations;
+  }
+}
+
 TEST_F(Readme, ShowsWhatItsThreeCasesGive) {
   const auto rows = table("| `build/rotor run` |");
   ASSERT_EQ(rows.size(), 3U);
