@@ -8,9 +8,9 @@
 namespace rotor {
 namespace {
 
-/// Of so many families the run-ups are kept,
-constexpr std::size_t most_families = 32;
-/// at places that are so many steps apart, and so large a part of the way there.
+/// So many departures are kept, some kB each,
+constexpr std::size_t most_departures = 2048;
+/// that are so many steps apart, and so large a part of the way there.
 constexpr long least_steps = 16, parts_of_way = 64;
 
 double time_s(const Departure& departure) { return departure.simulation.instant().time_s; }
@@ -37,8 +37,10 @@ RunUps::Family& RunUps::family(const Scenario& scenario) {
     families_.splice(families_.begin(), families_, found);
   } else {
     families_.push_front({run_up, {Departure(run_up)}});
-    if (families_.size() > most_families) families_.pop_back();
+    ++departures_;
   }
+  for (; departures_ > most_departures && families_.size() > 1; families_.pop_back())
+    departures_ -= families_.back().departures.size();
   return families_.front();
 }
 
@@ -58,10 +60,24 @@ Departure RunUps::depart(const Scenario& scenario, Observer& monitor) {
   way.simulation.run_up(until_s, audience);
   const bool is_far = steps(way) - steps(last) >= least_steps + steps(last) / parts_of_way;
   Departure departure = way;
-  if (is_far && !way.simulation.stopped()) departures.insert(later, std::move(way));
+  if (is_far && !way.simulation.stopped()) {
+    departures.insert(later, std::move(way));
+    ++departures_;
+  }
   departure.simulation = departure.simulation.with(scenario);
   departure.summary = departure.summary.with(scenario);
   return departure;
+}
+
+SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
+                                   std::optional<double> until_s, Observer& monitor) {
+  const std::vector<Departure>& departures = family(run_up_to_speed(scenario)).departures;
+  constexpr double ripple = 0.01;  // the speed rises, but for this
+  const auto faster =
+      std::find_if(departures.begin() + 1, departures.end(), [&](const Departure& departure) {
+        return in_Hz(departure.simulation.instant().state[5]) > (1 - ripple) * speed_Hz;
+      });
+  return rotor::time_at_speed((faster - 1)->simulation, scenario, speed_Hz, until_s, monitor);
 }
 
 }  // namespace rotor

@@ -6,6 +6,7 @@
 
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/summary.hpp"
+#include "model/simulation/time_at_speed.hpp"
 
 namespace rotor {
 
@@ -27,6 +28,10 @@ class RunUps {
   /// the way, the departure is of no use.
   Departure depart(const Scenario& scenario, Observer& monitor);
 
+  /// As the function of that name has it.
+  SpeedReached time_at_speed(const Scenario& scenario, double speed_Hz,
+                             std::optional<double> until_s, Observer& monitor);
+
  private:
   /// The runs of one run-up part, in the order of their times.
   struct Family {
@@ -36,6 +41,7 @@ class RunUps {
   Family& family(const Scenario& scenario);
 
   std::list<Family> families_;  ///< the last one that was used is first
+  std::size_t departures_ = 0;  ///< of all
 };
 
 }  // namespace rotor

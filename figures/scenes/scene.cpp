@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "figures/data/text.hpp"
-#include "figures/scenes/toml_file.hpp"
+#include "figures/scenes/toml_statement.hpp"
 
 namespace rotor {
 namespace {
@@ -25,7 +25,8 @@ class SceneReader : TomlFile {
     scene.title = text(root, "title").value_or("");
     scene.columns = columns(root);
     scene.runs = runs(
-        root, statement(table(root, "parameters"), {}).overridden_by(overrides_.of_parameters));
+        root,
+        stated_in(*this, table(root, "parameters"), {}).overridden_by(overrides_.of_parameters));
     scene.window = window(root, scene);
     return scene;
   }
@@ -41,35 +42,6 @@ class SceneReader : TomlFile {
     if (names.front() != "time_s" || names.size() == 1)
       fail(*node, "columns", "must begin with \"time_s\" and have another column");
     return at(*node, "columns", [&] { return parse_columns(names); });
-  }
-
-  /// What a table states.
-  Statement statement(const toml::table& in, Keys other_keys) const {
-    Keys allowed = std::move(other_keys);
-    for (const Statable& s : statables()) allowed.push_back(s.quantity.name);
-    allowed.insert(allowed.end(),
-                   {"no_separation", "equations", "velocity_jump", "gravity_moment", "method"});
-    expect_keys(in, allowed);
-
-    Statement stated;
-    for (const auto& [quantity, instead_of] : statables())
-      if (const auto number = value<double>(in, quantity.name, quantity.range())) {
-        if (!quantity.allows(*number))
-          fail(*in.get(quantity.name), quantity.name,
-               fmt::format("must be {}, not {}", quantity.range(), *number));
-        stated.numbers.emplace(quantity.name, *number);
-      }
-    if (const auto none = value<bool>(in, "no_separation", "true or false"))
-      stated.loses_mass = !*none;
-    const auto parse = [&](std::string_view key, auto& into, auto parser) {
-      if (const auto name = text(in, key))
-        into = at(*in.get(key), key, [&] { return parser(*name); });
-    };
-    parse("equations", stated.equations, parse_equations);
-    parse("velocity_jump", stated.velocity_jump, parse_velocity_jump);
-    parse("gravity_moment", stated.gravity_moment, parse_gravity_moment);
-    parse("method", stated.method, parse_method);
-    return stated;
   }
 
   SceneRun run(const std::string& name, const Statement& stated, const toml::node& node,
@@ -89,7 +61,8 @@ class SceneReader : TomlFile {
       const auto same = [&](const SceneRun& other) { return other.name == *name; };
       if (std::any_of(all.begin(), all.end(), same))
         fail(*table, "name", fmt::format("there is a run \"{}\" already", shown(*name)));
-      all.push_back(run(*name, base.overridden_by(statement(*table, {"name"})), *table, "run"));
+      all.push_back(
+          run(*name, base.overridden_by(stated_in(*this, *table, {"name"})), *table, "run"));
     }
     return all;
   }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "figures/scenes/interruptible.hpp"
-#include "model/simulation/time_at_speed.hpp"
 
 namespace rotor {
 namespace {
@@ -54,6 +54,42 @@ double unbalance_factor(const Parameters& p, double lost_mass) {
 /// The time between the mass loss and the end of a run that states none.
 constexpr double default_rub_s = 0.25;
 
+/// The scenario but for the time at which a speed is reached: then the mass is lost at the start.
+Scenario numbers_of(const Statement& statement) {
+  for (const Statable& s : statables())
+    if (!s.instead_of.empty() && number(statement, s.quantity.name) &&
+        number(statement, s.instead_of))
+      throw InputError(fmt::format("{} and {}: one determines the other; state one of them",
+                                   s.quantity.name, s.instead_of));
+  Scenario scenario;
+  for (const Quantity& quantity : quantities())
+    if (const auto value = number(statement, quantity.name)) quantity.in(scenario) = *value;
+  Parameters& p = scenario.parameters;
+  p.separates = statement.loses_mass.value_or(true);
+  scenario.equations = statement.equations.value_or(scenario.equations);
+  if (statement.velocity_jump) scenario.equations.velocity_jump = *statement.velocity_jump;
+  if (statement.gravity_moment) scenario.equations.gravity_moment = *statement.gravity_moment;
+  scenario.method = statement.method.value_or(scenario.method);
+
+  if (const auto clearance = number(statement, "clearance"))
+    p.stator_radius = p.rotor_radius + *clearance;
+  if (const auto lost_mass = number(statement, "lost_mass"))
+    p.unbalance_factor = unbalance_factor(p, *lost_mass);
+
+  const bool at_speed = number(statement, separation_speed).has_value();
+  const auto until = number(statement, "until");
+  if (!p.separates) {
+    for (const std::string_view name : {std::string_view("separation_time"), separation_speed})
+      if (number(statement, name))
+        throw InputError(fmt::format("{}: there is no mass loss in this run", name));
+    if (!until) throw InputError("until: must be stated for a run without mass loss");
+  } else if (at_speed || (scenario.start_speed_Hz > 0 && !number(statement, "separation_time"))) {
+    p.separation_time = 0;
+  }
+  scenario.until = until.value_or(p.separation_time + default_rub_s);
+  return scenario;
+}
+
 }  // namespace
 
 std::span<const Statable> statables() { return all_statables(); }
@@ -89,51 +125,47 @@ Statement Statement::overridden_by(const Statement& other) const {
 }
 
 Scenario scenario_of(const Statement& statement) {
-  for (const Statable& s : statables())
-    if (!s.instead_of.empty() && number(statement, s.quantity.name) &&
-        number(statement, s.instead_of))
-      throw InputError(fmt::format("{} and {}: one determines the other; state one of them",
-                                   s.quantity.name, s.instead_of));
-  Scenario scenario;
-  for (const Quantity& quantity : quantities())
-    if (const auto value = number(statement, quantity.name)) quantity.in(scenario) = *value;
+  RunUps none;
+  return scenario_of(statement, none);
+}
+
+Scenario scenario_of(const Statement& statement, RunUps& run_ups) {
+  Scenario scenario = numbers_of(statement);
   Parameters& p = scenario.parameters;
-  p.separates = statement.loses_mass.value_or(true);
-  scenario.equations = statement.equations.value_or(scenario.equations);
-  if (statement.velocity_jump) scenario.equations.velocity_jump = *statement.velocity_jump;
-  if (statement.gravity_moment) scenario.equations.gravity_moment = *statement.gravity_moment;
-  scenario.method = statement.method.value_or(scenario.method);
-
-  if (const auto clearance = number(statement, "clearance"))
-    p.stator_radius = p.rotor_radius + *clearance;
-  if (const auto lost_mass = number(statement, "lost_mass"))
-    p.unbalance_factor = unbalance_factor(p, *lost_mass);
-
-  const auto until = number(statement, "until");
-  const auto speed = number(statement, separation_speed);
-  if (!p.separates) {
-    for (const std::string_view name : {std::string_view("separation_time"), separation_speed})
-      if (number(statement, name))
-        throw InputError(fmt::format("{}: there is no mass loss in this run", name));
-    if (!until) throw InputError("until: must be stated for a run without mass loss");
-  } else if (speed) {
-    p.separation_time = 0;  // until it is known
-    scenario.until = until.value_or(default_rub_s);
+  if (const auto speed = number(statement, separation_speed)) {
     check(scenario);
     Interruptible monitor;
-    const SpeedReached reached = time_at_speed(scenario, *speed, until, monitor);
+    const auto until = number(statement, "until");
+    const SpeedReached reached = run_ups.time_at_speed(scenario, *speed, until, monitor);
     if (is_interrupted()) throw Interrupted();
     if (!reached.time_s)
       throw InputError(
           fmt::format("{} = {} Hz: is not reached; until {:.6g} s the rotor has {:.6g} Hz at most",
                       separation_speed, *speed, reached.looked_until_s, reached.greatest_Hz));
     p.separation_time = *reached.time_s;
-  } else if (scenario.start_speed_Hz > 0 && !number(statement, "separation_time")) {
-    p.separation_time = 0;
+    scenario.until = until.value_or(p.separation_time + default_rub_s);
   }
-  scenario.until = until.value_or(p.separation_time + default_rub_s);
   check(scenario);
   return scenario;
+}
+
+void check_numbers(const Statement& statement) { check_numbers(numbers_of(statement)); }
+
+std::span<const std::string_view> named_statables() {
+  static constexpr std::array<std::string_view, 4> all = {"equations", "velocity_jump",
+                                                          "gravity_moment", "method"};
+  return all;
+}
+
+void state(Statement& statement, std::string_view statable, std::string_view name) {
+  if (statable == "equations")
+    statement.equations = parse_equations(name);
+  else if (statable == "velocity_jump")
+    statement.velocity_jump = parse_velocity_jump(name);
+  else if (statable == "gravity_moment")
+    statement.gravity_moment = parse_gravity_moment(name);
+  else
+    statement.method = parse_method(name);
 }
 
 }  // namespace rotor

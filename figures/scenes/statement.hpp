@@ -8,6 +8,7 @@
 #include <string>
 
 #include "figures/scenes/names.hpp"
+#include "figures/scenes/run_ups.hpp"
 
 namespace rotor {
 
@@ -36,7 +37,17 @@ struct Statement {
 };
 
 /// Throws InputError, saying what is wrong and what would be right, if two statements determine the
-/// same, if one is missing, or if what they make is not physical.
+/// same, if one is missing, or if what they make is not physical. The speed at the mass loss is
+/// looked for among run-ups that may be known already.
+Scenario scenario_of(const Statement& statement, RunUps& run_ups);
 Scenario scenario_of(const Statement& statement);
+
+/// Throws InputError where no run-up could help: scenario_of will, too.
+void check_numbers(const Statement& statement);
+
+/// What is stated by a name: equations, velocity_jump, gravity_moment, method.
+std::span<const std::string_view> named_statables();
+/// States one of them. Throws InputError, saying which names there are.
+void state(Statement& statement, std::string_view statable, std::string_view name);
 
 }  // namespace rotor

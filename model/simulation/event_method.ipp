@@ -141,7 +141,10 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
   for (;;) {
     const bool last = !(at_.time_s + step < until_s);
     const Counters before = counters_;
-    if (last && extent != Extent::everything) return std::nullopt;
+    if (last && extent != Extent::everything) {
+      at_.state = chart.state(start_.x);
+      return std::nullopt;
+    }
     // As long as the time's digits say, so that times add up without rounding.
     Point end{.time = (last ? until_s : S(at_.time_s + step)) - at_.time_s};
     const double error = control_.step(system, start_, end);
@@ -159,6 +162,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
     if (event) next = phase.next(*event, stop.x);
     if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
       counters_ = before;  // the step is another's to take
+      at_.state = chart.state(start_.x);
       return std::nullopt;
     }
     count_step();

@@ -101,6 +101,11 @@ std::string Quantity::range() const {
 }
 
 void check(const Scenario& scenario) {
+  check_numbers(scenario);
+  static_cast<void>(start_of(scenario));
+}
+
+void check_numbers(const Scenario& scenario) {
   for (const Quantity& quantity : quantities()) {
     const double value = quantity.of(scenario);
     require(quantity.allows(value),
@@ -113,7 +118,6 @@ void check(const Scenario& scenario) {
   require(p.eccentricity < p.rotor_radius,
           fmt::format("eccentricity = {} m: must be smaller than rotor_radius = {} m",
                       p.eccentricity, p.rotor_radius));
-  static_cast<void>(start_of(scenario));
   if (scenario.method == Method::rk4) {
     constexpr double most_steps = 1e10;
     const auto require_few = [&](std::string_view name, double step) {

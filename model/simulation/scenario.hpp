@@ -60,4 +60,7 @@ std::span<const Quantity> quantities();
 /// physical or its numbers contradict each other.
 void check(const Scenario& scenario);
 
+/// The same but for what depends on where the run starts.
+void check_numbers(const Scenario& scenario);
+
 }  // namespace rotor

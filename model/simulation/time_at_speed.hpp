@@ -3,8 +3,7 @@
 
 #include <optional>
 
-#include "model/simulation/observer.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/simulation/simulation.hpp"
 
 namespace rotor {
 
@@ -14,9 +13,13 @@ struct SpeedReached {
   double greatest_Hz;            ///< the greatest speed until then, if it is not reached
 };
 
-/// Without mass loss; until a time, or twice as long as the motor would take without any
-/// resistance. The monitor is asked after every step whether to go on.
-SpeedReached time_at_speed(Scenario scenario, double speed_Hz, std::optional<double> until_s,
-                           Observer& monitor);
+/// The run-up that is searched for a speed: by the event method, without mass loss.
+Scenario run_up_to_speed(const Scenario& scenario);
+
+/// Until a time, or twice as long as the motor would take without any resistance. `from` is a run
+/// of that run-up on its way there; the answer does not depend on how far it has got. The monitor
+/// is asked after every step whether to go on.
+SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, double speed_Hz,
+                           std::optional<double> until_s, Observer& monitor);
 
 }  // namespace rotor

@@ -86,6 +86,21 @@ TEST(RunUps, AreNotRunTwice) {
   EXPECT_LT(monitor.steps, 100);
 }
 
+TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
+  RunUps run_ups;
+  Observer null_observer;
+  for (const double speed_Hz : {75., 20., 149.9, 150., 74.99, 2., 11., 151.}) {
+    Scenario scenario{.until = 30};
+    scenario.parameters.separation_time = 0;
+    const auto found = run_ups.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
+    const auto alone = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
+    EXPECT_EQ(found.time_s, alone.time_s) << speed_Hz;
+    EXPECT_EQ(found.time_s.has_value(), speed_Hz < 151);
+    scenario.parameters.separation_time = found.time_s.value_or(1);
+    run_ups.depart(scenario, null_observer);  // leaves something on the way
+  }
+}
+
 /// All that an observer is shown.
 struct Log : Observer {
   explicit Log(bool all_maxima) : wants(all_maxima) {}

@@ -1,0 +1,31 @@
+#include "figures/scenes/toml_statement.hpp"
+
+#include <fmt/format.h>
+
+namespace rotor {
+
+Statement stated_in(const TomlFile& file, const toml::table& table, TomlFile::Keys other_keys) {
+  TomlFile::Keys allowed = std::move(other_keys);
+  for (const Statable& s : statables()) allowed.push_back(s.quantity.name);
+  const auto named = named_statables();
+  allowed.push_back("no_separation");
+  allowed.insert(allowed.end(), named.begin(), named.end());
+  file.expect_keys(table, allowed);
+
+  Statement stated;
+  for (const auto& [quantity, instead_of] : statables())
+    if (const auto number = file.value<double>(table, quantity.name, quantity.range())) {
+      if (!quantity.allows(*number))
+        file.fail(*table.get(quantity.name), quantity.name,
+                  fmt::format("must be {}, not {}", quantity.range(), *number));
+      stated.numbers.emplace(quantity.name, *number);
+    }
+  if (const auto none = file.value<bool>(table, "no_separation", "true or false"))
+    stated.loses_mass = !*none;
+  for (const std::string_view key : named)
+    if (const auto name = file.text(table, key))
+      file.at(*table.get(key), key, [&] { state(stated, key, *name); });
+  return stated;
+}
+
+}  // namespace rotor
