@@ -15,6 +15,7 @@ bool is_interrupted();
 int interrupting_signal();
 
 struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
   Interrupted() : std::runtime_error("interrupted; nothing has been written") {}
 };
 

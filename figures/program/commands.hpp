@@ -12,6 +12,9 @@ void write_figures(const FigureOptions& options);
 /// `rotor plot` draws a scene.
 void plot_scene(const PlotOptions& options);
 
+/// `rotor sweep` runs many rotors.
+void run_sweep(const SweepOptions& options);
+
 /// `rotor run` runs any rotor.
 void run_rotor(const RunOptions& options);
 

@@ -109,6 +109,23 @@ void add_options(CLI::App& command, PlotOptions& options) {
   add_options(command, static_cast<CommonOptions&>(options));
 }
 
+void add_options(CLI::App& command, SweepOptions& options) {
+  command
+      .add_option("file", options.file, "sweep file (TOML): a scene's parameters and what varies")
+      ->required()
+      ->check(not_empty());
+  auto* out =
+      command
+          .add_option("--out", options.out, "write the results, a row a point, to this CSV file")
+          ->check(not_empty());
+  command.add_option("--jobs", options.jobs, "threads; as many as there are cores, if not given")
+      ->check(CLI::Range(1, 4096));
+  command
+      .add_flag("--dry-run", options.dry_run,
+                "say how many points there are, and about how long they take")
+      ->excludes(out);
+}
+
 void add_options(CLI::App& command, RunOptions& options) {
   auto* scene = command
                     .add_option("--scene", options.scene,
@@ -239,10 +256,12 @@ int main(int argc, char** argv) {
   FigureOptions figure;
   PlotOptions plot;
   RunOptions run;
+  SweepOptions sweep;
   add_command(app, "figure", "Write the data of the paper's figures as CSV", figure, write_figures);
   add_command(app, "plot", "Draw force, speed, displacement and orbit of a scene", plot,
               plot_scene);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
+  add_command(app, "sweep", "Run many, of which some quantities vary", sweep, run_sweep);
   int status = 0;
   try {
     app.parse(argc, argv);

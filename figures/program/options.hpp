@@ -25,6 +25,12 @@ struct PlotOptions : CommonOptions {
   std::string out;  ///< the scene's name with .svg, if empty
 };
 
+struct SweepOptions {
+  std::string file, out;
+  int jobs = 0;  ///< threads; 0: as many as there are cores
+  bool dry_run = false;
+};
+
 struct RunOptions : CommonOptions {
   std::string scene, run_name;
   Statement numbers;          ///< and whether mass is lost

@@ -18,29 +18,51 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-RunProgress::RunProgress(double until_s)
-    : until_s_(until_s), next_s_(first_report_s), on_terminal_(::isatty(STDERR_FILENO) != 0) {}
+ReportTimes::ReportTimes() : next_s_(first_report_s), on_terminal_(::isatty(STDERR_FILENO) != 0) {}
 
-RunProgress::~RunProgress() {
+std::optional<double> ReportTimes::due() {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  if (elapsed.count() <= next_s_) return std::nullopt;
+  next_s_ = on_terminal_ ? elapsed.count() + 1 : patience_elsewhere * elapsed.count();
+  return elapsed.count();
+}
+
+void ReportTimes::print(const std::string& report) {
+  has_reported_ = true;
+  fmt::print(stderr, "{}{}{}", on_terminal_ ? "\r" : "rotor: ", report,
+             on_terminal_ ? " (Ctrl-C stops)  " : "\n");
+}
+
+void ReportTimes::end_line() const {
   if (has_reported_ && on_terminal_) fmt::print(stderr, "\n");
 }
 
+RunProgress::RunProgress(double until_s) : until_s_(until_s) {}
+
+RunProgress::~RunProgress() { times_.end_line(); }
+
 bool RunProgress::goes_on(const Progress& now) {
   constexpr long seldom = 256;  // a clock takes as long as a small part of a step
-  if (++steps_ % seldom == 0) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    if (elapsed.count() > next_s_) report(now.time_s, elapsed.count());
-  }
+  if (++steps_ % seldom == 0)
+    if (const auto elapsed_s = times_.due())
+      times_.print(fmt::format("at {:.6g} s of {:.6g} s after {} steps in {}; about {} to go",
+                               now.time_s, until_s_, steps_, duration(*elapsed_s),
+                               duration(*elapsed_s * (until_s_ - now.time_s) / now.time_s)));
   return Interruptible::goes_on(now);
 }
 
-void RunProgress::report(double time_s, double elapsed_s) {
-  has_reported_ = true;
-  next_s_ = on_terminal_ ? elapsed_s + 1 : patience_elsewhere * elapsed_s;
-  fmt::print(stderr, "{}at {:.6g} s of {:.6g} s after {} steps in {}; about {} to go{}",
-             on_terminal_ ? "\r" : "rotor: ", time_s, until_s_, steps_, duration(elapsed_s),
-             duration(elapsed_s * (until_s_ - time_s) / time_s),
-             on_terminal_ ? " (Ctrl-C stops)  " : "\n");
+SweepProgress::~SweepProgress() { times_.end_line(); }
+
+void SweepProgress::report(long done) {
+  done_ = done;
+  const long worked = done_ - begun_with_;
+  if (worked == 0) return;
+  if (const auto elapsed_s = times_.due()) {
+    const double rate = static_cast<double>(worked) / *elapsed_s;
+    times_.print(fmt::format("{} of {} points in {}, {:.3g} a second; about {} to go", done_, all_,
+                             duration(*elapsed_s), rate,
+                             duration(static_cast<double>(all_ - done_) / rate)));
+  }
 }
 
 }  // namespace rotor

@@ -2,14 +2,31 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
+#include <string>
 
 #include "figures/scenes/interruptible.hpp"
 
 namespace rotor {
 
-/// Interruptible, for one run. After a few seconds it says on standard error how far the run is and
-/// how long the rest will take if it goes on like this: again and again in one line of a terminal,
-/// and seldom elsewhere.
+/// When long work says how far it is: after a few seconds, then again and again in one line of a
+/// terminal, and seldom elsewhere.
+class ReportTimes {
+ public:
+  ReportTimes();
+
+  std::optional<double> due();  ///< seconds since the start, if it is time to report
+  void print(const std::string& report);
+  void end_line() const;
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double next_s_;  ///< when to report, since the start
+  bool on_terminal_, has_reported_ = false;
+};
+
+/// Interruptible, for one run. Says on standard error how far the run is and how long the rest
+/// will take if it goes on like this.
 class RunProgress : public Interruptible {
  public:
   explicit RunProgress(double until_s);
@@ -20,13 +37,25 @@ class RunProgress : public Interruptible {
   bool goes_on(const Progress& now) override;
 
  private:
-  void report(double time_s, double elapsed_s);
-
+  ReportTimes times_;
   double until_s_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double next_s_;  ///< when to report, since the start
   long steps_ = 0;
-  bool on_terminal_, has_reported_ = false;
+};
+
+/// The same for a sweep.
+class SweepProgress {
+ public:
+  SweepProgress(long done, long all) : begun_with_(done), done_(done), all_(all) {}
+  ~SweepProgress();
+  SweepProgress(const SweepProgress&) = delete;
+  SweepProgress& operator=(const SweepProgress&) = delete;
+
+  /// To be called from time to time.
+  void report(long done);
+
+ private:
+  ReportTimes times_;
+  long begun_with_, done_, all_;
 };
 
 }  // namespace rotor

@@ -132,13 +132,8 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   // What is written goes out as it is computed: a long trace takes no memory.
   FileTransaction files;
   RunProgress progress(scenario.until);
-  // Who writes sees the whole way.
-  auto [simulation, summary] =
-      outputs.empty() ? run_ups.depart(scenario, progress) : Departure(scenario);
   Audience audience;
   audience.add(progress);
-  std::optional<StopObserver> stop;
-  if (options.stop_on) audience.add(stop.emplace(*options.stop_on, scenario));
   std::optional<EnergyObserver> energy;
   if (options.energy) audience.add(energy.emplace(scenario));
   std::optional<Recorder> trace;
@@ -164,23 +159,19 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     audience.add(*events);
   }
 
-  audience.on_instant(simulation.instant());
-  audience.add(summary);
-  const bool is_cut = is_interrupted();  // on the way there
-  if (!is_cut) simulation.finish(audience);
-  const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
-  const bool stop_reached = stop && stop->is_reached();
-  const EarlyEnd early{options.stop_on, stop_reached, (is_cut || end.stopped) && !stop_reached};
-  if (early.interrupted) {
+  // Who writes sees the whole way.
+  const Account account =
+      finish(outputs.empty() ? run_ups.depart(scenario, progress) : Departure(scenario), scenario,
+             options.stop_on, audience);
+  if (account.early.interrupted) {
     if (!options.keep_partial) throw Interrupted();
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
-                                   end.last.time_s, scenario.until));
+                                   account.end.last.time_s, scenario.until));
   } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
     throw InputError(
         fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }
   files.commit();
-  const Account account{scenario, summary.summary(), end, early};
   Printed printed{to_json(account), remarks(account)};
   if (energy) printed.summary["energy_J"] = to_json(*energy);
   return printed;

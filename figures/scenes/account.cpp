@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "figures/scenes/audience.hpp"
 #include "figures/scenes/names.hpp"
 #include "model/mechanics/mass_loss.hpp"
 
@@ -17,6 +18,21 @@ double critical_speed_Hz(const Parameters& p) {
 }
 
 }  // namespace
+
+Account finish(Departure way, const Scenario& scenario, std::optional<StopOn> stop_on,
+               Observer& others) {
+  auto& [simulation, summary] = way;
+  Audience audience;
+  audience.add(others);
+  std::optional<StopObserver> stop;
+  if (stop_on) audience.add(stop.emplace(*stop_on, scenario));
+  audience.on_instant(simulation.instant());
+  audience.add(summary);  // which has seen it
+  if (!simulation.stopped()) simulation.finish(audience);
+  const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
+  const bool stop_reached = stop && stop->is_reached();
+  return {scenario, summary.summary(), end, {stop_on, stop_reached, end.stopped && !stop_reached}};
+}
 
 nlohmann::ordered_json to_json(const Account& account) {
   const auto& [scenario, summary, end, early] = account;

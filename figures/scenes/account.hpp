@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "figures/scenes/run_ups.hpp"
 #include "model/simulation/energy.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/stop_on.hpp"
@@ -26,6 +27,11 @@ struct Account {
   RunEnd end;
   EarlyEnd early;
 };
+
+/// A run from where it has got to its end, or to where it is to stop. Others watch, who have seen
+/// nothing yet.
+Account finish(Departure way, const Scenario& scenario, std::optional<StopOn> stop_on,
+               Observer& others);
 
 /// What has not happened is null.
 nlohmann::ordered_json to_json(const Account& account);

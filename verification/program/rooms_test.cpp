@@ -24,7 +24,7 @@ const std::map<std::string, Names>& allowed() {
     return names;
   };
   static const Names scenes = with(model, {"figures/data", "figures/scenes"});
-  static const Names of_verification = with(scenes, {"verification/support"});
+  static const Names of_verification = with(scenes, {"figures/sweep", "verification/support"});
   static const std::map<std::string, Names> rooms = {
       {"model/mechanics", {}},
       {"model/integration", {}},
@@ -32,7 +32,8 @@ const std::map<std::string, Names>& allowed() {
       {"model/simulation", {"model/mechanics", "model/integration", "model/phases"}},
       {"figures/data", {}},
       {"figures/scenes", with(model, {"figures/data"})},
-      {"figures/program", scenes},
+      {"figures/sweep", scenes},
+      {"figures/program", with(scenes, {"figures/sweep"})},
       {"verification/support", scenes},
       {"verification/equations", of_verification},
       {"verification/numerics", of_verification},

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
+#include "figures/program/commands.hpp"
+#include "figures/program/progress.hpp"
+#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/journal.hpp"
+#include "figures/sweep/ranks.hpp"
+#include "figures/sweep/sweep_row.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Says how long some points take that are spread over the sweep.
+void estimate(const Sweep& sweep, int jobs) {
+  constexpr long most = 64;
+  constexpr double patience_s = 3;
+  const long points = sweep.points(), distance = std::max(1L, points / most);
+  SweepRows row(sweep);
+  const auto start = std::chrono::steady_clock::now();
+  double elapsed_s = 0;
+  long tried = 0;
+  for (long n = 0; n < points && elapsed_s < patience_s; n += distance) {
+    static_cast<void>(row(n));
+    ++tried;
+    elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  const double each_s = elapsed_s / static_cast<double>(tried);
+  fmt::print("{} points; {} of them took {:.3g} ms each: about {:.3g} s with {} jobs\n", points,
+             tried, 1000 * each_s, each_s * static_cast<double>(points) / jobs, jobs);
+}
+
+/// What the first rank, or the only one, does: it deals out the points and writes their rows.
+class Writer {
+ public:
+  Writer(const Sweep& sweep, const std::string& out)
+      : points_(sweep.points()), journal_(out, sweep_head(sweep)), written_(journal_.rows()) {
+    if (written_ > 0)
+      fmt::print(stderr, "rotor: {} of {} points are there already, in {}\n", written_.load(),
+                 points_, journal_.path().string());
+  }
+
+  void run(int threads, const std::function<Work()>& make_worker, Ranks& ranks) {
+    SweepProgress progress(written_, points_);
+    Dealer dealer(written_, points_, [&](std::string_view rows, long until) {
+      journal_.write(rows);
+      written_ = until;
+    });
+    std::exception_ptr reason;
+    try {
+      work(dealer, threads, make_worker, [&] {
+        ranks.serve(dealer);
+        progress.report(written_);
+      });
+    } catch (...) {
+      reason = std::current_exception();
+    }
+    ranks.dismiss(dealer);
+    if (is_interrupted())
+      throw Interrupted(
+          fmt::format("interrupted; {} of {} points are in {}, and the same command goes on there",
+                      written_.load(), points_, journal_.path().string()));
+    if (reason) std::rethrow_exception(reason);
+    journal_.finish();
+  }
+
+ private:
+  long points_;
+  Journal journal_;
+  std::atomic<long> written_;
+};
+
+int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+std::function<Work()> workers(const Sweep& sweep) {
+  return [&sweep]() -> Work {
+    return [row = std::make_shared<SweepRows>(sweep)](long n) { return (*row)(n); };
+  };
+}
+
+void require_sense(const SweepOptions& options, const Ranks& ranks) {
+  if (options.out.empty()) throw InputError("--out is required, or --dry-run");
+  if (fs::exists(options.out) && !fs::is_regular_file(options.out))
+    throw InputError(
+        fmt::format("--out {}: must be a file: a sweep is taken up from what stands beside it",
+                    shown(options.out)));
+  if (ranks.count() > 1 && options.jobs > 1)
+    throw InputError("--jobs: under mpirun each rank works on one core");
+}
+
+void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
+  std::optional<Writer> writer;
+  try {
+    require_sense(options, ranks);
+    writer.emplace(sweep, options.out);
+  } catch (...) {
+    ranks.told_by_first(false);
+    throw;
+  }
+  ranks.told_by_first(true);
+  const int threads = ranks.count() > 1 ? 1 : options.jobs > 0 ? options.jobs : cores();
+  writer->run(threads, workers(sweep), ranks);
+  fmt::print("{}\n", options.out);
+}
+
+}  // namespace
+
+void run_sweep(const SweepOptions& options) {
+  Ranks ranks;
+  const std::optional<Sweep> sweep = [&]() -> std::optional<Sweep> {
+    try {
+      return read_sweep(options.file);
+    } catch (const std::exception&) {
+      if (ranks.is_first()) throw;
+      return std::nullopt;  // the first one says why, for all
+    }
+  }();
+  if (!sweep) return;
+  if (options.dry_run) {
+    if (ranks.is_first()) estimate(*sweep, options.jobs > 0 ? options.jobs : cores());
+  } else if (ranks.is_first()) {
+    lead(options, *sweep, ranks);
+  } else if (ranks.told_by_first(true)) {
+    ranks.work_for_first(workers(*sweep)());
+  }
+}
+
+}  // namespace rotor

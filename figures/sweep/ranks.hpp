@@ -1,0 +1,43 @@
+/// The processes that mpirun has started together, if it has: the first one deals out the points,
+/// and writes; all work.
+#pragma once
+
+#include <vector>
+
+#include "figures/sweep/dealer.hpp"
+
+namespace rotor {
+
+/// Without MPI, or not under mpirun, there is one rank. One object a program.
+class Ranks {
+ public:
+  Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+  ~Ranks();
+
+  int count() const { return count_; }
+  bool is_first() const { return rank_ == 0; }
+
+  /// What the first one says to all.
+  bool told_by_first(bool word) const;
+
+  /// For the first one: takes rows from the others and deals to them what they ask for, as far as
+  /// there is something to do now.
+  void serve(Dealer& dealer);
+  /// And until all others know that there is nothing more.
+  void dismiss(Dealer& dealer);
+
+  /// For the others: works on what the first one deals out, until there is no more. Throws what the
+  /// work throws, when the first one knows of it.
+  void work_for_first(const Work& work);
+
+ private:
+  void answer(Dealer& dealer, int rank);
+
+  int rank_ = 0, count_ = 1;
+  std::vector<int> waiting_;  ///< that have asked when nothing was due
+  int dismissals_ = 0;        ///< that the others still have to get
+};
+
+}  // namespace rotor

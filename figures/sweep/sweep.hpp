@@ -1,0 +1,88 @@
+/// A sweep: a scenario of which some quantities vary, over axes, at random, or both.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "figures/scenes/statement.hpp"
+
+namespace rotor {
+
+/// Numbers at equal distances, or at equal ratios.
+struct Range {
+  double from, until;
+  long points;
+  bool logarithmic;
+
+  double at(long n) const;  ///< the ends exactly
+};
+
+/// A quantity and its values, one after the other.
+struct Axis {
+  std::string quantity;  ///< a statable, or a named one
+  std::variant<Range, std::vector<double>, std::vector<std::string>> values;
+
+  long points() const;
+};
+
+enum class Distribution { uniform, log_uniform, normal };
+
+/// A quantity that is drawn.
+struct Draw {
+  std::string quantity;
+  Distribution distribution;
+  double a, b;  ///< the ends; or mean and deviation
+
+  /// The number below which a share of all draws lies, which is between 0 and 1.
+  double quantile(double share) const;
+};
+
+enum class Sampling { sobol, random };
+
+/// The same draws within each point of the axes.
+struct Sample {
+  long count = 1;
+  unsigned long seed = 0;
+  Sampling method = Sampling::sobol;
+  std::vector<Draw> over;
+};
+
+struct Sweep {
+  std::string title;
+  std::string text;  ///< of the file, which is all that the results depend on
+  Statement base;
+  std::vector<Axis> axes;  ///< the last one varies fastest, but for the sample
+  Sample sample;
+  std::optional<StopOn> stop_on = StopOn::outcome;
+
+  long points() const;
+  std::vector<std::string> quantities() const;  ///< that vary
+};
+
+/// Reads a TOML sweep file. Throws InputError, also for corners that are not physical.
+Sweep read_sweep(const std::filesystem::path& file);
+
+/// What a point states.
+struct SweepPoint {
+  Statement statement;
+  std::vector<std::string> values;  ///< of what varies, as texts
+};
+
+/// The points of a sweep, by their numbers from 0 on, in any order.
+class SweepPoints {
+ public:
+  explicit SweepPoints(const Sweep& sweep);
+
+  SweepPoint operator()(long n) const;
+
+ private:
+  std::vector<double> shares(long draw) const;
+
+  const Sweep& sweep_;
+  std::vector<std::uint64_t> shifts_;  ///< of each coordinate, from the seed
+};
+
+}  // namespace rotor

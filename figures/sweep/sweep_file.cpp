@@ -1,0 +1,274 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "figures/data/text.hpp"
+#include "figures/scenes/toml_statement.hpp"
+#include "figures/sweep/sweep.hpp"
+
+namespace rotor {
+namespace {
+
+/// Rows of some 600 bytes each: more would be a file that nothing reads.
+constexpr double most_points = 1e8, bytes_a_row = 600;
+/// Corners of more dimensions are too many to look at.
+constexpr std::size_t most_dimensions = 12;
+
+class SweepReader : TomlFile {
+ public:
+  explicit SweepReader(const std::filesystem::path& file) : TomlFile(file) {}
+
+  Sweep read() {
+    expect_keys(root(), {"title", "stop_on", "parameters", "axis", "sample"});
+    Sweep sweep;
+    sweep.title = text(root(), "title").value_or("");
+    sweep.text = whole_text();
+    if (const auto stop = text(root(), "stop_on"))
+      sweep.stop_on = at(*root().get("stop_on"), "stop_on", [&] { return parse_stop(*stop); });
+    sweep.base = stated_in(*this, table(root(), "parameters"), {});
+    for (const toml::table* in : tables(root(), "axis")) sweep.axes.push_back(axis(*in));
+    if (root().contains("sample")) sweep.sample = sample(table(root(), "sample"));
+    require_points(sweep);
+    require_one_statement_each(sweep);
+    require_physical_corners(sweep);
+    return sweep;
+  }
+
+ private:
+  static std::optional<StopOn> parse_stop(std::string_view name) {
+    if (name == "end") return std::nullopt;
+    try {
+      return parse_stop_on(name);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}; or \"end\", which is that of the run", error.what()));
+    }
+  }
+
+  std::string whole_text() const {
+    std::ifstream file(path(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  bool is_named(std::string_view quantity) const {
+    const auto named = named_statables();
+    return std::find(named.begin(), named.end(), quantity) != named.end();
+  }
+
+  std::string quantity(const toml::table& in) const {
+    const auto name = text(in, "quantity");
+    if (!name) fail(in, "quantity", "must be stated: what varies");
+    if (is_named(*name) || find_statable(*name)) return *name;
+    std::vector<std::string> allowed(named_statables().begin(), named_statables().end());
+    for (const Statable& statable : statables()) allowed.emplace_back(statable.quantity.name);
+    fail(*in.get("quantity"), "quantity",
+         fmt::format("there is no quantity \"{}\"{}; there are: {}", shown(*name),
+                     suggestion(*name, allowed), fmt::join(allowed, ", ")));
+  }
+
+  double number(const toml::table& in, std::string_view key, const Quantity& quantity) const {
+    const auto found = value<double>(in, key, "a number");
+    if (!found) fail(in, key, "must be stated");
+    require_allowed(*in.get(key), key, *found, quantity);
+    return *found;
+  }
+
+  void require_allowed(const toml::node& node, std::string_view key, double number,
+                       const Quantity& quantity) const {
+    if (!quantity.allows(number))
+      fail(node, key,
+           fmt::format("{} must be {}, not {}", quantity.name, quantity.range(), number));
+  }
+
+  Axis axis(const toml::table& in) const {
+    expect_keys(in, {"quantity", "from", "to", "points", "spacing", "values"});
+    Axis axis{quantity(in), {}};
+    if (const toml::node* values = in.get("values")) {
+      if (in.size() != 2) fail(*values, "values", "stand instead of from, to, points and spacing");
+      const toml::array* array = values->as_array();
+      if (!array || array->empty()) fail(*values, "values", "must be a list with something in it");
+      if (is_named(axis.quantity))
+        axis.values = names(*array, axis.quantity);
+      else
+        axis.values = numbers(*array, find_statable(axis.quantity)->quantity);
+    } else if (is_named(axis.quantity)) {
+      fail(in, "values", fmt::format("must be stated: {} has no range", axis.quantity));
+    } else {
+      axis.values = range(in, find_statable(axis.quantity)->quantity);
+    }
+    return axis;
+  }
+
+  std::vector<std::string> names(const toml::array& array, const std::string& quantity) const {
+    std::vector<std::string> all;
+    for (const toml::node& item : array) {
+      all.push_back(item.value_or<std::string>(""));
+      Statement ignored;
+      at(item, "values", [&] { state(ignored, quantity, all.back()); });
+    }
+    return all;
+  }
+
+  std::vector<double> numbers(const toml::array& array, const Quantity& quantity) const {
+    std::vector<double> all;
+    for (const toml::node& item : array) {
+      const auto found = item.value<double>();
+      if (!found) fail(item, "values", "must be numbers");
+      require_allowed(item, "values", *found, quantity);
+      all.push_back(*found);
+    }
+    return all;
+  }
+
+  Range range(const toml::table& in, const Quantity& quantity) const {
+    Range range{number(in, "from", quantity), number(in, "to", quantity), 0, false};
+    if (!(range.from < range.until))
+      fail(*in.get("to"), "to", fmt::format("must be greater than from = {}", range.from));
+    const std::string spacing = text(in, "spacing").value_or("linear");
+    if (spacing != "linear" && spacing != "log")
+      fail(*in.get("spacing"), "spacing", "must be \"linear\" or \"log\"");
+    range.logarithmic = spacing == "log";
+    if (range.logarithmic && !(range.from > 0))
+      fail(*in.get("from"), "from", "must be greater than 0 for equal ratios");
+    range.points = count(in, "points", 2);
+    return range;
+  }
+
+  long count(const toml::table& in, std::string_view key, long least) const {
+    const auto found = value<std::int64_t>(in, key, "a whole number");
+    if (!found) fail(in, key, "must be stated");
+    if (*found < least) fail(*in.get(key), key, fmt::format("must be {} at least", least));
+    return *found;
+  }
+
+  Sample sample(const toml::table& in) const {
+    expect_keys(in, {"count", "seed", "method", "over"});
+    Sample sample;
+    sample.count = count(in, "count", 1);
+    if (in.contains("seed")) sample.seed = static_cast<unsigned long>(count(in, "seed", 0));
+    const std::string method = text(in, "method").value_or("sobol");
+    if (method != "sobol" && method != "random")
+      fail(*in.get("method"), "method", "must be \"sobol\" or \"random\"");
+    sample.method = method == "sobol" ? Sampling::sobol : Sampling::random;
+    for (const toml::table* over : tables(in, "over")) sample.over.push_back(draw(*over));
+    if (sample.over.empty())
+      fail(in, "sample", "needs a [[sample.over]], which says what is drawn");
+    return sample;
+  }
+
+  Draw draw(const toml::table& in) const {
+    expect_keys(in, {"quantity", "uniform", "log_uniform", "normal"});
+    Draw draw{quantity(in), Distribution::uniform, 0, 0};
+    if (is_named(draw.quantity)) fail(in, "quantity", "only numbers can be drawn; use an [[axis]]");
+    if (in.size() != 2) fail(in, "sample.over", "needs one of: uniform, log_uniform, normal");
+    const std::string_view key = in.contains("uniform")       ? "uniform"
+                                 : in.contains("log_uniform") ? "log_uniform"
+                                                              : "normal";
+    const toml::node* const node = in.get(key);
+    const toml::array* const array = node ? node->as_array() : nullptr;
+    if (!array || array->size() != 2)
+      fail(in, key,
+           fmt::format("must be {}", key == "normal" ? "[mean, deviation]" : "[from, to]"));
+    const Quantity& of = find_statable(draw.quantity)->quantity;
+    const std::vector<double> pair = numbers_of(*array);
+    draw.a = pair[0];
+    draw.b = pair[1];
+    require_allowed(*node, key, draw.a, of);
+    if (key == "normal") {
+      draw.distribution = Distribution::normal;
+      if (!(draw.b > 0 && std::isfinite(draw.b)))
+        fail(*node, key, "the deviation must be greater than 0");
+      return draw;
+    }
+    require_allowed(*node, key, draw.b, of);
+    if (!(draw.a < draw.b)) fail(*node, key, "must go from a number to a greater one");
+    if (key == "log_uniform") {
+      draw.distribution = Distribution::log_uniform;
+      if (!(draw.a > 0)) fail(*node, key, "must begin above 0");
+    }
+    return draw;
+  }
+
+  std::vector<double> numbers_of(const toml::array& array) const {
+    std::vector<double> all;
+    for (const toml::node& item : array) {
+      const auto found = item.value<double>();
+      if (!found) fail(item, "sample.over", "must be numbers");
+      all.push_back(*found);
+    }
+    return all;
+  }
+
+  void require_points(const Sweep& sweep) const {
+    if (sweep.axes.empty() && sweep.sample.over.empty())
+      fail(root(), "axis", "there must be an [[axis]] or a [sample]: nothing varies");
+    double all = static_cast<double>(sweep.sample.count);
+    for (const Axis& axis : sweep.axes) all *= static_cast<double>(axis.points());
+    if (all > most_points)
+      fail(root(), "points",
+           fmt::format("{:.6g} points are more than {:.6g}: their rows would take some {:.3g} GB",
+                       all, most_points, all * bytes_a_row / 1e9));
+  }
+
+  /// Nothing that is stated may go unheard.
+  void require_one_statement_each(const Sweep& sweep) const {
+    std::vector<std::string> varied;
+    const auto determined = [](std::string_view name) {
+      const Statable* const statable = find_statable(name);
+      return statable && !statable->instead_of.empty() ? statable->instead_of : name;
+    };
+    for (const std::string& quantity : sweep.quantities()) {
+      for (const std::string& other : varied)
+        if (determined(other) == determined(quantity))
+          fail(root(), quantity, fmt::format("varies, and so does {}, which determines it", other));
+      varied.push_back(quantity);
+      for (const auto& [stated, number] : sweep.base.numbers)
+        if (determined(stated) == determined(quantity))
+          fail(root(), quantity,
+               fmt::format("varies, and [parameters] states {}, which determines it", stated));
+      if (is_named(quantity) && table(root(), "parameters").contains(quantity))
+        fail(root(), quantity, "varies, and [parameters] states it");
+    }
+  }
+
+  /// The corners of the axes, and of the draws that have ends.
+  void require_physical_corners(const Sweep& sweep) const {
+    std::vector<Axis> ends;
+    for (const Axis& axis : sweep.axes) {
+      if (const auto* const range = std::get_if<Range>(&axis.values))
+        ends.push_back({axis.quantity, std::vector<double>{range->from, range->until}});
+      else if (const auto* const numbers = std::get_if<std::vector<double>>(&axis.values))
+        ends.push_back({axis.quantity, std::vector<double>{std::ranges::min(*numbers),
+                                                           std::ranges::max(*numbers)}});
+    }
+    for (const Draw& draw : sweep.sample.over)
+      if (draw.distribution != Distribution::normal)
+        ends.push_back({draw.quantity, std::vector<double>{draw.a, draw.b}});
+    if (ends.size() > most_dimensions)
+      fail(root(), "axis", fmt::format("more than {} quantities vary", most_dimensions));
+    Sweep corners{
+        .title = {}, .text = {}, .base = sweep.base, .axes = std::move(ends), .sample = {}};
+    const SweepPoints points(corners);
+    const auto quantities = corners.quantities();
+    for (long n = 0; n < corners.points(); ++n) {
+      const SweepPoint corner = points(n);
+      try {
+        check_numbers(corner.statement);
+      } catch (const std::exception& error) {
+        std::vector<std::string> where;
+        for (std::size_t i = 0; i < quantities.size(); ++i)
+          where.push_back(fmt::format("{} = {}", quantities[i], corner.values[i]));
+        fail(root(), "corner", fmt::format("{}: {}", fmt::join(where, ", "), error.what()));
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Sweep read_sweep(const std::filesystem::path& file) { return SweepReader(file).read(); }
+
+}  // namespace rotor

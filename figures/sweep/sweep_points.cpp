@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <random>
+
+#include "figures/sweep/sweep.hpp"
+
+namespace rotor {
+namespace {
+
+/// A number between 0 and 1, neither of them, from 64 bits.
+double share_of(std::uint64_t bits) {
+  return (static_cast<double>(bits >> 12U) + 0.5) * std::ldexp(1., -52);
+}
+
+/// 64 bits that look random, from a counter (SplitMix64; Steele, Lea and Flood 2014): the draws of
+/// any point are known without those of the others.
+std::uint64_t mixed(std::uint64_t counter) {
+  counter = (counter + 1) * 0x9e3779b97f4a7c15U;
+  counter = (counter ^ (counter >> 30U)) * 0xbf58476d1ce4e5b9U;
+  counter = (counter ^ (counter >> 27U)) * 0x94d049bb133111ebU;
+  return counter ^ (counter >> 31U);
+}
+
+}  // namespace
+
+double Range::at(long n) const {
+  if (n == 0) return from;
+  if (n == points - 1) return until;
+  const double share = static_cast<double>(n) / static_cast<double>(points - 1);
+  return logarithmic ? from * std::pow(until / from, share) : from + (until - from) * share;
+}
+
+long Axis::points() const {
+  const auto* const range = std::get_if<Range>(&values);
+  if (range) return range->points;
+  const auto* const numbers = std::get_if<std::vector<double>>(&values);
+  return static_cast<long>(numbers ? numbers->size()
+                                   : std::get<std::vector<std::string>>(values).size());
+}
+
+double Draw::quantile(double share) const {
+  switch (distribution) {
+    case Distribution::uniform:
+      return a + (b - a) * share;
+    case Distribution::log_uniform:
+      return a * std::pow(b / a, share);
+    default:
+      return boost::math::quantile(boost::math::normal(a, b), share);
+  }
+}
+
+long Sweep::points() const {
+  long all = sample.count;
+  for (const Axis& axis : axes) all *= axis.points();
+  return all;
+}
+
+std::vector<std::string> Sweep::quantities() const {
+  std::vector<std::string> all;
+  for (const Axis& axis : axes) all.push_back(axis.quantity);
+  for (const Draw& draw : sample.over) all.push_back(draw.quantity);
+  return all;
+}
+
+SweepPoints::SweepPoints(const Sweep& sweep) : sweep_(sweep) {
+  std::mt19937_64 random(sweep.sample.seed);
+  for (std::size_t i = 0; i < sweep.sample.over.size(); ++i) shifts_.push_back(random());
+}
+
+std::vector<double> SweepPoints::shares(long draw) const {
+  const std::size_t dimensions = sweep_.sample.over.size();
+  const auto number = static_cast<std::uint64_t>(draw);
+  std::vector<double> all;
+  if (dimensions == 0) return all;
+  if (sweep_.sample.method == Sampling::random) {
+    for (std::size_t i = 0; i < dimensions; ++i)
+      all.push_back(share_of(mixed(shifts_[i] + number)));
+    return all;
+  }
+  // The first point of the sequence is the origin; it is there with its shift as any other.
+  boost::random::sobol sequence(dimensions);
+  if (number > 0) sequence.seed(number - 1);
+  for (std::size_t i = 0; i < dimensions; ++i)
+    all.push_back(share_of((number > 0 ? sequence() : 0) ^ shifts_[i]));
+  return all;
+}
+
+SweepPoint SweepPoints::operator()(long n) const {
+  SweepPoint point{sweep_.base, std::vector<std::string>(sweep_.axes.size())};
+  const auto set = [&point](const std::string& quantity, double number) {
+    point.statement.numbers.insert_or_assign(quantity, number);
+    return fmt::format("{}", number);
+  };
+  long left = n / sweep_.sample.count;
+  for (std::size_t i = sweep_.axes.size(); i-- > 0;) {
+    const Axis& axis = sweep_.axes[i];
+    const long of_axis = left % axis.points();
+    left /= axis.points();
+    const auto index = static_cast<std::size_t>(of_axis);
+    if (const auto* const range = std::get_if<Range>(&axis.values)) {
+      point.values[i] = set(axis.quantity, range->at(of_axis));
+    } else if (const auto* const numbers = std::get_if<std::vector<double>>(&axis.values)) {
+      point.values[i] = set(axis.quantity, (*numbers)[index]);
+    } else {
+      point.values[i] = std::get<std::vector<std::string>>(axis.values)[index];
+      state(point.statement, axis.quantity, point.values[i]);
+    }
+  }
+  const std::vector<double> shares = this->shares(n % sweep_.sample.count);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Draw& draw = sweep_.sample.over[i];
+    point.values.push_back(set(draw.quantity, draw.quantile(shares[i])));
+  }
+  return point;
+}
+
+}  // namespace rotor

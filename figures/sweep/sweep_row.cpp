@@ -1,0 +1,74 @@
+#include "figures/sweep/sweep_row.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "figures/data/csv.hpp"
+#include "figures/data/text.hpp"
+#include "figures/scenes/interruptible.hpp"
+
+namespace rotor {
+namespace {
+
+/// The keys of a summary that are rows' columns: each of its own plain values, but not what the
+/// rows share.
+std::vector<std::string> keys_of(const nlohmann::ordered_json& summary) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : summary.items())
+    if (!value.is_structured() && key != "version" && key != "schema") keys.push_back(key);
+  return keys;
+}
+
+const std::vector<std::string>& summary_keys() {
+  static const std::vector<std::string> keys = keys_of(to_json(Account{}));
+  return keys;
+}
+
+std::string field(const nlohmann::ordered_json& value) {
+  if (value.is_null()) return "";
+  return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
+}
+
+std::string cells(const Account& account) {
+  const nlohmann::ordered_json summary = to_json(account);
+  std::string row;
+  for (const std::string& key : summary_keys()) row += field(summary.at(key)) + ',';
+  return row;
+}
+
+}  // namespace
+
+std::string sweep_head(const Sweep& sweep) {
+  std::vector<std::string> provenance = {
+      sweep.title.empty() ? "Sweep" : "Sweep: " + sweep.title, "rotor " ROTOR_VERSION,
+      fmt::format("{} points, as this file has them, a row each:", sweep.points())};
+  std::istringstream text(sweep.text);
+  for (std::string line; std::getline(text, line);) provenance.push_back("  " + line);
+  std::vector<std::string> names = sweep.quantities();
+  for (std::string& name : names)  // beside a result of the same name, such as the method's
+    if (std::ranges::find(summary_keys(), name) != summary_keys().end()) name += "_varied";
+  names.insert(names.end(), summary_keys().begin(), summary_keys().end());
+  names.emplace_back("refusal");
+  return csv_head(provenance, {names.begin(), names.end()});
+}
+
+std::string SweepRows::operator()(long n) {
+  const SweepPoint point = points_(n);
+  std::string row;
+  for (const std::string& value : point.values) row += csv_field(value) + ',';
+  Interruptible monitor;
+  try {
+    const Scenario scenario = scenario_of(point.statement, run_ups_);
+    const Account account =
+        finish(run_ups_.depart(scenario, monitor), scenario, sweep_.stop_on, monitor);
+    if (account.early.interrupted) throw Interrupted();
+    return row + cells(account) + '\n';
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    return row + std::string(summary_keys().size(), ',') + csv_field(one_line(error.what())) + '\n';
+  }
+}
+
+}  // namespace rotor

@@ -1,0 +1,27 @@
+/// A point of a sweep as a row of its results.
+#pragma once
+
+#include "figures/scenes/account.hpp"
+#include "figures/scenes/run_ups.hpp"
+#include "figures/sweep/sweep.hpp"
+
+namespace rotor {
+
+/// What stands above the rows: where they come from, and the names of their columns.
+std::string sweep_head(const Sweep& sweep);
+
+/// Works out the rows of points, in any order. Run-ups are shared between them.
+class SweepRows {
+ public:
+  explicit SweepRows(const Sweep& sweep) : sweep_(sweep), points_(sweep) {}
+
+  /// What varies, then what `rotor run` says of the run, or why it refuses it. Throws Interrupted.
+  std::string operator()(long n);
+
+ private:
+  const Sweep& sweep_;
+  SweepPoints points_;
+  RunUps run_ups_;
+};
+
+}  // namespace rotor

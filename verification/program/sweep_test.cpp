@@ -1,0 +1,322 @@
+/// `rotor sweep`: its points, their order, and that it goes on where it was killed.
+#include "figures/sweep/sweep.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "figures/data/csv.hpp"
+#include "figures/sweep/dealer.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+/// Of every kind of thing that can vary, with stalls, refusals and contacts before the loss.
+const char* const mixed = R"(
+title = "mixed"
+[parameters]
+tolerance = 1e-7
+[[axis]]
+quantity = "equations"
+values = ["published", "consistent"]
+[[axis]]
+quantity = "support_stiffness"
+from = 2e4
+to = 1.2e5
+points = 3
+spacing = "log"
+[[axis]]
+quantity = "friction"
+values = [0.3, 0.08]
+[sample]
+count = 16
+seed = 3
+[[sample.over]]
+quantity = "separation_speed_hz"
+normal = [75, 15]
+[[sample.over]]
+quantity = "clearance"
+uniform = [2.5e-3, 3.5e-3]
+)";
+
+class SweepCommand : public CommandLine {
+ protected:
+  Sweep sweep(const std::string& text) const {
+    write("s.toml", text);
+    return read_sweep(folder_ / "s.toml");
+  }
+  std::string refusal(const std::string& text) const {
+    try {
+      sweep(text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  std::vector<CsvRow> results(const std::string& name) const { return read_csv(folder_ / name); }
+};
+
+// Two hundred points of many kinds; what a run says, it says on the command line.
+TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
+  const Sweep sweep = this->sweep(mixed);
+  ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
+  const auto rows = results("r.csv");
+  ASSERT_EQ(static_cast<long>(rows.size()), sweep.points());
+  ASSERT_EQ(rows.size(), 192U);
+  const SweepPoints points(sweep);
+  int refused = 0;
+  std::set<std::string> outcomes;
+  for (long n = 0; n < sweep.points(); ++n) {
+    const SweepPoint point = points(n);
+    const CsvRow& row = rows[static_cast<std::size_t>(n)];
+    std::string options = "--tolerance 1e-7 --stop-on outcome";
+    const auto quantities = sweep.quantities();
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      std::string option = quantities[i];
+      std::replace(option.begin(), option.end(), '_', '-');
+      options += fmt::format(" --{} {}", option, point.values[i]);
+    }
+    const Outcome run = rotor("run --json " + options + " 2> messages");
+    if (run.status != 0) {
+      ++refused;
+      EXPECT_EQ("rotor: " + row["refusal"] + "\n", content("messages")) << options;
+      EXPECT_EQ(row["outcome"], "");
+      continue;
+    }
+    EXPECT_EQ(row["refusal"], "");
+    outcomes.insert(row["outcome"]);
+    const auto summary = nlohmann::ordered_json::parse(run.output);
+    for (const auto& [key, value] : summary.items()) {
+      if (value.is_structured() || key == "version" || key == "schema") continue;
+      const std::string expected = value.is_null()     ? ""
+                                   : value.is_string() ? value.get<std::string>()
+                                                       : value.dump();
+      EXPECT_EQ(row[key], expected) << key << ' ' << options;
+    }
+  }
+  EXPECT_GT(refused, 10);
+  EXPECT_LT(refused, 150);
+  EXPECT_GE(outcomes.size(), 3U);
+}
+
+TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
+  write("s.toml", mixed);
+  for (const char* jobs : {"1", "2", "5"})
+    ASSERT_EQ(rotor(fmt::format("sweep s.toml --out {0}.csv --jobs {0}", jobs)).status, 0);
+  EXPECT_FALSE(content("1.csv").empty());
+  EXPECT_TRUE(content("1.csv") == content("2.csv"));
+  EXPECT_TRUE(content("1.csv") == content("5.csv"));
+  EXPECT_EQ(files(), 4);
+}
+
+// At twenty instants, wherever it is then; none of its rows is worked out twice.
+TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
+  write(
+      "s.toml",
+      "[parameters]\ntolerance = 1e-6\nuntil = 29.4\n[sample]\ncount = 4000\nmethod = \"random\"\n"
+      "[[sample.over]]\nquantity = \"friction\"\nlog_uniform = [0.05, 1]\n");
+  ASSERT_EQ(rotor("sweep s.toml --out whole.csv --jobs 2").status, 0);
+  std::mt19937 random(1);
+  std::size_t last = 0;
+  int kills = 0;
+  for (; kills < 20 && !fs::exists(folder_ / "cut.csv"); ++kills) {
+    shell(fmt::format("timeout --signal=KILL {} $rotor sweep s.toml --out cut.csv --jobs 2",
+                      0.03 + static_cast<double>(random() % 60) / 1000));
+    const std::size_t now = content("cut.csv.journal").size();
+    EXPECT_TRUE(now >= last || fs::exists(folder_ / "cut.csv")) << kills;
+    last = now;
+    if (kills == 3) write("cut.csv.journal", content("cut.csv.journal") + "0.07,rol");  // torn
+  }
+  EXPECT_GE(kills, 5);
+  EXPECT_EQ(rotor("sweep s.toml --out cut.csv").status, 0);
+  EXPECT_TRUE(content("cut.csv") == content("whole.csv"));
+  EXPECT_EQ(files(), 3);
+}
+
+TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
+  write("s.toml", mixed);
+  write("r.csv", "old");
+  write("r.csv.journal", "# Sweep: another\n");
+  expect_refusal("sweep s.toml --out r.csv", "r.csv.journal: is of another sweep file");
+  EXPECT_EQ(content("r.csv.journal"), "# Sweep: another\n");
+  EXPECT_EQ(content("r.csv"), "old");
+  const auto [status, output] = shell("flock r.csv.journal $rotor sweep s.toml --out r.csv");
+  EXPECT_NE(output.find("another sweep is writing it"), std::string::npos) << output;
+  EXPECT_EQ(content("r.csv"), "old");
+}
+
+TEST_F(SweepCommand, LeavesAJournalWhenItIsInterrupted) {
+  write("s.toml", "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 100000\n");
+  const auto [status, output] = shell("timeout --signal=INT 0.3 $rotor sweep s.toml --out r.csv");
+  EXPECT_NE(output.find("the same command goes on there"), std::string::npos) << output;
+  EXPECT_FALSE(fs::exists(folder_ / "r.csv"));
+  EXPECT_TRUE(fs::exists(folder_ / "r.csv.journal"));
+}
+
+TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
+  write("s.toml", "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 50\n");
+  const auto [status, output] = rotor("sweep s.toml --dry-run");
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(output.starts_with("50 points; 50 of them took ")) << output;
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
+  const auto axis = [](const std::string& lines) { return "[[axis]]\n" + lines; };
+  const std::string friction = "quantity = \"friction\"\n";
+  EXPECT_NE(refusal("").find("nothing varies"), std::string::npos);
+  for (const auto& [text, message] : {
+           std::pair(axis("quantity = \"frictoin\"\n"), "did you mean friction"),
+           std::pair(axis(friction + "from = 0.3\nto = 0.1\npoints = 3\n"),
+                     "to: must be greater than from = 0.3"),
+           std::pair(axis(friction + "from = 0.3\nto = 0.3\npoints = 3\n"), "must be greater"),
+           std::pair(axis(friction + "from = -1\nto = 0.3\npoints = 3\n"),
+                     "friction must be a finite number not below 0"),
+           std::pair(axis(friction + "from = 0\nto = 1\npoints = 3\nspacing = \"log\"\n"),
+                     "greater than 0 for equal ratios"),
+           std::pair(axis(friction + "from = 0\nto = 1\npoints = 1\n"), "must be 2 at least"),
+           std::pair(axis(friction + "from = 0\nto = 1\npoints = 1000000000\n"), "600 GB"),
+           std::pair(axis(friction + "values = []\n"), "something in it"),
+           std::pair(axis(friction + "values = [0.1]\npoints = 2\n"), "stand instead of"),
+           std::pair(axis("quantity = \"method\"\nvalues = [\"euler\"]\n"), "must be one of"),
+           std::pair(axis("quantity = \"method\"\nfrom = 1\n"), "must be stated"),
+           std::pair(axis(friction + "values = [0.1]\n") + axis(friction + "values = [0.2]\n"),
+                     "varies, and so does friction"),
+           std::pair("[parameters]\nstator_radius = 0.07\n" +
+                         axis("quantity = \"clearance\"\nvalues = [1e-3]\n"),
+                     "clearance: varies, and [parameters] states stator_radius"),
+           std::pair("[parameters]\nmethod = \"rk4\"\n" +
+                         axis("quantity = \"method\"\nvalues = [\"event\"]\n"),
+                     "method: varies, and [parameters] states it"),
+           std::pair(axis("quantity = \"rotor_radius\"\nfrom = 0.05\nto = 0.07\npoints = 2\n"),
+                     "corner: rotor_radius = 0.07: stator_radius"),
+           std::pair(std::string("[sample]\ncount = 3\n"), "needs a [[sample.over]]"),
+           std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"),
+                     "needs one of"),
+           std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"
+                                 "uniform = [0.2, 0.1]\n"),
+                     "must go from a number to a greater one"),
+           std::pair(std::string("stop_on = \"lunch\"\n") + axis(friction + "values = [0.1]\n"),
+                     "or \"end\""),
+       })
+    EXPECT_NE(refusal(text).find(message), std::string::npos) << text << refusal(text);
+  write("s.toml", axis(friction + "values = [0.1]\n"));
+  expect_refusal("sweep s.toml", "--out is required");
+  expect_refusal("sweep s.toml --out .", "must be a file");
+  expect_refusal("sweep s.toml --out r.csv --jobs 0", "--jobs");
+}
+
+TEST_F(SweepCommand, TakesPointsInTheOrderOfTheFile) {
+  const Sweep sweep = this->sweep(
+      "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.4\npoints = 4\n[[axis]]\nquantity = "
+      "\"mass\"\nfrom = 1\nto = 100\npoints = 3\nspacing = \"log\"\n[sample]\ncount = 2\n"
+      "[[sample.over]]\nquantity = \"torque\"\nuniform = [1, 2]\n");
+  const SweepPoints points(sweep);
+  ASSERT_EQ(sweep.points(), 24);
+  for (long n = 0; n < 24; ++n) {
+    const auto& numbers = points(n).statement.numbers;
+    EXPECT_NEAR(numbers.at("friction"), 0.1 * static_cast<double>(1 + n / 6), 1e-15);
+    EXPECT_NEAR(numbers.at("mass"), std::pow(10, (n / 2) % 3), 1e-12);
+    EXPECT_EQ(numbers.at("torque"), points(n % 2).statement.numbers.at("torque"));
+  }
+  EXPECT_EQ(points(23).values[0], "0.4");
+}
+
+/// The draws of a sample over two quantities.
+std::vector<std::array<double, 2>> draws(const Sweep& sweep) {
+  const SweepPoints points(sweep);
+  std::vector<std::array<double, 2>> all;
+  for (long n = 0; n < sweep.points(); ++n) {
+    const auto& numbers = points(n).statement.numbers;
+    all.push_back({numbers.at("friction"), numbers.at("torque")});
+  }
+  return all;
+}
+
+TEST_F(SweepCommand, DrawsEvenly) {
+  const auto sampled = [&](const std::string& how) {
+    return draws(sweep("[sample]\ncount = 1024\n" + how +
+                       "[[sample.over]]\nquantity = \"friction\"\nuniform = [2, 3]\n"
+                       "[[sample.over]]\nquantity = \"torque\"\nlog_uniform = [1, 100]\n"));
+  };
+  // Of 1024 points of Sobol's sequence one lies in each box of 1/1024 of the area.
+  const auto sobol = sampled("seed = 5\n");
+  for (const int columns : {1, 4, 32, 1024}) {
+    std::set<std::pair<int, int>> boxes;
+    for (const auto& [friction, torque] : sobol)
+      boxes.emplace((friction - 2) * columns, std::log10(torque) / 2 * (1024. / columns));
+    EXPECT_EQ(boxes.size(), 1024U) << columns;
+  }
+  EXPECT_NE(sobol, sampled("seed = 6\n"));
+  EXPECT_EQ(sobol, sampled("seed = 5\n"));
+  // Random ones have the mean, the variance and the independence of such, within four deviations.
+  double mean = 0, variance = 0, covariance = 0;
+  const auto random = sampled("method = \"random\"\nseed = 5\n");
+  for (const auto& [friction, torque] : random) {
+    const double x = friction - 2.5, y = std::log10(torque) / 2 - 0.5;
+    mean += x / 1024;
+    variance += x * x / 1024;
+    covariance += x * y / 1024;
+  }
+  EXPECT_NEAR(mean, 0, 4 * std::sqrt(1 / 12. / 1024));
+  EXPECT_NEAR(variance, 1 / 12., 4 * std::sqrt(1 / 180. / 1024));
+  EXPECT_NEAR(covariance, 0, 4 / 12. / 32);
+}
+
+TEST_F(SweepCommand, DrawsFromANormalDistribution) {
+  const auto all = draws(
+      sweep("[sample]\ncount = 4096\n[[sample.over]]\nquantity = \"friction\"\nnormal = [7, 0.5]\n"
+            "[[sample.over]]\nquantity = \"torque\"\nuniform = [0, 1]\n"));
+  double within = 0, below = 0;
+  for (const auto& [friction, torque] : all) {
+    within += std::abs(friction - 7) < 0.5;
+    below += friction < 7 - 2 * 0.5;
+  }
+  EXPECT_NEAR(within / 4096, 0.682689, 1e-3);  // Sobol's sequence is that even
+  EXPECT_NEAR(below / 4096, 0.022750, 1e-3);
+}
+
+TEST(Dealer, PassesRowsOnInOrderAndWaitsForSlowOnes) {
+  std::string seen;
+  long most = 0;
+  std::atomic<long> worked = 0;
+  Dealer dealer(0, 40000, [&](std::string_view rows, long until) {
+    seen += rows;
+    most = until;
+  });
+  std::string expected;
+  for (long n = 0; n < 40000; ++n) expected += fmt::format("{} ", n);
+  long worked_while_slow = 0;
+  const auto make = [&]() -> Work {
+    return [&](long n) {
+      if (n == 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        worked_while_slow = worked;
+      }
+      ++worked;
+      return fmt::format("{} ", n);
+    };
+  };
+  work(dealer, 3, make, [] {});
+  EXPECT_TRUE(seen == expected);
+  EXPECT_EQ(most, 40000);
+  EXPECT_GT(worked_while_slow, 1000);   // the others did not wait,
+  EXPECT_LT(worked_while_slow, 20000);  // but not without bound either
+}
+
+TEST(Dealer, EndsWithWhatTheWorkThrows) {
+  Dealer dealer(0, 1000, [](std::string_view, long) {});
+  const auto make = []() -> Work {
+    return [](long n) -> std::string { return n == 500 ? throw std::runtime_error("at 500") : ""; };
+  };
+  EXPECT_THROW(work(dealer, 2, make, [] {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace rotor
