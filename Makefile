@@ -40,6 +40,8 @@ LINT_PACKAGES  := clang-format clang-tidy
 # Another compiler; another processor, with a program that runs its programs here.
 CLANG_PACKAGES    := clang
 PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
+# Sweeps over many machines; with it a program takes 30 ms longer to start.
+MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
 installed = $(shell dpkg-query -W -f='$${db:Status-Abbrev}$${Package}\n' $(1) 2>/dev/null | sed -n 's/^ii *//p')
 missing   = $(filter-out $(call installed,$(1)),$(1))
@@ -55,7 +57,7 @@ endef
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench-programs \
-        bench deps-lint deps-clang deps-portable stress sanitize portable clean
+        bench deps-lint deps-clang deps-portable deps-mpi mpi stress sanitize portable clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -73,6 +75,9 @@ deps-clang: deps ## install the other compiler, for make verify CXX=clang++ (opt
 	$(call install,$(CLANG_PACKAGES))
 deps-portable: deps ## install what make portable needs (optional)
 	$(call install,$(PORTABLE_PACKAGES))
+
+deps-mpi: deps ## install what make mpi needs (optional)
+	$(call install,$(MPI_PACKAGES))
 
 # On a system without dpkg, CMake and gnuplot speak for themselves.
 need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
@@ -121,6 +126,11 @@ sanitize: need-deps ## run the tests with address and undefined-behaviour saniti
 	@cmake --build $(BUILD)/sanitize --target verification
 	@verification/tests.sh $(BUILD)/sanitize
 
+mpi: need-deps ## build build/mpi/rotor, which mpirun spreads over machines, and compare it with threads
+	@cmake --preset release -B $(BUILD)/mpi -DROTOR_MPI=ON -DROTOR_VERIFICATION=OFF >/dev/null
+	@cmake --build $(BUILD)/mpi --target rotor
+	@verification/program/mpi.sh $(BUILD)/mpi/rotor
+
 portable: build ## build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)
 
@@ -133,10 +143,12 @@ reference: build ## recompute reference-data/high-precision.csv in quadruple pre
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run
-	$(call build-target,benchmark scene-costs stress precision reference)
+	$(call build-target,benchmark scene-costs sweep-costs stress precision reference)
 bench: bench-programs ## run time against error of every method, with pictures, into build/bench
 	@$(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/benchmark/peers/scipy_peer.py
 	@echo && $(BUILD)/scene-costs figures/paper
+	@echo && $(BUILD)/sweep-costs
+	@[ ! -x $(BUILD)/mpi/rotor ] || verification/benchmark/ranks.sh $(BUILD)/mpi/rotor
 	@gnuplot -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
 	  verification/benchmark/work-precision.gp

@@ -174,6 +174,25 @@ TEST_F(Readme, CountsTheRightHandSides) {
   }
 }
 
+// The examples are what the program reads.
+TEST_F(Readme, HasExamplesThatRun) {
+  std::ifstream file(ROTOR_SOURCES "/README.md");
+  std::vector<std::string> examples;
+  bool inside = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line == "```toml") examples.emplace_back();
+    if (inside && line != "```") examples.back() += line + '\n';
+    inside = line == "```toml" || (inside && line != "```");
+  }
+  ASSERT_EQ(examples.size(), 2U);
+  write("scene.toml", examples[0]);
+  write("damping.toml", examples[1]);
+  EXPECT_EQ(rotor("run --scene scene.toml --trace trace.csv --from 20").status, 0);
+  const auto [status, output] = rotor("sweep damping.toml --dry-run");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_TRUE(output.starts_with("21000 points; ")) << output;
+}
+
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
   std::map<std::string, int> verdicts, kinds;
   const auto values = published_values(ROTOR_REFERENCE_DATA "/published-values.csv");
