@@ -90,7 +90,7 @@ const RimPoint<double>& View::rim_point() {
 
 bool View::in_contact() const { return at_.touches(); }
 
-double View::normal_force() { return in_contact() ? context_.ring.normal_force(rim_point()) : 0; }
+double View::normal_force() { return in_contact() ? context_.ring.touching_force(rim_point()) : 0; }
 
 double View::friction() {
   if (!in_contact()) return 0;

@@ -77,11 +77,15 @@ struct Ring {
     return -stiffness * k.indentation - damping * k.normal_velocity;  // Eq. (21)
   }
 
-  /// F_n, clamped at zero while a ring that is still indented would have to pull.
-  S normal_force(const RimPoint<S>& k) const {
-    if (k.indentation <= 0) return S(0);
+  /// F_n of a rim that is known to touch: where a contact begins, rounding may still see a gap.
+  S touching_force(const RimPoint<S>& k) const {
     using std::min;
     return min<S>(S(0), elastic_force(k));
+  }
+
+  /// F_n, clamped at zero while a ring that is still indented would have to pull.
+  S normal_force(const RimPoint<S>& k) const {
+    return k.indentation <= 0 ? S(0) : touching_force(k);
   }
 
   /// Whether the ring is still indented where F_n vanishes, by more than rounding can tell. A ring

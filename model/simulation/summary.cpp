@@ -86,7 +86,7 @@ void SummaryObserver::note_extremes(const Instant& at, const Motion<double>& mot
   const Vector<double> bearings = supports_.bearing_force(motion.displacement, motion.velocity);
   summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, bearings.norm());
   if (!at.touches()) return;
-  const double force = -ring_.normal_force(ring_.rim_point(motion));
+  const double force = -ring_.touching_force(ring_.rim_point(motion));
   if (!at.separated) raise(summary_.peak_normal_force_before_loss_N, force);
   if (force > summary_.peak_normal_force_N.value_or(0)) {
     summary_.peak_normal_force_N = force;
@@ -107,7 +107,7 @@ void SummaryObserver::note_contact(const Instant& at, const Motion<double>& moti
   if (rolls && !summary_.rolling_onset_s) {
     summary_.rolling_onset_s = at.time_s;
     summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
-    summary_.rolling_onset_force_N = -ring_.normal_force(ring_.rim_point(motion));
+    summary_.rolling_onset_force_N = -ring_.touching_force(ring_.rim_point(motion));
   }
   if (rolls) summary_.rolling_until_s = std::nullopt;
   if (rolls_ && !rolls) summary_.rolling_until_s = at.time_s;

@@ -132,6 +132,33 @@ TEST(Summary, CountsContactsBeforeAndAfterTheMassLossApart) {
   EXPECT_GT(summary.peak_normal_force_before_loss_N.value_or(0), 0);
 }
 
+// A damper that is strong enough presses hardest as the rim arrives: F_n jumps to -d_t v_n,
+// although the indentation there is but rounding, and of either sign.
+TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
+  int gaps = 0;
+  for (int n = 0; n < 20; ++n) {
+    Scenario scenario{.start_speed_Hz = 140, .until = 0.01};
+    Parameters& p = scenario.parameters;
+    p.separation_time = 0;
+    p.rotor_radius = 0.05;
+    p.stator_radius = 0.0525 + 1e-5 * n;
+    p.contact_damping = 1e6;
+    EventRecorder recorder;
+    run(scenario, recorder);
+    const Instant& at = recorder.first(Event::touch_down);
+    const Motion<double> m = at.motion();
+    const double rho = m.displacement.norm();
+    gaps += rho <= p.stator_radius - p.rotor_radius;
+    const double impact = p.contact_damping * m.displacement.dot(m.velocity) / rho;
+    SummaryObserver observer(scenario);
+    run(scenario, observer);
+    const Summary& summary = observer.summary();
+    EXPECT_NEAR(summary.peak_normal_force_N.value_or(0) / impact, 1, 1e-9);
+    EXPECT_EQ(summary.peak_time_s, at.time_s);
+  }
+  EXPECT_GT(gaps, 0);
+}
+
 TEST(Summary, AddsUpTheTimeInContact) {
   const Scenario scenario;
   EventRecorder recorder;
