@@ -1,0 +1,156 @@
+/// Every column against formulas written out anew, in every state of the contact.
+#include "figures/scenes/columns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "model/simulation/simulation.hpp"
+#include "verification/support/column_formulas.hpp"
+
+namespace rotor {
+namespace {
+
+/// Instants of a run, events and a few inside every step.
+struct Instants : Observer {
+  void on_instant(const Instant& at) override { all.push_back(at); }
+  bool wants_dense_output(const double&, const double&) const override { return true; }
+  void on_step(const DenseOutput& step) override {
+    for (const double part : {0.3, 0.8})
+      all.push_back(step.at(step.from_s + part * (step.until_s - step.from_s)));
+  }
+  std::vector<Instant> all;
+};
+
+/// No two numbers of this rotor are equal, and none is the paper's. It strikes the ring at once,
+/// slides and rolls.
+Scenario of_its_own(Equations equations, Method method) {
+  return {.parameters = {.mass = 6,
+                         .inertia = 0.011,
+                         .eccentricity = 0.4e-3,
+                         .support_stiffness = 3e4,
+                         .support_damping = 40,
+                         .gravity = 9.5,
+                         .torque = 7,
+                         .motor_off_Hz = 1000,
+                         .contact_stiffness = 7e8,
+                         .contact_damping = 2e4,
+                         .friction = 0.25,
+                         .rotor_radius = 0.05,
+                         .stator_radius = 0.0525,
+                         .unbalance_factor = 2.5},
+          .equations = equations,
+          .method = method,
+          .until = 0.1,
+          .tolerance = 1e-8};
+}
+
+Instant towards_the_ring(const Scenario& scenario, bool motor_on) {
+  Instant start = at_rest(scenario.parameters);
+  start.state = {1e-3, 2e-3, 0.7, 1, 5, 900};
+  start.motor_on = motor_on;
+  return start;
+}
+
+/// Where sliding begins or ends, rounding alone says which way the rim slides.
+bool slip_is_rounding(const Instant& at, const Scenario& scenario) {
+  const double slip = column_by_formula("slip_velocity_m_per_s", at, scenario);
+  return at.contact == ContactState::sliding && std::abs(slip) < 1e-12;
+}
+
+class Columns : public testing::TestWithParam<std::tuple<Equations, Method, bool>> {};
+
+// Their largest values, over which rounding is spread, take part: F_n is the difference of a
+// displacement and the clearance, times k_t; a holding friction that of loads of its size.
+TEST_P(Columns, AreWhatTheFormulasSay) {
+  const auto [equations, method, motor_on] = GetParam();
+  Scenario scenario = of_its_own(equations, method);
+  Instants instants;
+  for (const double separation_s : {0.0001, 0.099}) {  // before all contacts, and after most
+    scenario.parameters.separation_time = separation_s;
+    run(scenario, towards_the_ring(scenario, motor_on), instants);
+  }
+  std::map<std::tuple<ContactState, bool>, int> seen;
+  for (const Instant& at : instants.all) ++seen[{at.contact, at.separated}];
+  for (const ContactState state :
+       {ContactState::free, ContactState::indented, ContactState::sliding, ContactState::rolling})
+    for (const bool separated : {false, true})
+      EXPECT_GT((seen[{state, separated}]), 2) << static_cast<int>(state) << separated;
+
+  const ColumnContext context(scenario);
+  for (const Column& column : all_columns()) {
+    double largest = 0;
+    for (const Instant& at : instants.all)
+      largest = std::max(largest, std::abs(column_by_formula(column.name, at, scenario)));
+    for (const Instant& at : instants.all) {
+      View view(at, context);
+      const double expected = column_by_formula(column.name, at, scenario);
+      if (column.name == "friction_force_N" && slip_is_rounding(at, scenario)) continue;
+      ASSERT_NEAR(column.value(view), expected, 1e-10 * std::abs(expected) + 1e-12 * largest)
+          << column.name << " at " << at.time_s << " s, state " << static_cast<int>(at.contact);
+    }
+  }
+}
+
+std::string name_of_case(const testing::TestParamInfo<Columns::ParamType>& c) {
+  const auto& [equations, method, motor_on] = c.param;
+  return std::string(equations == Equations::published ? "Published" : "Consistent") +
+         (method == Method::event ? "ByEvent" : "ByRk4") + (motor_on ? "Driven" : "Coasting");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EverySetAndMethod, Columns,
+    testing::Combine(testing::Values(Equations::published, Equations::consistent),
+                     testing::Values(Method::event, Method::rk4), testing::Bool()),
+    name_of_case);
+
+// The paper's signs, at an instant whose answer can be told without any formula.
+TEST(Column, HasThePapersSigns) {
+  const Scenario scenario;
+  Instant at = at_rest(scenario.parameters);
+  at.contact = ContactState::sliding;
+  at.state = {0, 3.5e-3, 0, 0, 0, 900};  // O lies along y_a, the rim slides with the rotation
+  const ColumnContext context(scenario);
+  const auto value = [&](const char* name) {
+    View view(at, context);
+    return find_column(name)->value(view);
+  };
+  EXPECT_EQ(value("x_a_m"), 0);
+  EXPECT_GT(value("y_a_m"), 3e-3);
+  EXPECT_LT(value("normal_force_N"), -3e5);  // compression
+  EXPECT_LT(value("friction_force_N"), 0);   // against the slip
+  EXPECT_GT(value("slip_velocity_m_per_s"), 0);
+  EXPECT_LT(value("friction_power_W"), 0);
+  at.state[2] = std::acos(-1.) / 2;  // y of the rotor points up now, against x_a
+  EXPECT_LT(value("x_a_m"), -3e-3);
+  EXPECT_NEAR(value("y_a_m"), 0, 1e-15);
+}
+
+TEST(Column, HasNoSlipAndNoWhirlWhereTheRotorIsCentred) {
+  const Scenario scenario;
+  const Instant at = at_rest(scenario.parameters);
+  const ColumnContext context(scenario);
+  for (const Column& column : all_columns()) {
+    View view(at, context);
+    const bool has_none =
+        column.name == "slip_velocity_m_per_s" || column.name == "whirl_frequency_Hz";
+    EXPECT_EQ(std::isnan(column.value(view)), has_none) << column.name;
+    EXPECT_EQ(find_column(column.name), &column);
+  }
+}
+
+// Whose largest magnitudes a trace contains.
+TEST(Column, OfAnExtremeIsThatExtreme) {
+  for (const Column& column : all_columns()) {
+    const auto expected = column.name == "rho_m"             ? std::optional(Extreme::displacement)
+                          : column.name == "normal_force_N"  ? std::optional(Extreme::normal_force)
+                          : column.name == "bearing_force_N" ? std::optional(Extreme::bearing_force)
+                                                             : std::nullopt;
+    EXPECT_EQ(column.extreme, expected) << column.name;
+  }
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,17 @@
+/// What the columns of traces and figures must hold, written out anew: from the numbers of an
+/// instant and of a scenario, and from nothing of the model's mechanics, so that one mistake cannot
+/// be made in both.
+#pragma once
+
+#include <string_view>
+
+#include "model/simulation/instant.hpp"
+#include "model/simulation/scenario.hpp"
+
+namespace rotor {
+
+/// The value of a column at an instant. Throws std::out_of_range for a column that is not known
+/// here.
+double column_by_formula(std::string_view column, const Instant& at, const Scenario& scenario);
+
+}  // namespace rotor
