@@ -137,9 +137,9 @@ portable: build ## build for another processor, and compare to the last bit
 mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (an hour or two)
 	@verification/robustness/mutants.sh
 
-reference: build ## recompute reference-data/high-precision.csv in quadruple precision (minutes)
+reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision (minutes)
 	$(call build-target,reference)
-	@$(BUILD)/reference reference-data/high-precision.csv
+	@$(BUILD)/reference reference-data/high-precision.csv reference-data/figure-values.csv
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run

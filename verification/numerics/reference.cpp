@@ -1,6 +1,7 @@
 /// Writes reference-data/high-precision.csv: every event and every final state of the scenes'
 /// event-located runs, in quadruple precision, with an estimate of their error. Two steppers and
-/// two tolerances are compared; the finer run of Verner's pair is written.
+/// two tolerances are compared; the finer run of Verner's pair is written. Of that one come also a
+/// few values of each figure's curves, in reference-data/figure-values.csv.
 #include <fmt/format.h>
 
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -10,7 +11,7 @@
 #include "model/simulation/event_method.ipp"
 #include "model/simulation/extended/quad.hpp"
 #include "model/simulation/stages.hpp"
-#include "verification/support/observers.hpp"
+#include "verification/numerics/figure_values.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
@@ -21,11 +22,11 @@ using Verner = Verner87<Unknowns, Quad>;
 using Fehlberg =
     boost::numeric::odeint::runge_kutta_fehlberg78<Unknowns, Quad, Unknowns, Quad,
                                                    boost::numeric::odeint::array_algebra>;
-using QuadInstant = BasicInstant<Quad>;
 
 struct NamedRun {
   std::string name;
   Scenario scenario;
+  Probes probes;                       ///< where figures want it
   std::vector<QuadInstant> landmarks;  ///< events, then the end
 };
 
@@ -34,12 +35,16 @@ std::vector<NamedRun> all_runs() {
   std::vector<NamedRun> runs;
   for (int number = 2; number <= 17; ++number) {
     const auto file = std::filesystem::path(ROTOR_SCENES) / fmt::format("fig{:02}.toml", number);
-    for (const SceneRun& scene_run : read_scene(file).runs) {
+    const Scene scene = read_scene(file);
+    for (const SceneRun& scene_run : scene.runs) {
       const Scenario& scenario = scene_run.scenario;
       if (scenario.method != Method::event) continue;
       const auto same = [&](const NamedRun& run) { return run.scenario == scenario; };
-      if (std::ranges::none_of(runs, same))
-        runs.push_back({fmt::format("fig{:02}: {}", number, scene_run.name), scenario, {}});
+      auto run = std::ranges::find_if(runs, same);
+      if (run == runs.end())
+        run = runs.insert(run,
+                          {fmt::format("fig{:02}: {}", number, scene_run.name), scenario, {}, {}});
+      add_probes(run->probes, number, scene_run.name, scene);
     }
   }
   for (const NamedRun& run : runs)
@@ -52,13 +57,16 @@ std::vector<NamedRun> all_runs() {
 template <class Stepper>
 std::vector<NamedRun> landmarks(std::vector<NamedRun> runs, const Quad& tolerance,
                                 std::string_view what) {
-  BasicEventRecorder<Quad> on_the_way;
+  Probes all;
+  for (const NamedRun& run : runs) all.insert(all.end(), run.probes.begin(), run.probes.end());
+  ProbedRun on_the_way(all);
   const Scenario& first = runs.front().scenario;
   EventMethod<Quad, Stepper> trunk(first, tolerance, at_rest<Quad>(first.parameters));
   for (NamedRun& run : runs) {
     fmt::print(stderr, "{}: {}\n", what, run.name);
     trunk.run_up(Quad(run.scenario.run_up_end()), on_the_way);
-    BasicEventRecorder<Quad> own = on_the_way;
+    ProbedRun own = on_the_way;
+    own.look_at(run.probes);
     auto branch = trunk.with(run.scenario);
     finish(branch, run.scenario, own);
     run.landmarks = own.events();
@@ -109,13 +117,21 @@ std::string table(const std::vector<NamedRun>& best,
 }
 
 int main(const Arguments& arguments) {
-  if (arguments.size() != 1) throw std::runtime_error("needs: FILE");
+  if (arguments.size() != 2) throw std::runtime_error("needs: FILE, FILE of figures' values");
   const Quad coarse("1e-16"), fine("1e-18");
   const std::vector<NamedRun> runs = all_runs();
   const auto best = landmarks<Verner>(runs, fine, "Verner 8(7), tolerance 1e-18");
+  std::string figures;
+  for (const NamedRun& run : best) figures += figure_values(run.probes, run.scenario);
+  FileTransaction files;
+  files.write(arguments[1],
+              "# A few values of each figure's curves, from `make reference`; not from the paper.\n"
+              "# rotor " ROTOR_VERSION
+              ", method event in quadruple precision (113 bits), published equations\n"
+              "figure,run,time_s,column,value\n" +
+                  figures);
   const auto coarser = landmarks<Verner>(runs, coarse, "Verner 8(7), tolerance 1e-16");
   const auto other = landmarks<Fehlberg>(runs, fine, "Fehlberg 7(8), tolerance 1e-18");
-  FileTransaction files;
   files.write(arguments[0],
               "# High-precision results of our own, from `make reference`; not from the paper.\n"
               "# rotor " ROTOR_VERSION
