@@ -23,7 +23,7 @@ ASKED  := $(if $(FIG),$(shell printf 'fig%02d ' $(FIG)),$(FIGURES))
 
 # What `make deps` installs, and why.
 #   g++ cmake ninja-build     compiler and build
-#   libboost-dev              Odeint steppers, Geometry, Math (automatic differentiation in tests)
+#   libboost-dev              Odeint steppers, Math (automatic differentiation in tests)
 #   libeigen3-dev             plane vectors
 #   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 #                             command line, scene files, JSON summary, messages and CSV

@@ -1,22 +1,10 @@
 #include "figures/data/thinning.hpp"
 
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/register/point.hpp>
 #include <cmath>
 #include <limits>
-
-namespace rotor {
-
-/// A point of a curve that remembers the row it comes from.
-struct CurvePoint {
-  double x, y;
-  std::size_t row;
-};
-
-}  // namespace rotor
-
-BOOST_GEOMETRY_REGISTER_POINT_2D(rotor::CurvePoint, double, boost::geometry::cs::cartesian, x, y)
+#include <utility>
+#include <vector>
 
 namespace rotor {
 namespace {
@@ -46,22 +34,43 @@ void mark_gaps(const Table& table, std::size_t column, std::vector<char>& needed
       needed[i - 1] = needed[i] = true;
 }
 
-/// Marks the rows at which the curve y over x has the corners that a polyline through them needs to
-/// stay within `tolerance` of it (Douglas-Peucker). What counts is the error of y at a given x,
-/// because a scene may draw two columns over each other: x is stretched until distances are errors
-/// of y. Done piece by piece, because its time grows faster than a piece's length.
-void mark_corners(const std::vector<double>& x, const std::vector<double>& y, double tolerance,
+/// Curves over a common x, all of them between 0 and 1.
+struct Curves {
+  std::vector<double> x;
+  std::vector<std::vector<double>> all;
+
+  /// How far a row lies from the lines between two others, in the curve that is furthest.
+  double distance(std::size_t row, std::size_t from, std::size_t until) const {
+    const double length = x[until] - x[from];
+    const double part = length > 0 ? (x[row] - x[from]) / length : 0;
+    double largest = 0;
+    for (const std::vector<double>& y : all)
+      largest = std::max(largest, std::abs(y[row] - y[from] - part * (y[until] - y[from])));
+    return largest;
+  }
+};
+
+/// Marks the rows that lines need to stay within `tolerance` of all curves between two rows that
+/// are needed (Douglas-Peucker, for all curves at once: a corner of one alone would bend the lines
+/// of the others). What counts is the error at a given x, because a scene may draw two columns over
+/// each other.
+void mark_corners(const Curves& curves, std::size_t first, std::size_t last, double tolerance,
                   std::vector<char>& needed) {
-  constexpr std::size_t piece_length = 512;
-  constexpr double stretch = 1e5;
-  boost::geometry::model::linestring<CurvePoint> piece, corners;
-  for (std::size_t begin = 0; begin < y.size(); begin += piece_length) {
-    piece.clear();
-    corners.clear();
-    for (std::size_t row = begin; row < std::min(begin + piece_length + 1, y.size()); ++row)
-      piece.push_back({stretch * x[row], y[row], row});
-    boost::geometry::simplify(piece, corners, tolerance);
-    for (const CurvePoint& corner : corners) needed[corner.row] = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open = {{first, last}};
+  while (!open.empty()) {
+    const auto [from, until] = open.back();
+    open.pop_back();
+    double largest = tolerance;
+    std::size_t corner = from;
+    for (std::size_t row = from + 1; row < until; ++row)
+      if (const double off = curves.distance(row, from, until); off > largest) {
+        largest = off;
+        corner = row;
+      }
+    if (corner == from) continue;
+    needed[corner] = true;
+    open.emplace_back(from, corner);
+    open.emplace_back(corner, until);
   }
 }
 
@@ -69,16 +78,23 @@ void mark_corners(const std::vector<double>& x, const std::vector<double>& y, do
 
 Table thinned(const Table& table, double tolerance) {
   if (table.rows() == 0) return table;
+  Curves curves{scaled(table, 0), {}};
   std::vector<char> needed(table.rows(), false);
-  const std::vector<double> x = scaled(table, 0);
   for (std::size_t column = 1; column < table.columns(); ++column) {
-    const std::vector<double> y = scaled(table, column);
-    mark_corners(x, y, tolerance, needed);
+    const std::vector<double>& y = curves.all.emplace_back(scaled(table, column));
     mark_gaps(table, column, needed);
     // The ends of the range are what annotations quote: they stay to the last digit.
     needed[static_cast<std::size_t>(std::ranges::min_element(y) - y.begin())] = true;
     needed[static_cast<std::size_t>(std::ranges::max_element(y) - y.begin())] = true;
   }
+  // Piece by piece, because the time that it takes grows faster than a piece's length.
+  constexpr std::size_t piece_length = 512;
+  for (std::size_t row = 0; row < table.rows(); row += piece_length) needed[row] = true;
+  needed.back() = true;
+  std::size_t last = 0;
+  for (std::size_t row = 1; row < table.rows(); ++row)
+    if (needed[row]) mark_corners(curves, std::exchange(last, row), row, tolerance, needed);
+
   Table result(table.columns());
   for (std::size_t row = 0; row < table.rows(); ++row)
     if (needed[row])

@@ -5,7 +5,7 @@
 
 namespace rotor {
 
-/// Largest distance between a thinned curve and the full one, relative to the picture's height: a
+/// Largest distance between a figure's curve and the motion, relative to the picture's height: a
 /// fifth of a pixel in a picture 1000 pixels high.
 inline constexpr double thinning = 2e-4;
 

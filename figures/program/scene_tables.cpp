@@ -34,7 +34,7 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
       if (table.table.rows() == 0)
         throw InputError(fmt::format("scene {}: nothing of the run \"{}\" lies in the window",
                                      number, table.name));
-      table.table = thinned(table.table, thinning);
+      table.table = thinned(table.table, thinning - sampling);
     }
   return tables;
 }

@@ -14,7 +14,8 @@
 
 namespace rotor {
 
-/// As close as a recorded curve is to the motion before it is thinned, relative to the same.
+/// As close as a recorded curve is to the motion before it is thinned by the rest, relative to the
+/// same.
 inline constexpr double sampling = thinning / 2;
 
 /// The part of a run that is recorded: from a given time on, or from the onset of rolling on.

@@ -47,7 +47,7 @@ Cost cost(const std::vector<const Scene*>& scenes) {
     cost.samples = cost.kept = 0;
     for (const Table& table : tables) {
       cost.samples += table.rows();
-      cost.kept += thinned(table, thinning).rows();
+      cost.kept += thinned(table, thinning - sampling).rows();
     }
   }
   return cost;
