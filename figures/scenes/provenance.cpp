@@ -18,14 +18,11 @@ std::string describe(const Equations& equations) {
                      name_of(equations.velocity_jump), name_of(equations.gravity_moment));
 }
 
-/// What a run states beyond, or against, the defaults.
-std::string differences(const Scenario& scenario) {
+std::string parameters(const Scenario& scenario) {
   std::vector<std::string> all;
-  for (const Quantity& quantity : quantities())
-    if (quantity.of(scenario) != quantity.of(Scenario{}))
-      all.push_back(describe(quantity, scenario));
+  for (const Quantity& quantity : quantities()) all.push_back(describe(quantity, scenario));
   if (!scenario.parameters.separates) all.emplace_back("no mass loss");
-  return all.empty() ? "the paper's parameters" : fmt::format("{}", fmt::join(all, ", "));
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 }  // namespace
@@ -35,7 +32,7 @@ std::vector<std::string> provenance(const std::string& title, const Scene& scene
   for (const SceneRun& run : scene.runs)
     lines.push_back(fmt::format("{}: equations {}, method {}, {}", run.name,
                                 describe(run.scenario.equations), name_of(run.scenario.method),
-                                differences(run.scenario)));
+                                parameters(run.scenario)));
   for (const Column* column : scene.columns)
     lines.push_back(fmt::format("{}: {}", column->name, column->meaning));
   return lines;

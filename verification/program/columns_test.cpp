@@ -64,6 +64,20 @@ class Columns : public testing::TestWithParam<std::tuple<Equations, Method, bool
 
 // Their largest values, over which rounding is spread, take part: F_n is the difference of a
 // displacement and the clearance, times k_t; a holding friction that of loads of its size.
+void compare(const Column& column, const std::vector<Instant>& instants, const Scenario& scenario) {
+  const ColumnContext context(scenario);
+  double largest = 0;
+  for (const Instant& at : instants)
+    largest = std::max(largest, std::abs(column_by_formula(column.name, at, scenario)));
+  for (const Instant& at : instants) {
+    View view(at, context);
+    const double expected = column_by_formula(column.name, at, scenario);
+    if (column.name == "friction_force_N" && slip_is_rounding(at, scenario)) continue;
+    ASSERT_NEAR(column.value(view), expected, 1e-10 * std::abs(expected) + 1e-12 * largest)
+        << column.name << " at " << at.time_s << " s, state " << static_cast<int>(at.contact);
+  }
+}
+
 TEST_P(Columns, AreWhatTheFormulasSay) {
   const auto [equations, method, motor_on] = GetParam();
   Scenario scenario = of_its_own(equations, method);
@@ -78,20 +92,7 @@ TEST_P(Columns, AreWhatTheFormulasSay) {
        {ContactState::free, ContactState::indented, ContactState::sliding, ContactState::rolling})
     for (const bool separated : {false, true})
       EXPECT_GT((seen[{state, separated}]), 2) << static_cast<int>(state) << separated;
-
-  const ColumnContext context(scenario);
-  for (const Column& column : all_columns()) {
-    double largest = 0;
-    for (const Instant& at : instants.all)
-      largest = std::max(largest, std::abs(column_by_formula(column.name, at, scenario)));
-    for (const Instant& at : instants.all) {
-      View view(at, context);
-      const double expected = column_by_formula(column.name, at, scenario);
-      if (column.name == "friction_force_N" && slip_is_rounding(at, scenario)) continue;
-      ASSERT_NEAR(column.value(view), expected, 1e-10 * std::abs(expected) + 1e-12 * largest)
-          << column.name << " at " << at.time_s << " s, state " << static_cast<int>(at.contact);
-    }
-  }
+  for (const Column& column : all_columns()) compare(column, instants.all, scenario);
 }
 
 std::string name_of_case(const testing::TestParamInfo<Columns::ParamType>& c) {
