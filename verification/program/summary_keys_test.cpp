@@ -1,0 +1,192 @@
+/// Every key of `rotor run --json` against the engine asked directly: its events, maxima and end,
+/// and closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "figures/scenes/names.hpp"
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/summary.hpp"
+#include "verification/support/column_formulas.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+using Json = nlohmann::json;
+constexpr double turn = 2 * 3.14159265358979323846;
+
+/// What the summary is to say, gathered in the plainest way.
+class Landmarks : public Observer {
+ public:
+  explicit Landmarks(const Scenario& scenario) : scenario_(scenario) {}
+
+  void on_instant(const Instant& at) override {
+    const bool touches = value("contact_state", at) == 1 || value("contact_state", at) == 2;
+    const bool rolls = value("contact_state", at) == 2;
+    if (at.event == Event::touch_down) {
+      if (!said["first_contact_s"].is_number()) said["first_contact_s"] = at.time_s;
+      said["collisions"] = said["collisions"].get<long>() + 1;
+      if (!at.separated)
+        said["collisions_before_loss"] = said["collisions_before_loss"].get<long>() + 1;
+    }
+    if (rolls && !said["rolling_onset_s"].is_number()) {
+      said["rolling_onset_s"] = at.time_s;
+      said["rolling_onset_speed_Hz"] = at.state[5] / turn;
+      said["rolling_onset_force_N"] = -value("normal_force_N", at);
+    }
+    if (rolls) said["rolling_until_s"] = nullptr;
+    if (rolled_ && !rolls) said["rolling_until_s"] = at.time_s;
+    rolled_ = rolls;
+    if (touched_) contact_s += at.time_s - since_s_;
+    touched_ = touches;
+    since_s_ = at.time_s;
+    if (at.event == Event::motor_off) said["motor_off_s"] = at.time_s;
+    if (at.event == Event::mass_loss) {
+      said["speed_at_separation_Hz"] = at.state[5] / turn;
+      said["mass_loss_reached"] = true;
+    }
+    note_maxima(at);
+  }
+  double threshold(Extreme, const double&, const double&) const override { return 0; }
+  void on_maximum(const Maximum& maximum) override { note_maxima(maximum.at); }
+
+  Json said = {{"collisions", 0},
+               {"collisions_before_loss", 0},
+               {"max_displacement_before_loss_m", 0},
+               {"peak_bearing_force_N", 0},
+               {"mass_loss_reached", false},
+               {"first_contact_s", nullptr},
+               {"rolling_onset_s", nullptr},
+               {"rolling_onset_speed_Hz", nullptr},
+               {"rolling_onset_force_N", nullptr},
+               {"rolling_until_s", nullptr},
+               {"peak_normal_force_N", nullptr},
+               {"peak_time_s", nullptr},
+               {"peak_normal_force_before_loss_N", nullptr},
+               {"max_displacement_m", nullptr},
+               {"motor_off_s", nullptr},
+               {"speed_at_separation_Hz", nullptr}};
+  double contact_s = 0;
+
+ private:
+  double value(const char* column, const Instant& at) const {
+    return column_by_formula(column, at, scenario_);
+  }
+  bool raises(const char* key, double value) {
+    if (said[key].is_number() && said[key].get<double>() >= value) return false;
+    said[key] = value;
+    return true;
+  }
+  void note_maxima(const Instant& at) {
+    raises(at.separated ? "max_displacement_m" : "max_displacement_before_loss_m",
+           value("rho_m", at));
+    raises("peak_bearing_force_N", value("bearing_force_N", at));
+    const double force = -value("normal_force_N", at);
+    if (!(force > 0)) return;
+    if (raises("peak_normal_force_N", force)) said["peak_time_s"] = at.time_s;
+    if (!at.separated) raises("peak_normal_force_before_loss_N", force);
+  }
+
+  const Scenario& scenario_;
+  bool rolled_ = false, touched_ = false;
+  double since_s_ = 0;
+};
+
+void expect_equal(const Json& printed, const Json& expected, const std::string& key) {
+  ASSERT_TRUE(printed.contains(key)) << key;
+  if (expected.is_number_float() && printed[key].is_number()) {
+    const auto value = expected.get<double>();
+    EXPECT_NEAR(printed[key].get<double>(), value, 1e-11 * std::abs(value)) << key;
+  } else {
+    EXPECT_EQ(printed[key], expected) << key;
+  }
+}
+
+struct Case {
+  const char* arguments;
+  Scenario scenario;
+};
+
+class SummaryKeys : public CommandLine {};
+
+/// Rolling to its end; contacts before the loss; none at all; nothing lost; not got so far.
+std::vector<Case> cases() {
+  Scenario early{.until = 10.3, .tolerance = 1e-9};
+  early.parameters.support_stiffness = 1.2e5;
+  early.parameters.separation_time = 10;
+  Scenario none{.equations = Equations::consistent, .until = 9.65};
+  none.parameters.separation_time = 9.4;
+  none.parameters.unbalance_factor = 2;
+  Scenario whole{.start_speed_Hz = 40, .until = 0.5};
+  whole.parameters.separates = false;
+  whole.parameters.mass = 6;
+  Scenario rolling{.until = 31};
+  rolling.parameters.motor_off_Hz = 149;
+  return {{"--until 31 --motor-off-hz 149", rolling},
+          {"--support-stiffness 1.2e5 --separation-time 10 --until 10.3 --tolerance 1e-9", early},
+          {"--separation-time 9.4 --unbalance-factor 2 --equations consistent", none},
+          {"--start-speed-hz 40 --until 0.5 --no-separation --mass 6", whole},
+          {"--until 3", {.until = 3}}};
+}
+
+TEST_F(SummaryKeys, SayWhatTheRunShows) {
+  for (const auto& [arguments, scenario] : cases()) {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = rotor(std::string("run --json ") + arguments + " 2>messages");
+    ASSERT_EQ(outcome.status, 0) << content("messages");
+    const Json printed = Json::parse(outcome.output);
+    Landmarks landmarks(scenario);
+    run(scenario, landmarks);
+    SummaryObserver summary(scenario);
+    const RunEnd end = run(scenario, summary);
+
+    Json expected = landmarks.said;
+    const Parameters& p = scenario.parameters;
+    const double critical = std::sqrt(p.support_stiffness / p.mass) / turn;
+    const double e = p.eccentricity, e_1 = p.unbalance_factor * e, r = p.rotor_radius;
+    const double lost = p.mass * (e_1 - e) / (r + e_1), left = p.mass - lost;
+    const auto if_lost = [&](double value) { return p.separates ? Json(value) : Json(nullptr); };
+    expected["contact_time_s"] = landmarks.contact_s;
+    expected["critical_speed_Hz"] = critical;
+    expected["lost_mass_kg"] = if_lost(lost);
+    expected["inertia_after_loss_kg_m2"] =
+        if_lost(p.inertia - lost * (r + e) * (r + e) - left * (e_1 - e) * (e_1 - e));
+    const Json& at_loss = expected["speed_at_separation_Hz"];
+    expected["speed_ratio_at_separation"] =
+        at_loss.is_null() ? Json(nullptr) : Json(at_loss.get<double>() / critical);
+    expected["motor_off_reached"] = !expected["motor_off_s"].is_null();
+    expected["final_time_s"] = end.last.time_s;
+    expected["final_speed_Hz"] = end.last.state[5] / turn;
+    expected["final_q1_m"] = end.last.state[0];
+    expected["final_q2_m"] = end.last.state[1];
+    expected["final_kinetic_energy_J"] = column_by_formula("kinetic_energy_J", end.last, scenario);
+    expected["right_hand_sides"] = end.counters.right_hand_sides;
+    expected["contact_evaluations"] = end.counters.contact_evaluations;
+    expected["steps"] = end.counters.steps;
+    expected["located_events"] = end.counters.located_events;
+    // Of these two the engine's own word is taken; summary_test.cpp tells whether it is right.
+    expected["outcome"] = std::string(name_of(summary.summary().outcome));
+    const auto number = [](const std::optional<double>& value) {
+      return value ? Json(*value) : Json(nullptr);
+    };
+    expected["whirl_frequency_Hz"] = number(summary.summary().whirl_frequency_Hz);
+    expected["whirl_from_s"] = number(summary.summary().whirl_from_s);
+    expected["whirl_until_s"] = number(summary.summary().whirl_until_s);
+    expected["stop_on"] = nullptr;
+    expected["stop_reached"] = false;
+    expected["tolerance"] = scenario.tolerance;
+    expected["version"] = ROTOR_VERSION;
+    expected["schema"] = 2;
+    for (const auto& [key, value] : expected.items()) expect_equal(printed, value, key);
+    for (const auto& [key, value] : printed.items())
+      if (key != "remarks" && key != "inputs" && key != "equations" && key != "velocity_jump" &&
+          key != "gravity_moment" && key != "method") {  // options_test.cpp and others hold these
+        EXPECT_TRUE(expected.contains(key)) << key << " is held by no test";
+      }
+  }
+}
+
+}  // namespace
+}  // namespace rotor
