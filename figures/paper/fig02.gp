@@ -1,6 +1,7 @@
 # q1, q2 and rho while the rotor runs up through its critical speed.
 set title caption(2, "Start-up: generalised coordinates and displacement of O", \
-  "M_{mot} = 0.3 N m, e_x = 0.15 mm, eigenfrequency 10 Hz")
+  sprintf("M_{mot} = %g N m, e_x = %g mm, eigenfrequency %.1f Hz", number("run", "torque"), \
+  1e3*number("run", "eccentricity"), sqrt(number("run", "support_stiffness")/number("run", "mass"))/(2*pi)))
 set multiplot layout 3,1 margins 0.09,0.97,0.11,0.86 spacing 0,0.035
 set xrange [0:6.5]
 set ylabel offset 1,0

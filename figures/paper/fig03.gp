@@ -1,6 +1,8 @@
 # F_n for high, intermediate and low friction, one above the other.
 set title caption(3, "Radial component F_n of the impact force", \
-  "mass loss at t_1 = 29.1 s, f = 150 Hz, k_t = 8×10^8 N/m; grey: published method, steps of 5 μs")
+  sprintf("%s, f_{max} = %g Hz, %s; grey: %s, steps of %g μs", loss("mu = 0.3"), \
+    number("mu = 0.3", "motor_off_hz"), stiffness("mu = 0.3"), by_method("mu = 0.3 by rk4"), \
+    1e6*number("mu = 0.3 by rk4", "step_rub")))
 set multiplot layout 3,1 margins 0.1,0.97,0.11,0.87 spacing 0,0.035
 set xrange [29.1:29.35]
 set yrange [-500:0]
@@ -8,11 +10,11 @@ set ytics -400,200,0
 set ylabel "F_n, kN" offset 1,0
 set format x ""
 force(name) = of_run(name, "normal_force_N")/1e3
-friction = "0.3 0.2 0.08"
+runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
 do for [i = 1:3] {
-  name = "mu = ".word(friction, i)
+  name = word(runs, i)
   stats data using (force(name)) name "F" nooutput
-  set label 1 sprintf("{/:Bold μ = %s}", word(friction, i)) at graph 0.985,0.62 right boxed front
+  set label 1 "{/:Bold ".friction(name)."}" at graph 0.985,0.62 right boxed front
   set label 2 sprintf("largest |F_n|: %.1f kN", -F_min) at graph 0.985,0.42 right boxed front
   if (i == 1) { set label 3 "paper: 400–450 kN in rolling, 455 kN at most" at graph 0.985,0.22 right \
                   textcolor rgb grey boxed front

@@ -1,6 +1,8 @@
 # The rotation speed for high, intermediate and low friction.
 set title caption(4, "Rotation speed f = q̇_3/2π of the rotor", \
-  "mass loss at t_1 = 29.1 s; level: no contact, steep: impacts; grey: published method, whose friction chatters in rolling")
+  sprintf("%s; level: flight, steep: impacts; grey: %s, whose friction chatters in rolling", \
+    loss("mu = 0.3"), by_method("mu = 0.3 by rk4")))
+runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
 set xrange [29.1:29.35]
 set yrange [0:160]
 set xlabel "t, s"
@@ -10,9 +12,9 @@ set key at graph 0.45,0.6
 set arrow from graph 0,first 45 to graph 1,first 45 nohead linestyle published
 set label "paper: 45 Hz as rolling sets in, μ = 0.3" at graph 0.985,first 45 right offset 0,0.7 \
   textcolor rgb grey boxed front
-plot for [i = 1:3] fixed = "mu = ".word("0.3 0.2 0.08", i)." by rk4" \
+plot for [i = 1:3] fixed = word(runs, i)." by rk4" \
   data using (of_run(fixed, "time_s")):(of_run(fixed, "speed_Hz")) \
   with lines linestyle fixed_steps linewidth 2.4 notitle, \
-  for [i = 1:3] name = word("0.3 0.2 0.08", i) \
-  data using (of_run("mu = ".name, "time_s")):(of_run("mu = ".name, "speed_Hz")) \
-  with lines linetype i linewidth 1.2 title "μ = ".name
+  for [i = 1:3] name = word(runs, i) \
+  data using (of_run(name, "time_s")):(of_run(name, "speed_Hz")) \
+  with lines linetype i linewidth 1.2 title friction(name)

@@ -1,6 +1,6 @@
 # F_n from separate collisions to continuous contact.
 set title caption(5, "Impact force F_n from separate collisions to continuous contact", \
-  "μ = 0.3, mass loss at t_1 = 29.1 s")
+  friction("run").", ".loss("run"))
 set xlabel "t, s"
 set ylabel "F_n, kN"
 set format x "%.3f"

@@ -1,11 +1,12 @@
 # The kinetic energy while the rub develops, with the energies that the text states.
-set title caption(6, "Kinetic energy T of the rotor", "μ = 0.3, mass loss at t_1 = 29.1 s")
+set title caption(6, "Kinetic energy T of the rotor", friction("run").", ".loss("run"))
 set xlabel "t, s"
 set ylabel "T, J"
 set format x "%.3f"
 T = "kinetic_energy_J"
 stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
-onset = rolling_min
+stats data using (column("contact_state") > 0 ? column("time_s") : NaN) name "contact" nooutput
+onset = rolling_min; t_1 = number("run", "separation_time")
 # The text's energies count continuous contact from the sixth touch-down.
 touch_downs = 0; touching = 0; continuous = NaN
 watch(t, state) = (state > 0 && !touching ? (touch_downs = touch_downs + 1, \
@@ -14,22 +15,22 @@ stats data using (watch(column("time_s"), column("contact_state"))) nooutput
 stats data using (column("time_s") == onset ? column(T) : NaN) name "left" nooutput
 stats data using (column("time_s") == continuous ? column(T) : NaN) name "ahead" nooutput
 stats data using T name "all" nooutput
-stats data using (column("time_s") == 29.1 ? column(T) : NaN) name "separated" nooutput
+stats data using (column("time_s") == t_1 ? column(T) : NaN) name "separated" nooutput
 T0 = all_max; T1_0 = separated_min; T1 = ahead_min; T2 = left_min
 
 set xrange [29.1:29.14]
 set yrange [0:4500]
 set arrow from graph 0,first 4000 to graph 1,first 4000 nohead linestyle published
-set arrow from graph 0,first 3000 to graph 1,first 3000 nohead linestyle published
+set arrow from graph 0,first (4000 - 1000) to graph 1,first (4000 - 1000) nohead linestyle published
 set arrow from graph 0,first 1050 to graph 1,first 1050 nohead linestyle published
 set label "paper: 4000 J" at graph 0.99,first 4000 right offset 0,0.6 textcolor rgb grey
-set label "paper: −1000 J by collisions" at graph 0.01,first 3000 offset 0,0.6 textcolor rgb grey
+set label "paper: −1000 J by collisions" at graph 0.01,first (4000 - 1000) offset 0,0.6 textcolor rgb grey
 set label "paper: −1950 J by sliding, 1050 J left" at graph 0.01,first 1050 offset 0,0.6 \
   textcolor rgb grey
-set label sprintf("here: %.0f J, and %.0f J after the mass loss", T0, T1_0) at 29.1003,T0 offset 0,0.7
+set label sprintf("here: %.0f J, and %.0f J after the mass loss", T0, T1_0) at t_1 + 3e-4,T0 offset 0,0.7
 set arrow from continuous,graph 0 to continuous,graph 1 nohead linestyle reading
 set arrow from onset,graph 0 to onset,graph 1 nohead linestyle reading
-set label sprintf("collisions\n%+.0f J", T1 - T1_0) at 0.5*(29.1046 + continuous),2300 center boxed
+set label sprintf("collisions\n%+.0f J", T1 - T1_0) at 0.5*(contact_min + continuous),2300 center boxed
 set label sprintf("sliding\n%+.0f J", T2 - T1) at continuous,1900 right offset -1,0 boxed
 set label sprintf("rolling\n%.0f J left", T2) at onset,1900 left offset 1,0 boxed
 plot data using "time_s":T with lines linetype 1 linewidth 1.8 notitle

@@ -1,6 +1,6 @@
 # q1 and rho as fast rolling sets in.
 set title caption(7, "Generalised coordinate q_1 in the rotating axes, and displacement ρ", \
-  "μ = 0.3, mass loss at t_1 = 29.1 s; seen from rotating axes, the whirl is faster by f")
+  friction("run").", ".loss("run")."; seen from rotating axes, the whirl is faster by f")
 set xlabel "t, s"
 set ylabel "mm"
 set format x "%.3f"

@@ -2,8 +2,8 @@
 # velocities are the computed ones; the clearance alone is enlarged.
 eval "set terminal ".square
 set title caption(10, "Velocities in rolling along the ring without slipping", \
-  "drawn to the computed onset of rolling, μ = 0.3; the clearance is drawn enlarged")
-r = 0.06
+  "drawn to the computed onset of rolling, ".friction("run")."; the clearance is drawn enlarged")
+r = number("run", "rotor_radius")
 
 # The state at the onset: the first row.
 stats data every ::0::0 using "time_s" name "t" nooutput

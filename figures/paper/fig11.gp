@@ -1,6 +1,6 @@
 # F_n for three contact stiffnesses.
 set title caption(11, "Influence of the contact stiffness on the radial force F_n", \
-  "μ = 0.3, k_t = 8×10^8 N/m, mass loss at t_1 = 29.1 s")
+  friction("k_t").", ".stiffness("k_t").", ".loss("k_t"))
 set multiplot layout 3,1 margins 0.1,0.97,0.11,0.87 spacing 0,0.035
 set xrange [29.1:29.16]
 set yrange [-560:0]

@@ -1,8 +1,9 @@
 # F_n after a mass loss at a lower speed.
-set title caption(12, "Radial force F_n, mass loss at t_1 = 19.1 s", \
-  "μ = 0.3, k_t = 8×10^8 N/m, motor still driving")
 stats data using "time_s":(column("normal_force_N")/1e3) name "F" nooutput
+stats data using "speed_Hz" name "driven" nooutput
 stats data every ::0::0 using "speed_Hz" name "f" nooutput
+set title caption(12, "Radial force F_n, ".loss("run"), \
+  friction("run").", ".stiffness("run").", ".motor("run", driven_max))
 set xrange [19.1:19.2]
 set yrange [-280:0]
 set xlabel "t, s"

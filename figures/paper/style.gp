@@ -51,3 +51,26 @@ beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ou
 
 # The column of one run, for scenes with several.
 of_run(name, c) = strcol("run") eq name ? column(c) : NaN
+
+# What the data say of a run in the lines above their header row: its method, and its numbers.
+said(run, what) = system(sprintf("sed -n 's/^# %s: %s.*/\\1/p' '%s'", run, what, data))
+number(run, name) = read(said(run, ".* ".name." = \\([-+.e0-9]*\\)"))
+read(text) = strstrt(text, "e") == 0 ? real(text) : \
+  real(text[:strstrt(text, "e") - 1])*10.0**int(text[strstrt(text, "e") + 1:])    # gnuplot refuses 5e-06
+by_method(run) = said(run, ".*method \\([a-z0-9]*\\)") eq "rk4" ? "published method" : "event method"
+power_of_ten(x) = sprintf("%g×10^{%d}", x/10**floor(log10(x)), floor(log10(x)))
+
+# What y is where x passes a value, between the rows around it: stats data using (follow(x, y, value)).
+x_0 = NaN; y_0 = NaN; crossing = NaN
+follow(x, y, at) = (x_0 < at && x >= at ? crossing = y_0 + (y - y_0)*(at - x_0)/(x - x_0) : 0, \
+  x_0 = x, y_0 = y, 0)
+
+# Parts of captions.
+friction(run) = sprintf("μ = %g", number(run, "friction"))
+stiffness(run) = sprintf("k_t = %s N/m", power_of_ten(number(run, "contact_stiffness")))
+loss(run) = said(run, ".*\\(no mass loss\\)") eq "" ? \
+  sprintf("mass loss at t_1 = %g s", number(run, "separation_time")) : "no mass loss"
+clearance_of(run) = 1e3*(number(run, "stator_radius") - number(run, "rotor_radius"))    # mm
+dotted(run) = sprintf("dotted: clearance r_a − r = %g mm", clearance_of(run))
+motor(run, f) = f < number(run, "motor_off_hz") ? "motor still driving" : "motor off"
+contact(run, rho_mm) = rho_mm < clearance_of(run) ? "no contact" : "contact"
