@@ -1,0 +1,256 @@
+/// The drawn figures: that gnuplot has nothing to complain of, that the curves in the SVG are the
+/// data's, and that captions say what the engine says.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures/data/csv.hpp"
+#include "figures/scenes/names.hpp"
+#include "verification/support/command_line.hpp"
+#include "verification/support/figure_list.hpp"
+#include "verification/support/summary_of.hpp"
+#include "verification/support/svg_picture.hpp"
+
+namespace rotor {
+namespace {
+
+/// What a curve of a picture is, in the order in which they are drawn.
+struct Curve {
+  std::string run, x, y;
+  double x_scale, y_scale;  ///< from the data's units to the axes'
+};
+
+std::vector<Curve> curves(const Figure& figure) {
+  std::vector<Curve> all;
+  const auto over_time = [&](const std::string& run, const std::string& y, double scale) {
+    all.push_back({run, "time_s", y, 1, scale});
+  };
+  const auto orbit = [&](const std::string& run) {
+    all.push_back({run, "y_a_m", "x_a_m", 1e3, 1e3});
+  };
+  const std::vector<std::string> frictions = {"mu = 0.3", "mu = 0.2", "mu = 0.08"};
+  switch (figure.number) {
+    case 2:
+      for (const char* y : {"q1_m", "q2_m", "rho_m"}) over_time("run", y, 1e3);
+      break;
+    case 3:
+      for (const std::string& run : frictions)
+        for (const std::string& name : {run + " by rk4", run})
+          over_time(name, "normal_force_N", 1e-3);
+      break;
+    case 4:
+      for (const std::string& run : frictions) over_time(run + " by rk4", "speed_Hz", 1);
+      for (const std::string& run : frictions) over_time(run, "speed_Hz", 1);
+      break;
+    case 6:
+      over_time("run", "kinetic_energy_J", 1);
+      break;
+    case 7:
+      for (const char* y : {"q1_m", "rho_m"}) over_time("run", y, 1e3);
+      break;
+    case 8:
+    case 16:
+      orbit("run");
+      break;
+    case 9:
+      for (const char* run : {"rk4", "event"}) orbit(run);
+      break;
+    case 10:  // no curve of data
+      break;
+    case 14:
+    case 15:
+    case 17:
+      for (const auto& [run, scenario] : figure.runs) over_time(run, "rho_m", 1e3);
+      break;
+    default:  // 5, 11, 12, 13
+      for (const auto& [run, scenario] : figure.runs) over_time(run, "normal_force_N", 1e-3);
+  }
+  return all;
+}
+
+class Pictures : public CommandLine,
+                 public testing::WithParamInterface<std::tuple<Figure, Equations>> {
+ protected:
+  const Figure& figure() const { return std::get<0>(GetParam()); }
+  Equations equations() const { return std::get<1>(GetParam()); }
+  std::string name() const { return fmt::format("fig{:02}", figure().number); }
+
+  /// As `make` draws it.
+  Outcome draw() const {
+    return shell(fmt::format(
+        "$rotor figure {0} --out . --equations {1} 2>/dev/null && gnuplot -e \"data = '{2}.csv'; "
+        "output = '{2}.svg'; format = 'svg'; equations = '{1}'\" {3}/style.gp {3}/{2}.gp",
+        figure().number, name_of(equations()), name(), ROTOR_SCENES));
+  }
+
+  std::vector<std::pair<double, double>> data(const Curve& curve) const {
+    std::vector<std::pair<double, double>> points;
+    for (const CsvRow& row : read_csv(folder_ / (name() + ".csv")))
+      if (row["run"] == curve.run)
+        points.emplace_back(static_cast<double>(row.number(curve.x)) * curve.x_scale,
+                            static_cast<double>(row.number(curve.y)) * curve.y_scale);
+    return points;
+  }
+
+  Scenario scenario(std::size_t run) const {
+    Scenario scenario = figure().runs[run].second;
+    scenario.equations = equations();
+    return scenario;
+  }
+
+  /// What the captions are to say, by the engine.
+  std::vector<std::string> captions() const;
+  void expect_curves(const Picture& picture) const;
+};
+
+void Pictures::expect_curves(const Picture& picture) const {
+  const std::vector<Curve> expected = curves(figure());
+  if (expected.empty()) return;
+  ASSERT_EQ(picture.curves.size(), expected.size());
+  ASSERT_GE(picture.x.size(), 2U);
+  for (std::size_t n = 0; n < expected.size(); ++n) {
+    const DrawnCurve& drawn_curve = picture.curves[n];
+    ASSERT_GE(drawn_curve.y.size(), 2U);
+    const auto points = data(expected[n]);
+    ASSERT_GT(points.size(), 1U);
+    // At the ends, and where the curve reaches furthest to each side.
+    const auto by_x = [](const auto& a, const auto& b) { return a.first < b.first; };
+    const auto by_y = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const auto [left, right] = std::minmax_element(points.begin(), points.end(), by_x);
+    const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), by_y);
+    for (const auto& at : {points.front(), points.back(), *left, *right, *lowest, *highest}) {
+      const double x = pixel(picture.x, at.first), y = pixel(drawn_curve.y, at.second);
+      double nearest = 1e9;
+      for (const auto& [drawn_x, drawn_y] : drawn_curve.points)
+        nearest = std::min(nearest, std::hypot(drawn_x - x, drawn_y - y));
+      EXPECT_LT(nearest, 0.5) << expected[n].run << ": " << expected[n].y << " at " << at.first
+                              << ", " << at.second;
+    }
+    const auto [top, bottom] =
+        std::minmax_element(drawn_curve.points.begin(), drawn_curve.points.end(), by_y);
+    EXPECT_NEAR(
+        std::abs(bottom->second - top->second),
+        std::abs(pixel(drawn_curve.y, lowest->second) - pixel(drawn_curve.y, highest->second)), 0.5)
+        << expected[n].run;
+  }
+}
+
+std::vector<std::string> Pictures::captions() const {
+  std::vector<std::string> all;
+  const auto in_mm = [](const std::optional<double>& length_m) {
+    return 1e3 * length_m.value_or(0);
+  };
+  std::vector<Summary> of;
+  for (std::size_t n = 0; n < figure().runs.size(); ++n) of.push_back(summary_of(scenario(n)));
+  const auto force = [&](std::size_t n) { return of[n].peak_normal_force_N.value_or(0) / 1e3; };
+  const auto at_peak = [&](std::size_t n) {
+    return of[n].peak_normal_force_N
+               ? fmt::format("here: {:.1f} kN at {:.4f} s", force(n), *of[n].peak_time_s)
+               : std::string("here: no contact");
+  };
+  const double lost_at_Hz = of[0].speed_at_separation_Hz.value_or(0);
+  const std::string loss = "mass loss at t1 = 29.1 s",
+                    clearance = "dotted: clearance ra − r = 3 mm";
+  switch (figure().number) {
+    case 2:
+      all = {"Mmot = 0.3 N m, ex = 0.15 mm, eigenfrequency 10.1 Hz",
+             fmt::format("largest ρ = {:.2f} mm at", 1e3 * of[0].max_displacement_before_loss_m)};
+      break;
+    case 3:
+      for (std::size_t n = 0; n < 3; ++n) {
+        all.push_back(fmt::format("μ = {}", scenario(n).parameters.friction));
+        all.push_back(fmt::format("largest |Fn|: {:.1f} kN", force(n)));
+      }
+      all.push_back(loss +
+                    ", fmax = 150 Hz, kt = 8×108 N/m; grey: published method, steps of 5 μs");
+      break;
+    case 4:
+      for (std::size_t n = 0; n < 3; ++n)
+        all.push_back(fmt::format("μ = {}", scenario(n).parameters.friction));
+      all.push_back(loss);
+      break;
+    case 5:
+      all = {"μ = 0.3, " + loss, at_peak(0),
+             fmt::format("slipping stops at {:.4f} s", *of[0].rolling_onset_s),
+             fmt::format("here: {:.4f} s after the first contact",
+                         *of[0].rolling_onset_s - *of[0].first_contact_s)};
+      break;
+    case 7:
+      all = {"μ = 0.3, " + loss, fmt::format("from {:.4f} s", *of[0].rolling_onset_s)};
+      break;
+    case 8:
+      all = {"μ = 0.3, 29–29.13 s, " + loss + "; " + clearance};
+      break;
+    case 9:
+      all = {"μ = 0.08, 29–29.35 s, " + loss + "; " + clearance, "published method",
+             "event method"};
+      break;
+    case 10:
+      all = {fmt::format("onset of rolling t = {:.5f} s", *of[0].rolling_onset_s),
+             fmt::format("f = {:.2f} Hz", *of[0].rolling_onset_speed_Hz), "rolling, μ = 0.3;"};
+      break;
+    case 11:
+      all = {"μ = 0.3, kt = 8×108 N/m, " + loss, fmt::format("largest |Fn|: {:.1f} kN", force(0))};
+      for (const std::size_t n : {1U, 2U})
+        all.push_back(fmt::format("largest |Fn|: {:.1f} kN, {:+.0f} %", force(n),
+                                  100 * (force(n) / force(0) - 1)));
+      break;
+    case 12:
+    case 13:
+      all = {fmt::format("mass loss at t1 = {} s", figure().from_s),
+             "μ = 0.3, kt = 8×108 N/m, motor still driving", at_peak(0),
+             fmt::format("here: {:.1f} Hz", lost_at_Hz)};
+      break;
+    case 14:
+    case 15:
+      all = {fmt::format("mass loss at t1 = 9.4 s, f = {:.1f} Hz", lost_at_Hz),
+             fmt::format("here: {:.3f} mm at ", in_mm(of[0].max_displacement_m)), ": no contact",
+             "motor still driving; " + clearance};
+      break;
+    case 16:
+      all = {"9.3–9.8 s, mass loss at t1 = 9.4 s; " + clearance};
+      break;
+    case 17:
+      all = {
+          "a: mass loss at t1 = 2.2 s; b: no mass loss; " + clearance,
+          fmt::format("largest ρ: a {:.2f} mm, b {:.2f} mm: no contact",
+                      in_mm(of[0].max_displacement_m), 1e3 * of[1].max_displacement_before_loss_m),
+          fmt::format("speed at the mass loss: {:.1f} Hz", lost_at_Hz)};
+      break;
+    default:
+      all = {"μ = 0.3, " + loss};
+  }
+  if (equations() == Equations::consistent) all.emplace_back("consistent equations");
+  return all;
+}
+
+// A column that is missing is an error of gnuplot's, and everything else that it says is a warning.
+TEST_P(Pictures, ShowTheDataAndSayWhatTheEngineSays) {
+  const Outcome drawn = draw();
+  ASSERT_EQ(drawn.status, 0) << drawn.output;
+  EXPECT_EQ(drawn.output, "");
+  const Picture picture(content(name() + ".svg"));
+  expect_curves(picture);
+  for (const std::string& caption : captions())
+    EXPECT_TRUE(std::any_of(
+        picture.texts.begin(), picture.texts.end(),
+        [&](const std::string& text) { return text.find(caption) != std::string::npos; }))
+        << caption;
+}
+
+std::string name_of_case(const testing::TestParamInfo<Pictures::ParamType>& c) {
+  const auto& [figure, equations] = c.param;
+  return fmt::format("Fig{:02}{}", figure.number,
+                     equations == Equations::published ? "Published" : "Consistent");
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Pictures,
+                         testing::Combine(testing::ValuesIn(paper_figures()),
+                                          testing::Values(Equations::published,
+                                                          Equations::consistent)),
+                         name_of_case);
+
+}  // namespace
+}  // namespace rotor

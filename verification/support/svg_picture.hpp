@@ -1,0 +1,96 @@
+/// Reads curves, axes and texts from an SVG that gnuplot has drawn.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rotor {
+
+/// An axis as its labelled grid lines tell it: pixels over values.
+using Axis = std::map<double, double>;
+
+inline double pixel(const Axis& axis, double value) {
+  const auto& [a, at_a] = *axis.begin();
+  const auto& [b, at_b] = *axis.rbegin();
+  return at_a + (value - a) / (b - a) * (at_b - at_a);
+}
+
+struct DrawnCurve {
+  std::vector<std::pair<double, double>> points;  ///< pixels
+  Axis y;
+};
+
+using Points = std::vector<std::pair<double, double>>;
+
+/// The corners of a path: M1.5,2 L3,4 ...
+inline Points corners(std::string path) {
+  std::replace_if(
+      path.begin(), path.end(), [](char c) { return c == 'M' || c == 'L' || c == ','; }, ' ');
+  std::istringstream numbers(path);
+  Points points;
+  for (double x = 0, y = 0; numbers >> x >> y;) points.emplace_back(x, y);
+  return points;
+}
+
+inline std::string without_tags(const std::string& text) {
+  std::string plain;
+  bool inside = false;
+  for (const char c : text) {
+    inside = inside || c == '<';
+    if (!inside) plain += c;
+    inside = inside && c != '>';
+  }
+  return plain;
+}
+
+/// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
+/// panel before its curves. All panels have the x axis of the last one.
+struct Picture {
+  explicit Picture(const std::string& svg) {
+    Axis y_axis;
+    Points line;  // the last one of the grid
+    bool in_curve = false, y_is_old = false;
+    const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
+      const std::size_t from = svg.find(begin, at) + begin.size();
+      at = svg.find(end, from);
+      return svg.substr(from, at - from);
+    };
+    for (std::size_t at = 0; (at = svg.find('<', at)) != std::string::npos; ++at) {
+      const std::string_view tag(&svg[at], std::min<std::size_t>(20, svg.size() - at));
+      if (tag.starts_with("<g id=\"gnuplot_plot_")) {
+        in_curve = y_is_old = true;
+        curves.push_back({{}, y_axis});
+      } else if (tag.starts_with("<path")) {
+        const std::string head = svg.substr(at, svg.find(" d='", at) - at);
+        const Points points = corners(between(at, " d='", "'"));
+        if (head.find("gridline") != std::string::npos) {
+          line = points;
+          in_curve = false;
+        } else if (in_curve && points.size() > curves.back().points.size()) {
+          curves.back().points = points;  // the shorter one is the key's sample
+        }
+      } else if (tag.starts_with("<text")) {
+        texts.push_back(without_tags(between(at, ">", "</text>")));
+        if (line.size() == 2 && !texts.back().empty()) {
+          const double value = std::stod(texts.back());
+          const bool upright = line[0].first == line[1].first;
+          if (!upright && std::exchange(y_is_old, false)) y_axis.clear();
+          (upright ? x : y_axis)[value] = upright ? line[0].first : line[0].second;
+        }
+        line.clear();
+      }
+    }
+    std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
+  }
+
+  Axis x;
+  std::vector<DrawnCurve> curves;
+  std::vector<std::string> texts;
+};
+
+}  // namespace rotor
