@@ -43,6 +43,43 @@ TEST(Outcome, IsOneOfSeven) {
             "freed");
 }
 
+// A contact lasts once it is longer than a vibration on the ring.
+TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
+  Scenario scenario;
+  const Parameters& p = scenario.parameters;
+  OutcomeWatch watch(scenario);
+  Instant at = at_rest<double>(p);
+  at.state[0] = p.stator_radius - p.rotor_radius;
+  at.contact = ContactState::sliding;
+  const double period = 2 * std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness);
+  for (const auto& [periods, outcome] :
+       {std::pair(0.0, Outcome::bouncing), {0.99, Outcome::bouncing}, {1.01, Outcome::sliding}}) {
+    at.time_s = periods * period;
+    watch.note(at);
+    EXPECT_EQ(watch.outcome(), outcome) << periods;
+  }
+  at.contact = ContactState::free;  // a new contact begins anew
+  watch.note(at);
+  at.contact = ContactState::sliding;
+  watch.note(at);
+  EXPECT_EQ(watch.outcome(), Outcome::bouncing);
+}
+
+// Koenig's theorem, from the state alone: O moves with the rotating axes, C turns about O.
+TEST(Summary, EndsWithTheEnergyOfTranslationAndRotation) {
+  Scenario scenario{.until = 29.2};
+  SummaryObserver summary(scenario);
+  Simulation simulation(scenario);
+  simulation.pass_mass_loss(summary);
+  simulation.finish(summary);
+  const Instant last = simulation.instant();
+  const auto& [q1, q2, q3, v1, v2, w] = last.state;
+  const double u = v1 - w * q2, v = v2 + w * q1 + w * last.body.eccentricity;
+  const double energy = last.body.mass * (u * u + v * v) / 2 + last.body.inertia * w * w / 2;
+  EXPECT_GT(last.body.mass * (u * u + v * v) / 2, energy / 20);  // which is to be seen
+  EXPECT_NEAR(summary.summary().final_kinetic_energy_J, energy, 1e-12 * energy);  // rounding
+}
+
 // Still at the critical speed, but on its way through it.
 TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
   Scenario scenario;
