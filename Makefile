@@ -37,6 +37,8 @@ PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtom
 # single evaluations.
 BENCH_PACKAGES := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
 LINT_PACKAGES  := clang-format clang-tidy
+# The program that makes wrong changes is written in Python, with nothing but its own library.
+MUTANTS_PACKAGES := python3
 # Another compiler; another processor, with a program that runs its programs here.
 CLANG_PACKAGES    := clang
 PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
@@ -57,13 +59,15 @@ endef
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench-programs \
-        bench deps-lint deps-clang deps-portable deps-mpi mpi stress sanitize portable clean
+        bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
+        clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
 	  awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
 	@echo "  make figNN          redraw one figure: $(FIGURES)"
-	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures)"
+	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures),"
+	@echo "         SEED=7, COUNT=100 (of make mutants: which mechanical changes, and how many)"
 
 deps: ## install the Debian packages that are missing
 	$(call install,$(PACKAGES))
@@ -71,6 +75,8 @@ deps-bench: deps ## install the peers that the benchmark compares with (optional
 	$(call install,$(BENCH_PACKAGES))
 deps-lint: deps ## install what make lint needs (optional)
 	$(call install,$(LINT_PACKAGES))
+deps-mutants: deps ## install what make mutants needs (optional)
+	$(call install,$(MUTANTS_PACKAGES))
 deps-clang: deps ## install the other compiler, for make verify CXX=clang++ (optional)
 	$(call install,$(CLANG_PACKAGES))
 deps-portable: deps ## install what make portable needs (optional)
@@ -134,8 +140,10 @@ mpi: need-deps ## build build/mpi/rotor, which mpirun spreads over machines, and
 portable: build ## build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)
 
-mutants: need-deps ## break the model on purpose in many ways: the tests must notice each (an hour or two)
-	@verification/robustness/mutants.sh
+SEED  ?= 1
+COUNT ?= 100
+mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
+	@$(PYTHON) verification/robustness/mutants.py --seed $(SEED) --count $(COUNT)
 
 reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision (minutes)
 	$(call build-target,reference)

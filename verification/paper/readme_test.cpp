@@ -207,6 +207,10 @@ TEST_F(Readme, CountsVerdictsAndWrongChanges) {
                   verdicts["refuted"]));
   expect_said(fmt::format("each of the {} rows", values.size()));
   expect_said(fmt::format("{} of them arithmetic on the inputs", kinds["arithmetic"]));
+  int wrong_changes = 0;
+  std::ifstream changes(ROTOR_SOURCES "/verification/robustness/mutants.txt");
+  for (std::string line; std::getline(changes, line);) wrong_changes += !line.starts_with('#');
+  expect_said(fmt::format("breaks the program on purpose in {} ways", wrong_changes));
 }
 
 }  // namespace
