@@ -39,6 +39,16 @@ TEST(EnergyByCause, AddsUpInEveryRub) {
     }
 }
 
+// At a loose tolerance steps are of many radians: the quadrature takes parts of them.
+TEST(EnergyByCause, AddsUpOverLongSteps) {
+  Scenario scenario{.until = 6, .tolerance = 1e-3};
+  scenario.parameters.separates = false;
+  const EnergyBalance energy = balance_of(scenario);
+  EXPECT_GT(energy.motor, 1);
+  // The tolerance is that of small lengths, a thousandth of what the energy hangs on.
+  EXPECT_LT(std::abs(energy.residual()), 1e-6 * energy.motor);
+}
+
 // The piece leaves with the energy that it had, T of a point mass at r + e_x; the jump as printed
 // adds m_1 times Delta_vy times the mean of the velocities before and after it.
 TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {

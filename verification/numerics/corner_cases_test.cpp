@@ -1,6 +1,7 @@
 /// Corner cases of the event-located method beyond those on a line (oscillation_test.cpp).
 #include <gtest/gtest.h>
 
+#include "model/phases/flight.hpp"
 #include "model/simulation/switch_limit.hpp"
 #include "verification/support/balanced_run.hpp"
 
@@ -13,6 +14,26 @@ BalancedRun follow_motion(const Scenario& scenario, const Instant& from, double 
   EXPECT_LT(run.energy_residual(), 1e-9);  // a few thousand steps of the default tolerance
   for (const double component : run.last().state) EXPECT_TRUE(std::isfinite(component));
   return run;
+}
+
+// Whatever the phase: 3 rad/s below and above f_max, with the rim sliding at another speed.
+TEST(MotorOff, IsAtItsSpeedInEveryPhase) {
+  const Parameters p;
+  const RotorSystem<double> rotor(p, Equations::published);
+  const double rho = p.stator_radius - p.rotor_radius + 1e-6;
+  for (const double beyond : {-3., 3.}) {
+    const State<double> q = {rho, 0, 0, 0.1, 20, rotor.motor_off + beyond};
+    const ContactChart<double> contact(rotor, q);
+    const FlightChart<double> flight(rotor, q);
+    const auto expect_last_guard = [&](const auto& phase, const auto& chart) {
+      EXPECT_NEAR(phase.guard(phase.event_count - 1, chart.unknowns(q)), -beyond,
+                  1e-9);  // rounding
+    };
+    expect_last_guard(FreeFlight<double>(rotor, flight), flight);
+    expect_last_guard(IndentedFlight<double>(rotor, contact), contact);
+    expect_last_guard(Sliding<double>(rotor, contact, 1), contact);
+    expect_last_guard(Rolling<double>(rotor, contact), contact);
+  }
 }
 
 /// Pressed against the ring by its own whirl, without unbalance, gravity and motor.
