@@ -132,7 +132,7 @@ def sample(seed, count):
 
 def equivalents():
     """Changes that change nothing, with the reason."""
-    return {(file, original, wrong): reason for file, original, wrong, reason in lines_of('equivalent.txt')}
+    return {(file, original, changed): reason for file, original, changed, reason in lines_of('equivalent.txt')}
 
 
 # ---- the build
@@ -387,7 +387,7 @@ class Run:
     def verdict(self, change):
         if self.caught_by[id(change)]:
             return 'caught'
-        is_known = (change.file, change.original, change.wrong) in self.known
+        is_known = (change.file, change.original, change.changed) in self.known
         return 'equivalent' if is_known else 'survives'
 
     def survivors(self):
@@ -396,9 +396,9 @@ class Run:
     def write(self, path):
         with open(path, 'w', newline='', encoding='utf-8') as file:
             table = csv.writer(file)
-            table.writerow(['number', 'file', 'line', 'kind', 'original', 'wrong', 'what', 'verdict', 'caught_by'])
+            table.writerow(['number', 'file', 'line', 'kind', 'original', 'changed', 'what', 'verdict', 'caught_by'])
             for c in sorted(self.changes, key=lambda c: self.verdict(c) != 'survives'):
-                table.writerow([c.number, c.file, c.line, c.kind, c.original, c.wrong, c.what, self.verdict(c),
+                table.writerow([c.number, c.file, c.line, c.kind, c.original, c.changed, c.what, self.verdict(c),
                                 ' '.join(self.caught_by[id(c)])])
 
     def report(self):

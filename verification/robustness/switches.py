@@ -42,9 +42,10 @@ class Change:
     file: str
     line: int
     kind: str       # "by hand" or what a mechanical one changes
-    original: str
-    wrong: str
+    original: str   # the lines as they stand, in one
+    changed: str    # and with the change
     what: str       # is wrong then
+    wrong: str = ''  # code that takes the place of what lies between start and end
     start: int = 0
     end: int = 0
     first_line: int = 0
@@ -57,7 +58,7 @@ class Change:
 
     def summary(self):
         """In one line."""
-        return f'{self.original}  ->  {self.wrong or "(nothing)"}'
+        return f'{self.original}  ->  {self.changed or "(nothing)"}'
 
 
 @dataclasses.dataclass
@@ -248,7 +249,10 @@ class Source:
             raise Unswitchable('it is worked out by the compiler')
         begin, stop = tokens[first].start, tokens[last].end
         wrong = self.text[begin:start] + replacement + self.text[end:stop]
-        return Change(self.file, self.line(start), kind, one_line(self.text[begin:stop]), one_line(wrong), what,
+        line = self.text.rfind('\n', 0, begin) + 1
+        line_end = self.text.find('\n', stop)
+        return Change(self.file, self.line(start), kind, one_line(self.text[line:line_end]),
+                      one_line(self.text[line:begin] + wrong + self.text[stop:line_end]), what, one_line(wrong),
                       begin, stop, self.line(begin), self.line(stop), self._text(last) == ';' or tokens[last].is_block,
                       constant=self._constant_declared(first), in_constexpr=self._in_constexpr_function(first))
 
