@@ -39,6 +39,25 @@ struct Rub : Phase<S, Chart> {
              {-ring.elastic_force(k), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
 
+  /// What the radial vibration reaches in a step, as its ends tell it: about where the acceleration
+  /// says that its rest is, with half its amplitude to spare. The bearing force does not follow it.
+  std::array<S, 3> vibration_reach(const Point<S, Unknowns>& from,
+                                   const Point<S, Unknowns>& to) const {
+    using std::max, std::sqrt;
+    const Ring<S>& ring = rotor.ring;
+    const S square = ring.stiffness / rotor.body.mass, frequency = sqrt(square);
+    std::array<S, 3> reach{};
+    for (const auto* const end : {&from, &to}) {
+      const S to_rest = end->rates[3] / square, speed = end->x[3] / frequency;
+      const S amplitude = S(1.5) * sqrt(to_rest * to_rest + speed * speed);
+      const S furthest = chart.rim_point(end->x).displacement + to_rest + amplitude;
+      reach[0] = max(reach[0], furthest);
+      reach[2] = max(reach[2], S(ring.stiffness * (furthest - ring.clearance) +
+                                 ring.damping * frequency * amplitude));
+    }
+    return reach;
+  }
+
   /// The rim pressed against the ring.
   struct Pressed {
     Pressed(const Rub& phase, const Unknowns& x)

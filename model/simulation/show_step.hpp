@@ -71,11 +71,17 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
     reach = phase.reach(step.start(), step.end()).value_or(reach);
     if (is_beyond_reach()) return;
   }
-  // In contact the ends of a step have to tell, or every step would cost an interpolation: at loose
-  // tolerances it may swing by more than an arc, and hide a maximum.
-  const long parts = std::remove_cvref_t<decltype(phase)>::contact_in_rates
-                         ? 1L
-                         : arcs(phase, step.start().x, duration);
+  long parts = arcs(phase, step.start().x, duration);
+  // In contact at loose tolerances most steps are long, and each look inside costs an
+  // interpolation.
+  if constexpr (requires(Point p) { phase.vibration_reach(p, p); })
+    if (parts > 1) {
+      const auto vibration = phase.vibration_reach(step.start(), step.end());
+      bool stays_below = true;
+      for (std::size_t i = 0; i < kinds.size(); ++i)
+        stays_below = stays_below && vibration[i] <= threshold(kinds[i], S(0), duration);
+      if (stays_below) parts = 1;
+    }
   std::vector<BasicMaximum<S>> found;
   Point left = step.start();
   for (long n = 1; n <= parts; ++n) {
