@@ -17,6 +17,11 @@ ifneq ($(origin CXX),default)
 endif
 ROTOR := $(BUILD)/rotor
 
+# What is misspelt is said before anything is made.
+one_of = $(if $(filter $($(1)),$(2)),,$(error $(1)=$($(1)): must be one of: $(2)))
+$(call one_of,FORMAT,svg pdf png)
+$(call one_of,EQUATIONS,published consistent)
+
 # Figures of the published equations stand in build/figures, others in a folder of their own.
 OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
 ASKED  := $(if $(FIG),$(shell printf 'fig%02d ' $(FIG)),$(FIGURES))
@@ -87,6 +92,7 @@ deps-mpi: deps ## install what make mpi needs (optional)
 
 # On a system without dpkg, CMake and gnuplot speak for themselves.
 need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
+	$(if $(shell mkdir -p $(BUILD) 2>/dev/null && test -w $(BUILD) && echo yes),,$(error $(BUILD): cannot be written))
 	@! command -v dpkg-query >/dev/null || \
 	for package in $(call missing,$(PACKAGES)); do \
 	  echo "Missing package: $$package (make deps installs it)"; missing=1; done >&2; \
@@ -117,7 +123,7 @@ $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp
 	@gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'" \
 	  figures/paper/style.gp figures/paper/$*.gp && mv $@.part $@ && echo "$@"
 figures/paper/%.gp:
-	@echo "The scene figures/paper/$*.toml has no script $@ that draws it." >&2; exit 1
+	$(error The scene figures/paper/$*.toml has no script $@ that draws it)
 
 verify: build ## build, run all tests, and hold the published numbers against ours
 	$(call build-target,all)
