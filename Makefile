@@ -63,7 +63,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures $(FIGURES) reference verify lint mutants deps-bench bench-programs \
+.PHONY: help deps need-deps build figures $(FIGURES) reference ensembles verify lint mutants deps-bench bench-programs \
         bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
         clean
 
@@ -154,6 +154,10 @@ mutants: need-deps ## break the program on purpose in many ways: the tests must 
 reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision (minutes)
 	$(call build-target,reference)
 	@$(BUILD)/reference reference-data/high-precision.csv reference-data/figure-values.csv
+
+ensembles: build ## redraw reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes)
+	$(call build-target,ensembles)
+	@$(BUILD)/ensembles reference-data 10000
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run

@@ -1,4 +1,4 @@
-/// What the figures' scripts quote from the paper stands in published-values.csv.
+/// What the figures' scripts quote from the paper stands in claims.csv.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ std::vector<Quoted> numbers_in(const std::string& text) {
 }
 
 bool is_published(const Quoted& quoted) {
-  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/published-values.csv")) {
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/claims.csv")) {
     if (!quoted.unit.empty() && row["unit"] != quoted.unit) continue;
     for (const Quoted& printed : numbers_in(row["printed"]))
       if (std::abs(printed.number - quoted.number) < 1e-12) return true;

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "model/simulation/simulation.hpp"
-#include "verification/paper/published_values.hpp"
+#include "verification/paper/claims.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -194,19 +194,30 @@ TEST_F(Readme, HasExamplesThatRun) {
 }
 
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
-  std::map<std::string, int> verdicts, kinds;
-  const auto values = published_values(ROTOR_REFERENCE_DATA "/published-values.csv");
-  for (const PublishedValue& value : values) {
-    ++verdicts[value.verdict];
-    ++kinds[value.kind];
+  std::map<std::string, int> verdicts;
+  int arithmetic = 0;
+  const auto claims = judged_claims(ROTOR_REFERENCE_DATA);
+  for (const Claim& claim : claims) {
+    ++verdicts[claim.verdict];
+    arithmetic += claim.is_arithmetic;
   }
+  expect_said(fmt::format(
+      "Of the text's {} claims, {} are reproduced, {} lie within the rounding of its inputs, and "
+      "{} "
+      "are refuted",
+      claims.size(), verdicts["reproduced"], verdicts["within rounding"], verdicts["refuted"]));
+  expect_said(fmt::format("each of the {} rows", claims.size()));
+  expect_said(fmt::format("{} of them arithmetic on printed numbers", arithmetic));
+  const auto converged = [&](const std::string& id) {
+    const auto found = std::ranges::find(claims, id, &Claim::id);
+    return found->readings.front().converged.value();
+  };
   expect_said(
-      fmt::format("Of the text's {} numbers and claims, {} are reproduced, {} close (within 5 %), "
-                  "{} differ, and {} are refuted",
-                  values.size(), verdicts["reproduced"], verdicts["close"], verdicts["differs"],
-                  verdicts["refuted"]));
-  expect_said(fmt::format("each of the {} rows", values.size()));
-  expect_said(fmt::format("{} of them arithmetic on the inputs", kinds["arithmetic"]));
+      fmt::format("The frequency of q1 in rolling, {:.0f} Hz, is not that of the whirl, {:.0f} Hz",
+                  converged("f_q1"), converged("f_rol")));
+  expect_said(fmt::format("at {:.0f} % of it", 100 - converged("onset_at_peak")));
+  expect_said(fmt::format("Twice and half k_t change the largest force by up to {:.0f} %",
+                          converged("stiffness_force")));
   int wrong_changes = 0;
   std::ifstream changes(ROTOR_SOURCES "/verification/robustness/mutants.txt");
   for (std::string line; std::getline(changes, line);) wrong_changes += !line.starts_with('#');

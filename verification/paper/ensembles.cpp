@@ -1,0 +1,83 @@
+#include "verification/paper/ensembles.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "figures/data/csv.hpp"
+#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/sweep.hpp"
+
+namespace rotor {
+namespace {
+
+/// Draws need but the digits that are printed.
+constexpr double tolerance_of_draws = 1e-8;
+
+Sweep sweep_of(const std::filesystem::path& printed_inputs, Rounded rounded, long count) {
+  Sweep sweep{.title = {}, .text = {}, .base = {}, .axes = {}, .sample = {}};
+  sweep.sample.count = count;
+  sweep.sample.seed = 1;
+  for (const CsvRow& row : read_csv(printed_inputs))
+    if (rounded == Rounded::everything || row["input"].starts_with("t_"))
+      sweep.sample.over.push_back({row["input"], Distribution::uniform,
+                                   static_cast<double>(row.number("least")),
+                                   static_cast<double>(row.number("greatest"))});
+  return sweep;
+}
+
+double value_of(const std::string& reading, PaperRuns& runs) {
+  try {
+    return read_off(reading, runs).value_or(std::numeric_limits<double>::quiet_NaN());
+  } catch (const std::exception&) {  // a rotor that cannot be
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace
+
+Draws draw(const std::filesystem::path& printed_inputs, Rounded rounded, long count, int threads,
+           const std::function<void(long)>& told) {
+  const Sweep sweep = sweep_of(printed_inputs, rounded, count);
+  const SweepPoints points(sweep);
+  const std::vector<std::string> names = all_readings();
+  Draws draws;
+  for (const std::string& name : names) draws[name].resize(static_cast<std::size_t>(count));
+  Dealer dealer(0, count, [](std::string_view, long) {});
+  std::atomic<long> done = 0;
+  const auto make_worker = [&]() -> Work {
+    return [&](long n) {
+      PaperInputs inputs;
+      for (const auto& [input, value] : points(n).statement.numbers) inputs.set(input, value);
+      inputs.statement.numbers["tolerance"] = tolerance_of_draws;
+      PaperRuns runs(inputs);
+      for (const std::string& name : names)
+        draws.at(name)[static_cast<std::size_t>(n)] = value_of(name, runs);
+      ++done;
+      return std::string();
+    };
+  };
+  work(dealer, threads, make_worker, [&] { told(done); });
+  return draws;
+}
+
+Spread spread(std::vector<double> values, const std::function<bool(double)>& holds) {
+  Spread result;
+  result.draws = static_cast<long>(values.size());
+  result.share = static_cast<double>(std::ranges::count_if(values, holds)) /
+                 static_cast<double>(values.size());
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  std::ranges::sort(values);
+  const auto quantile = [&](double share) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
+  result.median = quantile(0.5);
+  result.low = quantile(0.05);
+  result.high = quantile(0.95);
+  return result;
+}
+
+}  // namespace rotor

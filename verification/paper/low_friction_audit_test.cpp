@@ -1,0 +1,99 @@
+/// The audit at low friction, where single runs say little, and of collisions and the contact's
+/// damping.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "figures/scenes/account.hpp"
+#include "verification/support/observers.hpp"
+#include "verification/support/summary_of.hpp"
+
+namespace rotor {
+namespace {
+
+/// In which share of runs the rotor comes to roll, over the rounding of t_1 = 29.1 s.
+double share_that_rolls(const Parameters& parameters) {
+  constexpr int draws = 60;
+  RunUps run_ups;
+  Observer null_observer;
+  int rolls = 0;
+  for (int n = 0; n < draws; ++n) {
+    Scenario scenario{.parameters = parameters, .tolerance = 1e-9};
+    scenario.parameters.separation_time = 29.05 + 0.1 * (n + 0.5) / draws;
+    scenario.until = scenario.parameters.separation_time + 0.25;
+    const Account account =
+        finish(run_ups.depart(scenario, null_observer), scenario, std::nullopt, null_observer);
+    rolls += account.summary.rolling_onset_s.has_value();
+  }
+  return static_cast<double>(rolls) / draws;
+}
+
+// One run says nothing here: near the border whether the rotor rolls is a matter of t_1's digits.
+TEST(Audit, TheDampingOfTheContactDecidesWhetherTheRotorRollsAtLowFriction) {
+  const auto with = [](double times_damping, double times_stiffness, double friction) {
+    Parameters p{.friction = friction};
+    p.contact_damping *= times_damping;
+    p.contact_stiffness *= times_stiffness;
+    return share_that_rolls(p);
+  };
+  EXPECT_EQ(with(0.5, 1, 0.08), 1);
+  EXPECT_EQ(with(1, 1, 0.08), 0);
+  EXPECT_EQ(with(2, 1, 0.08), 0);
+  // Shares of 60 runs have a standard error of 0.065 at most: three of them.
+  EXPECT_NEAR(with(0.9, 1, 0.08), 0.45, 0.2);
+  EXPECT_NEAR(with(1, 1, 0.0849), 0.48, 0.2);
+  EXPECT_LT(with(1, 1.1, 0.08), 0.25);
+}
+
+TEST(Audit, TwiceTheContactsDampingMakesMoreTouchDownsBeforeRolling) {
+  const auto touch_downs = [](double damping) {
+    return summary_of({.parameters = {.contact_damping = damping}}).collisions;
+  };
+  EXPECT_EQ(touch_downs(1e4), 7);
+  EXPECT_EQ(touch_downs(2e4), 10);
+}
+
+// A single run at low friction is no result: all three of these round to the printed d_t or nearly.
+TEST(Audit, AtLowFrictionTheRubDiesOutBouncesOrEndsInRollingWithinAFifthOfThePrintedDamping) {
+  const auto with = [](double damping) {
+    return summary_of({.parameters = {.contact_damping = damping, .friction = 0.08}});
+  };
+  const Summary dies = with(1.2e4), bounces = with(1e4), rolls = with(9510);
+  EXPECT_LE(dies.collisions, 3);
+  EXPECT_NEAR(*dies.peak_normal_force_N, 33e3, 500);
+  EXPECT_GT(bounces.collisions, 30);
+  EXPECT_FALSE(bounces.rolling_onset_s);
+  EXPECT_TRUE(rolls.rolling_onset_s);
+  EXPECT_NEAR(*rolls.peak_normal_force_N, 291e3, 500);
+}
+
+TEST(Audit, ACollisionMayBeShorterThanThatOfAFreeSpringAndDashpot) {
+  const Scenario scenario{.parameters = {.friction = 0.0525}};
+  EventRecorder events;
+  run(scenario, events);
+  double shortest = 1, touch_down = 0;
+  for (const Instant& at : events.events()) {
+    if (at.event == Event::touch_down) touch_down = at.time_s;
+    if (at.event == Event::release && touch_down > 0)
+      shortest = std::min(shortest, at.time_s - touch_down);
+  }
+  const Parameters& p = scenario.parameters;
+  const double w_0 = std::sqrt(p.contact_stiffness / p.mass);
+  const double zeta = p.contact_damping / (2 * std::sqrt(p.contact_stiffness * p.mass));
+  const double free_impact = 2 * std::acos(zeta) / (w_0 * std::sqrt(1 - zeta * zeta));
+  EXPECT_NEAR(free_impact, 2.366e-4, 0.001e-4);
+  EXPECT_NEAR(shortest, 1.49e-4, 0.005e-4);
+}
+
+TEST(Audit, ANanometreOfClearanceChangesTheTouchDownsAtLowFrictionAndTheFinalSpeedByLittle) {
+  Scenario scenario{.parameters = {.friction = 0.08}};
+  const Summary printed = summary_of(scenario);
+  scenario.parameters.stator_radius += 1e-9;
+  const Summary wider = summary_of(scenario);
+  EXPECT_EQ(printed.collisions, 41);
+  EXPECT_EQ(wider.collisions, 40);
+  EXPECT_NEAR(wider.final_speed_Hz / printed.final_speed_Hz, 1 - 0.003, 0.0005);
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,225 @@
+#include "verification/paper/paper_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "figures/scenes/account.hpp"
+#include "model/simulation/energy.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double early_s = 5e-3;  ///< of rolling that is measured
+
+}  // namespace
+
+void PaperInputs::set(const std::string& input, double value) {
+  static const std::map<std::string, double PaperInputs::*> own = {
+      {"mu_high", &PaperInputs::mu_high}, {"mu_intermediate", &PaperInputs::mu_intermediate},
+      {"mu_low", &PaperInputs::mu_low},   {"t_operating", &PaperInputs::t_operating},
+      {"t_100", &PaperInputs::t_100},     {"t_75", &PaperInputs::t_75},
+      {"t_50", &PaperInputs::t_50},       {"t_critical", &PaperInputs::t_critical}};
+  const auto found = own.find(input);
+  if (found != own.end())
+    this->*(found->second) = value;
+  else
+    statement.numbers.insert_or_assign(input, value);
+}
+
+/// Takes down what a run shows. The method with fixed steps shows no events: they are read off the
+/// changes of its contact.
+class PaperWatch : public Observer {
+ public:
+  explicit PaperWatch(PaperRun& run) : run_(run), ring_(run.scenario_.parameters) {}
+
+  void on_instant(const Instant& at) override {
+    if (at.separated && !last_.separated) {
+      run_.before_loss_ = last_;
+      run_.after_loss_ = at;
+    }
+    const bool touches = at.contact != ContactState::free;
+    const bool touched = last_.contact != ContactState::free;
+    if (touches && !touched) run_.touch_downs_.push_back(at);
+    if (last_.touches() && !at.touches()) run_.releases_.push_back(at);
+    if (at.contact == ContactState::rolling && !run_.onset_) run_.onset_ = at;
+    note_force(at);
+    if (run_.scenario_.method == Method::rk4) sample(at);
+    last_ = at;
+  }
+  double threshold(Extreme of, const double& from_s, const double& until_s) const override {
+    return of == Extreme::normal_force ? greatest_ : Observer::threshold(of, from_s, until_s);
+  }
+  void on_maximum(const Maximum& maximum) override {
+    if (maximum.of == Extreme::normal_force) note_force(maximum.at);
+  }
+  bool wants_dense_output(const double& from_s, const double&) const override {
+    return run_.onset_ && from_s < run_.onset_->time_s + early_s;
+  }
+  void on_step(const DenseOutput& motion) override {
+    constexpr int parts = 16;  // of a step of a turn at most
+    for (int i = 0; i < parts; ++i)
+      sample(motion.at(motion.from_s + (motion.until_s - motion.from_s) * i / parts));
+  }
+
+ private:
+  void note_force(const Instant& at) {
+    if (!at.touches()) return;
+    const double force = -ring_.normal_force(ring_.rim_point(at.motion()));
+    if (force <= greatest_) return;
+    greatest_ = force;
+    run_.peak_ = at;
+    run_.forces_.emplace_back(at.time_s, force);
+  }
+  void sample(const Instant& at) {
+    if (!run_.onset_ || at.time_s > run_.onset_->time_s + 1.2 * early_s) return;
+    const double angle = std::atan2(at.state[1], at.state[0]);
+    if (!run_.samples_.empty()) turned_ += std::remainder(angle - angle_, two_pi);
+    angle_ = angle;
+    run_.samples_.push_back(
+        {at.time_s, std::hypot(at.state[0], at.state[1]), turned_, at.state[2]});
+  }
+
+  PaperRun& run_;
+  Ring<double> ring_;
+  Instant last_;
+  double greatest_ = 0, angle_ = 0, turned_ = 0;
+};
+
+PaperRun::PaperRun(const Scenario& scenario, RunUps& run_ups) : scenario_(scenario) {
+  PaperWatch watch(*this);
+  Observer null_observer;
+  const Account account =
+      finish(run_ups.depart(scenario, null_observer), scenario, std::nullopt, watch);
+  summary_ = account.summary;
+  last_ = account.end.last;
+}
+
+std::optional<Instant> PaperRun::at_peak() const { return onset_ ? peak_ : std::nullopt; }
+
+std::optional<Instant> PaperRun::touch_down_before_rolling(std::size_t from_last) const {
+  if (!onset_) return std::nullopt;
+  const auto after = std::find_if(touch_downs_.begin(), touch_downs_.end(),
+                                  [this](const Instant& at) { return at.time_s > onset_->time_s; });
+  const auto before = static_cast<std::size_t>(after - touch_downs_.begin());
+  if (before <= from_last) return std::nullopt;
+  return touch_downs_[before - 1 - from_last];
+}
+
+std::optional<Instant> PaperRun::last_touch_down() const {
+  return touch_downs_.empty() ? std::nullopt : std::optional(touch_downs_.back());
+}
+
+std::vector<double> PaperRun::collision_durations() const {
+  std::vector<double> durations;
+  for (const Instant& release : releases_) {
+    const auto next = std::find_if(touch_downs_.begin(), touch_downs_.end(),
+                                   [&](const Instant& at) { return at.time_s > release.time_s; });
+    if (next != touch_downs_.begin()) durations.push_back(release.time_s - std::prev(next)->time_s);
+  }
+  return durations;
+}
+
+double PaperRun::peak_until(double time_s) const {
+  double greatest = 0;
+  for (const auto& [at_s, force] : forces_)
+    if (at_s <= time_s) greatest = std::max(greatest, force);
+  return greatest;
+}
+
+std::optional<PaperRun::Rolling> PaperRun::first_turn() const {
+  for (const Sample& sample : samples_) {
+    const double whirl = sample.turned + sample.q3 - samples_.front().q3;
+    if (std::abs(whirl) > two_pi) return measured(sample.time_s - samples_.front().time_s);
+  }
+  return std::nullopt;
+}
+
+std::optional<PaperRun::Rolling> PaperRun::measured(double duration_s) const {
+  const auto end = std::find_if(samples_.begin(), samples_.end(), [&](const Sample& sample) {
+    return sample.time_s >= samples_.front().time_s + duration_s;
+  });
+  if (end == samples_.end()) return std::nullopt;
+  const Sample &a = samples_.front(), &b = *end;
+  const double time_s = b.time_s - a.time_s;
+  const auto whirl_turns = [&](const Sample& s) {
+    return std::abs(s.turned + s.q3 - a.q3) / two_pi;
+  };
+  double least = a.rho, greatest = a.rho, integral = 0, first = 0, last = 0, first_s = 0,
+         last_s = 0;
+  for (auto s = samples_.begin(); s != end; ++s) {
+    least = std::min(least, s->rho);
+    greatest = std::max(greatest, s->rho);
+    const double weight = (s + 1)->time_s - s->time_s;
+    integral += s->rho * weight;
+    if (whirl_turns(*s) < 1) {
+      first += s->rho * weight;
+      first_s += weight;
+    }
+    if (whirl_turns(*s) > whirl_turns(b) - 1) {
+      last += s->rho * weight;
+      last_s += weight;
+    }
+  }
+  const double turns = std::max(1., whirl_turns(b) - 1);
+  return Rolling{whirl_turns(b) / time_s, std::abs(b.turned) / two_pi / time_s,
+                 (greatest - least) / (integral / time_s),
+                 (first / first_s - last / last_s) / (first / first_s) / turns};
+}
+
+std::optional<double> PaperRuns::friction_until_rolling() {
+  const PaperRun& run = high();
+  if (run.scenario().method != Method::event || !run.onset()) return std::nullopt;
+  Scenario until_rolling = run.scenario();
+  until_rolling.until = run.onset()->time_s;
+  EnergyObserver energy(until_rolling);
+  Observer null_observer;
+  finish(run_ups_.depart(until_rolling, null_observer), until_rolling, std::nullopt, energy);
+  return energy.balance().friction;
+}
+
+std::optional<double> PaperRuns::time_at_critical_speed() {
+  const Parameters p = parameters();
+  Observer null_observer;
+  return run_ups_
+      .time_at_speed(high().scenario(), in_Hz(std::sqrt(p.support_stiffness / p.mass)),
+                     inputs_.t_operating, null_observer)
+      .time_s;
+}
+
+Parameters PaperRuns::parameters() { return high().scenario().parameters; }
+
+const PaperRun& PaperRuns::rub(double friction) {
+  Statement statement = inputs_.statement;
+  statement.numbers["friction"] = friction;
+  statement.numbers["separation_time"] = inputs_.t_operating;
+  return get(statement);
+}
+
+const PaperRun& PaperRuns::changed(double friction, const char* quantity, double factor) {
+  const PaperRun& as_it_is = rub(friction);
+  Statement statement = inputs_.statement;
+  statement.numbers["friction"] = friction;
+  statement.numbers["separation_time"] = inputs_.t_operating;
+  statement.numbers[quantity] = factor * find_statable(quantity)->quantity.of(as_it_is.scenario());
+  return get(statement);
+}
+
+const PaperRun& PaperRuns::loss_at(double time_s, double rub_s) {
+  Statement statement = inputs_.statement;
+  statement.numbers["friction"] = inputs_.mu_high;
+  statement.numbers["separation_time"] = time_s;
+  statement.numbers["until"] = time_s + rub_s;
+  return get(statement);
+}
+
+const PaperRun& PaperRuns::get(const Statement& statement) {
+  const Scenario scenario = scenario_of(statement, run_ups_);
+  const auto found = std::find_if(runs_.begin(), runs_.end(),
+                                  [&](const PaperRun& run) { return run.scenario() == scenario; });
+  return found != runs_.end() ? *found : runs_.emplace_back(scenario, run_ups_);
+}
+
+}  // namespace rotor

@@ -1,0 +1,109 @@
+/// The runs that the paper's text speaks of, for inputs as printed or rounded otherwise.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "figures/scenes/run_ups.hpp"
+#include "figures/scenes/statement.hpp"
+
+namespace rotor {
+
+/// What the paper's Nomenclature and text state.
+struct PaperInputs {
+  Statement statement;  ///< of the rotor, and of the method
+  double mu_high = 0.3, mu_intermediate = 0.2, mu_low = 0.08;
+  double t_operating = 29.1, t_100 = 19.1, t_75 = 14.15, t_50 = 9.4, t_critical = 2.2;
+
+  /// Sets one of them by its name in printed-inputs.csv.
+  void set(const std::string& input, double value);
+};
+
+/// A run with its events, and what is measured along it.
+class PaperRun {
+ public:
+  PaperRun(const Scenario& scenario, RunUps& run_ups);
+
+  const Scenario& scenario() const { return scenario_; }
+  const Summary& summary() const { return summary_; }
+  const Instant& before_loss() const { return before_loss_; }
+  const Instant& after_loss() const { return after_loss_; }
+  const Instant& last() const { return last_; }
+  /// Where slip ends for the first time; and where the force is greatest. Empty if it does not
+  /// roll.
+  const std::optional<Instant>& onset() const { return onset_; }
+  std::optional<Instant> at_peak() const;
+
+  /// Touch-downs, counted from the last one before rolling (0) backwards; empty if there are fewer.
+  std::optional<Instant> touch_down_before_rolling(std::size_t from_last) const;
+  std::optional<Instant> last_touch_down() const;
+  /// Durations of the collisions that end by a release, s.
+  std::vector<double> collision_durations() const;
+  /// Largest normal force until a time, N.
+  double peak_until(double time_s) const;
+
+  /// Measured from the onset of rolling on, over the first 5 ms or the first turn of the whirl. All
+  /// are empty if there is no rolling for so long.
+  struct Rolling {
+    double whirl_Hz;  ///< of O, seen from the stator
+    double q1_Hz;     ///< of O, seen from the rotating axes
+    double ripple;    ///< of rho, from least to greatest, relative to its mean
+    double
+        decrease_a_turn;  ///< of the mean of rho between the first turn and the last one, relative
+  };
+  std::optional<Rolling> first_5_ms() const { return measured(5e-3); }
+  std::optional<Rolling> first_turn() const;
+
+ private:
+  friend class PaperWatch;
+  struct Sample {
+    double time_s, rho, turned;  ///< in the rotating axes
+    double q3;
+  };
+  std::optional<Rolling> measured(double duration_s) const;
+
+  Scenario scenario_;
+  Summary summary_;
+  Instant before_loss_, after_loss_, last_;
+  std::optional<Instant> onset_, peak_;
+  std::vector<Instant> touch_downs_, releases_;
+  std::vector<std::pair<double, double>> forces_;  ///< time and largest force so far
+  std::vector<Sample> samples_;
+};
+
+/// The runs of one set of inputs, computed when they are first needed, each once.
+class PaperRuns {
+ public:
+  explicit PaperRuns(PaperInputs inputs) : inputs_(std::move(inputs)) {}
+
+  const PaperInputs& inputs() const { return inputs_; }
+  /// The rotor before its mass loss.
+  Parameters parameters();
+
+  const PaperRun& high() { return rub(inputs_.mu_high); }
+  const PaperRun& intermediate() { return rub(inputs_.mu_intermediate); }
+  const PaperRun& low() { return rub(inputs_.mu_low); }
+  /// At the operating speed, a contact parameter multiplied.
+  const PaperRun& changed(double friction, const char* quantity, double factor);
+  /// Work of friction until rolling at high friction, J, negative; by the event method alone.
+  std::optional<double> friction_until_rolling();
+  /// When the run-up passes the eigenfrequency of the supports, s.
+  std::optional<double> time_at_critical_speed();
+  const PaperRun& at_100_Hz() { return loss_at(inputs_.t_100, 0.25); }
+  const PaperRun& at_75_Hz() { return loss_at(inputs_.t_75, 0.25); }
+  const PaperRun& at_50_Hz() { return loss_at(inputs_.t_50, 1.6); }
+  const PaperRun& near_critical() { return loss_at(inputs_.t_critical, 1.8); }
+
+ private:
+  const PaperRun& rub(double friction);
+  const PaperRun& loss_at(double time_s, double rub_s);
+  const PaperRun& get(const Statement& statement);
+
+  PaperInputs inputs_;
+  RunUps run_ups_;
+  std::deque<PaperRun> runs_;  // which stay where they are
+};
+
+}  // namespace rotor

@@ -1,0 +1,18 @@
+/// What the claims of the paper's text are read as: numbers that runs give.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/paper/paper_runs.hpp"
+
+namespace rotor {
+
+/// The value of a reading, in the unit of its claim; none if there is nothing to read, such as an
+/// onset of rolling that did not occur. Throws std::out_of_range for one that does not exist.
+std::optional<double> read_off(const std::string& reading, PaperRuns& runs);
+
+/// All that exist.
+std::vector<std::string> all_readings();
+
+}  // namespace rotor
