@@ -149,7 +149,7 @@ portable: build ## build for another processor, and compare to the last bit
 SEED  ?= 1
 COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
-	@$(PYTHON) verification/robustness/mutants.py --seed $(SEED) --count $(COUNT)
+	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --count $(COUNT)
 
 reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision (minutes)
 	$(call build-target,reference)

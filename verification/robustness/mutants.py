@@ -339,7 +339,6 @@ class Run:
         self.known = equivalents()
         self.caught_by = {}             # of a change's id
         self.idle = set(tests.names)    # tests that have noticed nothing
-        self.used = set()               # tests that have been run
         self.start = time.monotonic()
 
     def all(self, pool):
@@ -353,7 +352,6 @@ class Run:
     def _until_caught(self, batches, run):
         caught = []
         for batch in batches:
-            self.used.update(batch)
             caught += run(batch)
             if caught and not self.thorough:
                 break
@@ -415,9 +413,12 @@ class Run:
                   f'{count["survives"]} survive' + (f': {100 * count["caught"] / counted:.1f} %' if counted else ''))
         in_outer = sum(c.file.startswith(('figures/', 'model/simulation/')) for c in self.changes)
         print(f'{in_outer} of {len(self.changes)} are in figures/ and model/simulation/.')
-        idle = sorted(self.idle & self.used)
-        print(f'{len(idle)} of the {len(self.used)} tests that were run noticed none of the changes they reach:')
-        for name in idle:
+        if not self.thorough:
+            print('Which tests notice nothing, only --thorough can tell: here a change that one has noticed '
+                  'does not meet the slower ones.')
+            return
+        print(f'{len(self.idle)} of the {len(self.tests.names)} tests noticed none of the changes:')
+        for name in sorted(self.idle):
             print(f'  {name}')
 
 
