@@ -89,6 +89,7 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
       continue;
     }
     EXPECT_EQ(row["refusal"], "");
+    EXPECT_EQ(row["equations_varied"], point.values[0]);
     outcomes.insert(row["outcome"]);
     const auto summary = nlohmann::ordered_json::parse(run.output);
     for (const auto& [key, value] : summary.items()) {
@@ -104,6 +105,17 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
   EXPECT_GE(outcomes.size(), 3U);
 }
 
+TEST_F(SweepCommand, RunsEachToItsEndWhereItIsAskedTo) {
+  const std::string axis = "[[axis]]\nquantity = \"friction\"\nvalues = [0.3]\n";
+  const auto final_time = [&](const std::string& text) {
+    write("s.toml", text);
+    EXPECT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
+    return std::stod(results("r.csv").at(0)["final_time_s"]);
+  };
+  EXPECT_EQ(final_time("stop_on = \"end\"\n" + axis), 29.35);
+  EXPECT_LT(final_time(axis), 29.2);  // rolling, 23 ms after the first contact
+}
+
 TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
   write("s.toml", mixed);
   for (const char* jobs : {"1", "2", "5"})
@@ -114,19 +126,21 @@ TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
   EXPECT_EQ(files(), 4);
 }
 
-// At twenty instants, wherever it is then; none of its rows is worked out twice.
+// Or interrupted; at twenty instants, wherever it is then. None of its rows is worked out twice.
 TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
   write(
       "s.toml",
       "[parameters]\ntolerance = 1e-6\nuntil = 29.4\n[sample]\ncount = 4000\nmethod = \"random\"\n"
       "[[sample.over]]\nquantity = \"friction\"\nlog_uniform = [0.05, 1]\n");
   ASSERT_EQ(rotor("sweep s.toml --out whole.csv --jobs 2").status, 0);
+  write("cut.csv.journal", content("whole.csv").substr(0, 40));  // killed within the head
   std::mt19937 random(1);
   std::size_t last = 0;
   int kills = 0;
   for (; kills < 20 && !fs::exists(folder_ / "cut.csv"); ++kills) {
-    shell(fmt::format("timeout --signal=KILL {} $rotor sweep s.toml --out cut.csv --jobs 2",
-                      0.03 + static_cast<double>(random() % 60) / 1000));
+    shell(fmt::format(
+        "timeout --foreground --signal={} {} $rotor sweep s.toml --out cut.csv --jobs 2",
+        kills % 2 ? "INT" : "KILL", 0.03 + static_cast<double>(random() % 60) / 1000));
     const std::size_t now = content("cut.csv.journal").size();
     EXPECT_TRUE(now >= last || fs::exists(folder_ / "cut.csv")) << kills;
     last = now;
@@ -145,9 +159,12 @@ TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
   expect_refusal("sweep s.toml --out r.csv", "r.csv.journal: is of another sweep file");
   EXPECT_EQ(content("r.csv.journal"), "# Sweep: another\n");
   EXPECT_EQ(content("r.csv"), "old");
-  const auto [status, output] = shell("flock r.csv.journal $rotor sweep s.toml --out r.csv");
-  EXPECT_NE(output.find("another sweep is writing it"), std::string::npos) << output;
-  EXPECT_EQ(content("r.csv"), "old");
+  for (const char* lock : {"flock", "flock --shared"}) {
+    const std::string output =
+        shell(fmt::format("{} r.csv.journal $rotor sweep s.toml --out r.csv", lock)).output;
+    EXPECT_NE(output.find("another sweep is writing it"), std::string::npos) << output;
+    EXPECT_EQ(content("r.csv"), "old");
+  }
 }
 
 TEST_F(SweepCommand, LeavesAJournalWhenItIsInterrupted) {
@@ -196,6 +213,11 @@ TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
                      "method: varies, and [parameters] states it"),
            std::pair(axis("quantity = \"rotor_radius\"\nfrom = 0.05\nto = 0.07\npoints = 2\n"),
                      "corner: rotor_radius = 0.07: stator_radius"),
+           std::pair(axis("quantity = \"rotor_radius\"\nvalues = [0.07, 0.05]\n"),
+                     "corner: rotor_radius = 0.07: stator_radius"),
+           std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"
+                                 "normal = [0.2, 0]\n"),
+                     "the deviation must be greater than 0"),
            std::pair(std::string("[sample]\ncount = 3\n"), "needs a [[sample.over]]"),
            std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"),
                      "needs one of"),
@@ -218,6 +240,7 @@ TEST(Dealer, PassesRowsOnInOrderAndWaitsForSlowOnes) {
   std::atomic<long> worked = 0;
   Dealer dealer(0, 40000, [&](std::string_view rows, long until) {
     seen += rows;
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), ' '), until - most);
     most = until;
   });
   std::string expected;
