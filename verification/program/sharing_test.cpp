@@ -86,6 +86,26 @@ TEST(RunUps, AreNotRunTwice) {
   EXPECT_LT(monitor.steps, 100);
 }
 
+// A way that a monitor stops is of no use, to later ones neither.
+TEST(RunUps, ForgetTheWayThatWasInterrupted) {
+  RunUps run_ups;
+  struct : Observer {
+    bool goes_on(const Progress&) override { return --steps_left > 0; }
+    long steps_left = 1000;
+  } monitor;
+  const Scenario scenario{.until = 29.15, .tolerance = 1e-8};
+  const Departure stopped = run_ups.depart(scenario, monitor);
+  ASSERT_TRUE(stopped.simulation.stopped());
+  // It does not go on by itself, and says that it was cut short.
+  const Account account = finish(stopped, scenario, StopOn::rolling, monitor);
+  EXPECT_EQ(account.end.last.time_s, stopped.simulation.instant().time_s);
+  EXPECT_TRUE(account.early.interrupted);
+  EXPECT_FALSE(account.early.stop_reached);
+  Observer null_observer;
+  EXPECT_EQ(finished(run_ups.depart(scenario, null_observer), scenario),
+            finished(Departure(scenario), scenario));
+}
+
 TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
   RunUps run_ups;
   Observer null_observer;
