@@ -238,6 +238,10 @@ TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
       is_short = is_short || step < 0.9e-4;
       const bool is_last = steps.all[n].time_s == until_s;
       EXPECT_NEAR(step, is_short ? 5e-6 : 1e-4, is_last ? 5e-6 : 1e-12) << n;
+      // Each moves the rotor on by as much time as it takes, the last one too.
+      const State<double>&before = steps.all[n - 1].state, &after = steps.all[n].state;
+      EXPECT_NEAR(after[2] - before[2], step * (before[5] + after[5]) / 2, 1e-3 * step * after[5])
+          << n;
       if (steps.all[n].contact != ContactState::free) {
         EXPECT_TRUE(is_short);
       }
