@@ -78,6 +78,16 @@ TEST_F(CommandLine, ListsTheEventsOfARun) {
   EXPECT_EQ(kinds, "event motor_off mass_loss touch_down release ring_clear ");
 }
 
+// Progress is for those who wait: on a terminal, a run that is over at once leaves no line.
+TEST_F(CommandLine, SaysNothingOfTheProgressOfAQuickRun) {
+  const auto [status, output] = shell(
+      "script -qec \"$rotor run --separation-time 9.4 --equations published --json 2>&1 >summary\" "
+      "/dev/null");
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(output, "");
+  EXPECT_FALSE(content("summary").empty());
+}
+
 TEST_F(CommandLine, SummarisesARunAsJsonAndTracesIt) {
   const auto [status, output] =
       rotor("run --method rk4 --until 0.01 --trace t.csv --columns time_s,rho_m --json");

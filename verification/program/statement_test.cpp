@@ -112,7 +112,7 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
     simulation.pass_mass_loss(null_observer);
     EXPECT_NEAR(simulation.instant().state[5] / (2 * std::numbers::pi) / speed_Hz, 1, 1e-12);
   }
-  EXPECT_NE(refusal(numbers({{"separation_speed_hz", 151}})).find("is not reached"),
+  EXPECT_NE(refusal(numbers({{"separation_speed_hz", 151}})).find("150 Hz at most"),
             std::string::npos);
   EXPECT_NE(refusal(numbers({{"separation_speed_hz", 75}, {"until", 3}})).find("is not reached"),
             std::string::npos);
