@@ -1,8 +1,10 @@
-/// What a phase says of its event functions beforehand is true: where it says that one stays
-/// positive over a step, nothing is looked for.
+/// What a phase says of its event functions and extremes beforehand is true: where it says that one
+/// stays positive over a step, or below what an observer wants to see, nothing is looked for.
 #include <gtest/gtest.h>
 
-#include "model/phases/rub.hpp"
+#include <boost/numeric/odeint.hpp>
+
+#include "model/phases/flight.hpp"
 #include "verification/support/random_scenarios.hpp"
 
 namespace rotor {
@@ -44,6 +46,61 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
   EXPECT_GT(held, 1000);
   EXPECT_GT(slipping, 1000);
   EXPECT_EQ(held_beyond, 0);
+}
+
+// Over steps in which a strong motor drives a rotor that mostly turns slowly at first, and damping
+// takes up to half of its speed, no bound is less than what is reached in between.
+TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
+  RandomScenarios random(7);
+  std::mt19937_64 engine(8);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int bounded = 0;
+  for (int n = 0; n < 3000; ++n) {
+    Parameters p = random.scenario().parameters;
+    p.eccentricity = 1e-3;
+    // So light at its rim that the damping of O brakes the rotation.
+    p.inertia = p.mass * p.eccentricity * p.eccentricity * std::pow(10, 1 + any(engine));
+    const double share = std::sqrt(std::abs(any(engine))) / 2;
+    const double h = std::pow(10, -5 + any(engine)), turn = 0.3;  // in a step, as accuracy wants it
+    p.support_damping = share * p.inertia / (p.eccentricity * p.eccentricity * h);
+    p.torque = turn * std::abs(any(engine)) * p.inertia / (h * h);
+    RotorSystem<double> rotor(p, Equations::consistent);
+    const double rho = rotor.ring.clearance * std::abs(std::pow(any(engine), 5));
+    const double velocity = 0.01 * rotor.ring.clearance / h;
+    const State<double> q = {rho,
+                             0,
+                             0,
+                             velocity * any(engine),
+                             velocity * any(engine),
+                             turn / h * std::pow(any(engine), 5)};
+    const FlightChart<double> chart(rotor, q);
+    const FreeFlight<double> phase(rotor, chart);
+    Point<double, FlightChart<double>::Unknowns> from{0, chart.unknowns(q), {}};
+    phase(from.x, from.rates, 0);
+    auto to = from;
+    to.time = h;
+    // In steps of a tenth of the fastest decay.
+    const int steps = 20 + static_cast<int>(10 * p.support_damping / p.mass * h);
+    boost::numeric::odeint::runge_kutta4<FlightChart<double>::Unknowns> stepper;
+    double displacement = rho, bearing_force = 0, speed = std::abs(q[5]);
+    for (int i = 0; i < steps; ++i) {
+      stepper.do_step(phase, to.x, 0., h / steps);
+      const auto extremes = phase.extremes(to.x, {});
+      displacement = std::max(displacement, extremes[0].value);
+      bearing_force = std::max(bearing_force, extremes[1].value);
+      speed = std::max(speed, std::abs(chart.speed(to.x)));
+    }
+    phase(to.x, to.rates, 0);
+    const auto reach = phase.reach(from, to);
+    if (!reach) continue;
+    ++bounded;
+    constexpr double rounding = 1e-9;
+    EXPECT_GE((*reach)[0], displacement * (1 - rounding)) << n;
+    EXPECT_GE((*reach)[1], bearing_force * (1 - rounding)) << n;
+    rotor.motor_off = speed * (1 - rounding);
+    EXPECT_FALSE(phase.event_bounds(from, to)[1].stays_positive) << n;
+  }
+  EXPECT_GT(bounded, 1000);
 }
 
 }  // namespace
