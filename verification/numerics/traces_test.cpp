@@ -14,7 +14,7 @@ namespace {
 TEST(Traces, NeverRunBackwardsAndSummariesReachAtLeastWhereTheRunEnds) {
   RandomScenarios random(2);
   long maxima = 0;
-  for (int n = 0; n < 1500; ++n) {
+  for (int n = 0; n < 700; ++n) {
     Scenario scenario = random.scenario();
     scenario.tolerance = std::pow(10, -3 - n % 4);
     const Instant first = separated_at_speed(scenario, random.speed());

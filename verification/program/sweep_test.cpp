@@ -34,7 +34,7 @@ spacing = "log"
 quantity = "friction"
 values = [0.3, 0.08]
 [sample]
-count = 16
+count = 8
 seed = 3
 [[sample.over]]
 quantity = "separation_speed_hz"
@@ -61,13 +61,13 @@ class SweepCommand : public CommandLine {
   std::vector<CsvRow> results(const std::string& name) const { return read_csv(folder_ / name); }
 };
 
-// Two hundred points of many kinds; what a run says, it says on the command line.
+// A hundred points of many kinds; what a run says, it says on the command line.
 TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
   const Sweep sweep = this->sweep(mixed);
   ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
   const auto rows = results("r.csv");
   ASSERT_EQ(static_cast<long>(rows.size()), sweep.points());
-  ASSERT_EQ(rows.size(), 192U);
+  ASSERT_EQ(rows.size(), 96U);
   const SweepPoints points(sweep);
   int refused = 0;
   std::set<std::string> outcomes;
@@ -100,8 +100,8 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
       EXPECT_EQ(row[key], expected) << key << ' ' << options;
     }
   }
-  EXPECT_GT(refused, 10);
-  EXPECT_LT(refused, 150);
+  EXPECT_GT(refused, 5);
+  EXPECT_LT(refused, 75);
   EXPECT_GE(outcomes.size(), 3U);
 }
 
