@@ -21,18 +21,18 @@ class SweepPointsOf : public InFolder {
 
 TEST_F(SweepPointsOf, AFileComeInItsOrder) {
   const Sweep sweep = this->sweep(
-      "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.4\npoints = 4\n[[axis]]\nquantity = "
+      "[[axis]]\nquantity = \"friction\"\nfrom = 0.3\nto = 0.9\npoints = 4\n[[axis]]\nquantity = "
       "\"mass\"\nfrom = 1\nto = 100\npoints = 3\nspacing = \"log\"\n[sample]\ncount = 2\n"
       "[[sample.over]]\nquantity = \"torque\"\nuniform = [1, 2]\n");
   const SweepPoints points(sweep);
   ASSERT_EQ(sweep.points(), 24);
   for (long n = 0; n < 24; ++n) {
     const auto& numbers = points(n).statement.numbers;
-    EXPECT_NEAR(numbers.at("friction"), 0.1 * static_cast<double>(1 + n / 6), 1e-15);
+    EXPECT_NEAR(numbers.at("friction"), 0.3 + 0.2 * static_cast<double>(n / 6), 1e-15);
     EXPECT_NEAR(numbers.at("mass"), std::pow(10, (n / 2) % 3), 1e-12);
     EXPECT_EQ(numbers.at("torque"), points(n % 2).statement.numbers.at("torque"));
   }
-  EXPECT_EQ(points(23).values[0], "0.4");
+  EXPECT_EQ(points(23).values[0], "0.9");  // which 0.3 + (0.9 - 0.3) is not
 }
 
 /// The draws of a sample over two quantities.
@@ -53,18 +53,24 @@ TEST_F(SweepPointsOf, ASampleAreEven) {
                        "[[sample.over]]\nquantity = \"torque\"\nlog_uniform = [1, 100]\n"));
   };
   // Of 1024 points of Sobol's sequence one lies in each box of 1/1024 of the area.
-  const auto sobol = sampled("seed = 5\n");
-  for (const int columns : {1, 4, 32, 1024}) {
+  const auto boxes_filled = [](const auto& all, int columns) {
     std::set<std::pair<int, int>> boxes;
-    for (const auto& [friction, torque] : sobol)
+    for (const auto& [friction, torque] : all)
       boxes.emplace((friction - 2) * columns, std::log10(torque) / 2 * (1024. / columns));
-    EXPECT_EQ(boxes.size(), 1024U) << columns;
-  }
+    return boxes.size();
+  };
+  const auto sobol = sampled("seed = 5\n");
+  for (const int columns : {1, 4, 32, 1024}) EXPECT_EQ(boxes_filled(sobol, columns), 1024U);
+  // Each coordinate has a shift of its own, by which the origin has come off the diagonal.
+  EXPECT_GT(std::abs(sobol[0][0] - 2 - std::log10(sobol[0][1]) / 2), 1e-3);
   EXPECT_NE(sobol, sampled("seed = 6\n"));
   EXPECT_EQ(sobol, sampled("seed = 5\n"));
-  // Random ones have the mean, the variance and the independence of such, within four deviations.
+  // Random ones leave 1/e of the boxes empty, and have the mean, the variance and the independence
+  // of such, within four deviations.
   double mean = 0, variance = 0, covariance = 0;
   const auto random = sampled("method = \"random\"\nseed = 5\n");
+  EXPECT_NEAR(static_cast<double>(boxes_filled(random, 32)), 1024 * (1 - std::exp(-1)),
+              50);  // five deviations
   for (const auto& [friction, torque] : random) {
     const double x = friction - 2.5, y = std::log10(torque) / 2 - 0.5;
     mean += x / 1024;
