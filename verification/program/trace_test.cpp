@@ -44,6 +44,13 @@ TEST_F(Trace, HasARowAtEqualDistancesFromTheFirstToTheLastInstant) {
   EXPECT_EQ(numbers(window + "--every 6e-5").size(), 334U);  // whose last one is not at the end
 }
 
+// Without equal distances rows stand where lines need them: 20 ms of contacts take 643.
+TEST_F(Trace, HasNoMoreRowsThanItsCurvesNeed) {
+  const auto rows = numbers("--from 29.1 --until 29.12 --columns time_s,rho_m");
+  EXPECT_GT(rows.size(), 100U);
+  EXPECT_LT(rows.size(), 1300U);
+}
+
 // Asked directly: a run that ends at the time of a row.
 TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
   const auto rows = numbers(
