@@ -47,6 +47,7 @@ void SummaryObserver::on_step(const DenseOutput& step) {
 }
 
 bool SummaryObserver::goes_on(const Progress& now) {
+  last_progress_ = now;
   if (!rolls_) return true;
   if (!rolls_since_) {
     rolls_since_ = now;
@@ -111,7 +112,12 @@ void SummaryObserver::note_contact(const Instant& at, const Motion<double>& moti
   }
   if (rolls) summary_.rolling_until_s = std::nullopt;
   if (rolls_ && !rolls) summary_.rolling_until_s = at.time_s;
-  if (!rolls) rolls_since_ = std::nullopt;
+  if (!rolls) {
+    rolls_since_ = std::nullopt;
+  } else if (!rolls_ && begun_ && last_.contact != ContactState::free && last_progress_ &&
+             last_progress_->time_s == at.time_s) {
+    rolls_since_ = last_progress_;  // else from the next step on, whose angle is known
+  }
   rolls_ = rolls;
 }
 

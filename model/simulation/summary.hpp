@@ -68,7 +68,7 @@ class SummaryObserver : public Observer {
   OutcomeWatch watch_;
   Instant last_;
   bool begun_ = false, rolls_ = false;
-  std::optional<Progress> rolls_since_;  ///< from the first step on
+  std::optional<Progress> rolls_since_, last_progress_;
   Summary summary_;
 };
 

@@ -215,6 +215,7 @@ TEST(Summary, AddsUpTheTimeInContact) {
 TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
   const Summary rolling = summary_until(29.35, {});
   EXPECT_FALSE(rolling.rolling_until_s);
+  EXPECT_EQ(rolling.whirl_from_s, rolling.rolling_onset_s);  // whatever the steps are
   // The time integral of the whirl's rate, and what it must be by another method.
   struct Whirl : Observer {
     void on_instant(const Instant& at) override { rolls = at.contact == ContactState::rolling; }
