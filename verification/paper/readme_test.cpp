@@ -154,11 +154,10 @@ struct LargestForce : Observer {
 
 TEST_F(Readme, CountsTheRightHandSides) {
   const auto rows = table("| mu = 0.3, from the mass loss to 29.2 s |");
-  ASSERT_EQ(rows.size(), 4U);
+  ASSERT_EQ(rows.size(), 3U);
   std::vector<Scenario> scenarios(rows.size());
   scenarios[0].method = Method::rk4;
-  scenarios[1].tolerance = 1e-6;
-  scenarios[2].tolerance = 1e-8;
+  scenarios[1].tolerance = 1e-8;
   for (std::size_t n = 0; n < rows.size(); ++n) {
     scenarios[n].until = 29.2;
     LargestForce observer;
