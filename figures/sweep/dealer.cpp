@@ -78,7 +78,7 @@ void work(Dealer& dealer, int threads, const std::function<Work()>& make_worker,
   try {
     while (!dealer.is_finished()) {
       meanwhile();
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   } catch (...) {
     dealer.stop(std::current_exception());

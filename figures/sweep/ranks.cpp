@@ -23,7 +23,7 @@ namespace {
 enum Tag : int { rows_of_block = 1, failure = 2, dealt_block = 3 };
 
 /// So many blocks are dealt to a rank ahead of its work, so that it never waits for an answer.
-constexpr int ahead = 2;
+constexpr int ahead = 4;
 
 bool is_launched() {
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"})
