@@ -21,7 +21,8 @@ double critical_speed_Hz(const Parameters& p) {
 
 Account finish(Departure way, const Scenario& scenario, std::optional<StopOn> stop_on,
                Observer& others) {
-  auto& [simulation, summary] = way;
+  Simulation& simulation = way.simulation;
+  SummaryObserver& summary = way.summary;
   Audience audience;
   audience.add(others);
   std::optional<StopObserver> stop;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace rotor {
 
@@ -22,7 +23,8 @@ class Dealer {
   /// Takes rows as they become due: those of points up to, but without, that one.
   using Sink = std::function<void(std::string_view rows, long until)>;
 
-  Dealer(long from, long until, Sink sink) : next_(from), due_(from), until_(until), sink_(sink) {}
+  Dealer(long from, long until, Sink sink)
+      : next_(from), due_(from), until_(until), sink_(std::move(sink)) {}
 
   /// The next block, or none if all have been dealt out or it was stopped. Waits while so many are
   /// out that their rows would take too much memory.

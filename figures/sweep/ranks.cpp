@@ -142,7 +142,7 @@ void Ranks::work_for_first(const Work& work) {
 
 Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
-bool Ranks::told_by_first(bool word) const { return word; }
+bool Ranks::told_by_first(bool word) const { return is_first() && word; }
 void Ranks::serve(Dealer& /*dealer*/) {}
 void Ranks::dismiss(Dealer& /*dealer*/) {}
 void Ranks::work_for_first(const Work& /*work*/) {}

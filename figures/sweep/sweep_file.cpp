@@ -53,7 +53,7 @@ class SweepReader : TomlFile {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  bool is_named(std::string_view quantity) const {
+  static bool is_named(std::string_view quantity) {
     const auto named = named_statables();
     return std::find(named.begin(), named.end(), quantity) != named.end();
   }
@@ -129,7 +129,7 @@ class SweepReader : TomlFile {
       fail(*in.get("to"), "to", fmt::format("must be greater than from = {}", range.from));
     const std::string spacing = text(in, "spacing").value_or("linear");
     if (spacing != "linear" && spacing != "log")
-      fail(*in.get("spacing"), "spacing", "must be \"linear\" or \"log\"");
+      fail(*in.get("spacing"), "spacing", R"(must be "linear" or "log")");
     range.logarithmic = spacing == "log";
     if (range.logarithmic && !(range.from > 0))
       fail(*in.get("from"), "from", "must be greater than 0 for equal ratios");
@@ -151,7 +151,7 @@ class SweepReader : TomlFile {
     if (in.contains("seed")) sample.seed = static_cast<unsigned long>(count(in, "seed", 0));
     const std::string method = text(in, "method").value_or("sobol");
     if (method != "sobol" && method != "random")
-      fail(*in.get("method"), "method", "must be \"sobol\" or \"random\"");
+      fail(*in.get("method"), "method", R"(must be "sobol" or "random")");
     sample.method = method == "sobol" ? Sampling::sobol : Sampling::random;
     for (const toml::table* over : tables(in, "over")) sample.over.push_back(draw(*over));
     if (sample.over.empty())
@@ -205,7 +205,7 @@ class SweepReader : TomlFile {
   void require_points(const Sweep& sweep) const {
     if (sweep.axes.empty() && sweep.sample.over.empty())
       fail(root(), "axis", "there must be an [[axis]] or a [sample]: nothing varies");
-    double all = static_cast<double>(sweep.sample.count);
+    auto all = static_cast<double>(sweep.sample.count);
     for (const Axis& axis : sweep.axes) all *= static_cast<double>(axis.points());
     if (all > most_points)
       fail(root(), "points",
