@@ -139,9 +139,10 @@ Scenario scenario_of(const Statement& statement, RunUps& run_ups) {
     const SpeedReached reached = run_ups.time_at_speed(scenario, *speed, until, monitor);
     if (is_interrupted()) throw Interrupted();
     if (!reached.time_s)
-      throw InputError(
-          fmt::format("{} = {} Hz: is not reached; until {:.6g} s the rotor has {:.6g} Hz at most",
-                      separation_speed, *speed, reached.looked_until_s, reached.greatest_Hz));
+      throw InputError(fmt::format(
+          "{} = {} Hz: is not reached; until {:.6g} s{} the rotor has {:.6g} Hz at most",
+          separation_speed, *speed, reached.looked_until_s,
+          reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz));
     p.separation_time = *reached.time_s;
     scenario.until = until.value_or(p.separation_time + default_rub_s);
   }

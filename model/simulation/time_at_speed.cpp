@@ -8,11 +8,26 @@
 namespace rotor {
 namespace {
 
-/// Stops a run-up after the step in which it reaches a speed, or the motor is switched off, and
-/// asks another observer whether to go on.
+/// Asks another observer whether to go on, until it says no.
+class Patience : public Observer {
+ public:
+  explicit Patience(Observer& monitor) : monitor_(monitor) {}
+
+  bool goes_on(const Progress& now) override {
+    is_over = is_over || !monitor_.goes_on(now);
+    return !is_over;
+  }
+
+  bool is_over = false;
+
+ private:
+  Observer& monitor_;
+};
+
+/// Stops a run-up after the step in which it reaches a speed, or the motor is switched off.
 class Watch : public Observer {
  public:
-  Watch(double start_s, double speed_Hz, Observer& monitor)
+  Watch(double start_s, double speed_Hz, Patience& monitor)
       : after_s(start_s), speed_Hz_(speed_Hz), monitor_(monitor) {}
 
   void on_instant(const Instant& at) override {
@@ -32,12 +47,26 @@ class Watch : public Observer {
 
  private:
   double speed_Hz_;
-  Observer& monitor_;
+  Patience& monitor_;
 };
 
-struct Contact : Observer {
-  void on_instant(const Instant& at) override { has_occurred = has_occurred || at.touches(); }
-  bool has_occurred = false;
+/// Stops a run that touches the ring.
+class UntilContact : public Observer {
+ public:
+  explicit UntilContact(Patience& monitor) : monitor_(monitor) {}
+
+  void on_instant(const Instant& at) override {
+    if (!touches) until_s = at.time_s;
+    if (!touches) greatest_Hz = std::max(greatest_Hz, in_Hz(at.state[5]));
+    touches = touches || at.touches();
+  }
+  bool goes_on(const Progress& now) override { return !touches && monitor_.goes_on(now); }
+
+  double until_s = 0, greatest_Hz = 0;
+  bool touches = false;
+
+ private:
+  Patience& monitor_;
 };
 
 }  // namespace
@@ -53,40 +82,52 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
                            std::optional<double> until_s, Observer& monitor) {
   const Parameters& p = scenario.parameters;
   const double start_Hz = in_Hz(from.instant().state[5]);
-  if (start_Hz >= speed_Hz) return {from.instant().time_s, 0, start_Hz};
-  if (p.torque == 0) return {std::nullopt, 0, start_Hz};
+  if (start_Hz >= speed_Hz) return {from.instant().time_s, 0, start_Hz, false};
+  if (p.torque == 0) return {std::nullopt, 0, start_Hz, false};
   const double end_s = until_s.value_or(2 * p.inertia * 2 * std::numbers::pi * speed_Hz / p.torque);
 
   Simulation way = from;
-  Watch watch(from.instant().time_s, speed_Hz, monitor);
+  Patience patience(monitor);
+  Watch watch(from.instant().time_s, speed_Hz, patience);
   way.run_up(end_s, watch);
+  const auto nothing = [&watch] {
+    return SpeedReached{std::nullopt, watch.after_s, watch.greatest_Hz, false};
+  };
+  if (patience.is_over) return nothing();
   // The speed may still be a ripple away from where it is without.
   const Simulation before = [&] {
     Simulation whole_steps = from;
-    Observer null_observer;
-    whole_steps.run_up(watch.after_s, null_observer);
+    whole_steps.run_up(watch.after_s, patience);
     return whole_steps;
   }();
   Scenario run_up = run_up_to_speed(scenario);
+  constexpr double not_there = -1;  // less than any speed makes it
+  std::optional<UntilContact> look;
   const auto excess = [&](double time_s) {
     run_up.until = time_s;
     Simulation there = before.with(run_up);
-    Contact contact;
-    there.finish(contact);
-    if (contact.has_occurred) return -1.;
+    there.finish(look.emplace(patience));
+    if (look->touches || patience.is_over) return not_there;
     const double share = in_Hz(there.instant().state[5]) / speed_Hz - 1;
     constexpr double rounding = 1e-12;  // of the speed at which the motor is switched off
     return std::abs(share) < rounding && watch.motor_off ? 0 : share;
   };
   const double before_s = before.instant().time_s;
   double after_s = way.stopped() ? watch.after_s : end_s;
-  while (!watch.motor_off && after_s < end_s && excess(after_s) < 0)
+  const auto is_slower = [&](double time_s) {
+    const double share = excess(time_s);
+    return not_there < share && share < 0;
+  };
+  while (!watch.motor_off && after_s < end_s && is_slower(after_s))
     after_s = std::min(end_s, after_s + (watch.after_s - before_s));
-  if (excess(after_s) < 0) return {std::nullopt, end_s, watch.greatest_Hz};
+  if (excess(after_s) < 0)
+    return {std::nullopt, look->until_s, std::max(watch.greatest_Hz, look->greatest_Hz),
+            look->touches};
   std::uintmax_t iterations = 100;
   const auto [low_s, high_s] = boost::math::tools::toms748_solve(
       excess, before_s, after_s, boost::math::tools::eps_tolerance<double>(), iterations);
-  return {high_s, end_s, speed_Hz};
+  if (patience.is_over) return nothing();
+  return {high_s, end_s, speed_Hz, false};
 }
 
 }  // namespace rotor

@@ -118,6 +118,38 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
             std::string::npos);
   EXPECT_NE(refusal(numbers({{"separation_speed_hz", 75}, {"torque", 0}})).find("0 Hz at most"),
             std::string::npos);
+  // What is faster behind a contact, this one at 1.77 s, does not count.
+  const std::string touches =
+      refusal(numbers({{"separation_speed_hz", 75}, {"eccentricity", 1e-3}}));
+  EXPECT_NE(touches.find("until 1.77346 s, when it touches the ring, the rotor has 9.21934 Hz"),
+            std::string::npos)
+      << touches;
+}
+
+// It is asked in the run-up, and in the looks by which the time is located.
+TEST(SeparationSpeed, IsSoughtAsLongAsTheMonitorLetsIt) {
+  struct Monitor : Observer {
+    bool goes_on(const Progress& now) override {
+      has_looked_back = has_looked_back || now.time_s < latest_s;
+      latest_s = std::max(latest_s, now.time_s);
+      return ++asked != patience;
+    }
+    long patience = -1, asked = 0;
+    double latest_s = 0;
+    bool has_looked_back = false;
+  };
+  const auto found = [](Monitor& monitor) {
+    return RunUps().time_at_speed({}, 75, std::nullopt, monitor).time_s;
+  };
+  Monitor patient;
+  EXPECT_TRUE(found(patient));
+  EXPECT_TRUE(patient.has_looked_back);
+  for (const long patience : {1L, patient.asked / 2, patient.asked - 1}) {
+    Monitor monitor;
+    monitor.patience = patience;
+    EXPECT_FALSE(found(monitor));
+    EXPECT_EQ(monitor.asked, patience);
+  }
 }
 
 // The response at a constant speed, which nothing but the damping's drag changes.
