@@ -94,14 +94,9 @@ double View::normal_force() { return in_contact() ? context_.ring.touching_force
 
 double View::friction() {
   if (!in_contact()) return 0;
-  const Ring<double>& ring = context_.ring;
-  const auto& k = rim_point();
-  if (at_.contact == ContactState::rolling && context_.rolls) {
-    return friction_without_slip(at_.body, ring, motion(), k,
-                                 context_.supports.loads(at_.body, motion(), at_.motor_on),
-                                 normal_force());
-  }
-  return ring.sliding_friction(normal_force(), k.slip_velocity > 0 ? 1 : -1);
+  return rotor::friction(at_.body, ring(), motion(), rim_point(),
+                         supports().loads(at_.body, motion(), at_.motor_on), normal_force(),
+                         at_.contact == ContactState::rolling && context_.rolls);
 }
 
 Vector<double> View::bearing_force() {

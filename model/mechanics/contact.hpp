@@ -167,4 +167,13 @@ inline S friction_without_slip(const Body<S>& body, const Ring<S>& ring, const M
                                ring.rotor_radius);
 }
 
+/// F_tau on a rim that touches, N: of a constraint if it rolls, else of Coulomb against its slip.
+template <class S>
+inline S friction(const Body<S>& body, const Ring<S>& ring, const Motion<S>& motion,
+                  const RimPoint<S>& k, const Loads<S>& supports, const S& normal_force,
+                  bool rolls) {
+  return rolls ? friction_without_slip(body, ring, motion, k, supports, normal_force)
+               : ring.sliding_friction(normal_force, k.slip_velocity > 0 ? 1 : -1);
+}
+
 }  // namespace rotor

@@ -9,23 +9,18 @@ namespace {
 Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<double>& ring,
                                   const Instant& at) {
   const Motion<double> m = at.motion();
-  double damping = 0, friction = 0;
+  double contact_damping = 0, contact_friction = 0;
   if (at.contact != ContactState::free) {
     const RimPoint<double> k = ring.rim_point(m);
-    damping = ring.damping_power(k, at.contact);
-    if (at.touches()) {
-      const double normal = ring.elastic_force(k);
-      const double tangential =
-          at.contact == ContactState::rolling
-              ? friction_without_slip(at.body, ring, m, k, supports.loads(at.body, m, at.motor_on),
-                                      normal)
-              : ring.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1);
-      friction = tangential * k.slip_velocity;
-    }
+    contact_damping = ring.damping_power(k, at.contact);
+    if (at.touches())
+      contact_friction =
+          k.slip_velocity * friction(at.body, ring, m, k, supports.loads(at.body, m, at.motor_on),
+                                     ring.elastic_force(k), at.contact == ContactState::rolling);
   }
   return {at.motor_on ? supports.torque * m.speed : 0,
           supports.gravity_moment(at.body, m) * m.speed,
-          -supports.damping * m.velocity.squaredNorm(), damping, friction};
+          -supports.damping * m.velocity.squaredNorm(), contact_damping, contact_friction};
 }
 
 }  // namespace
