@@ -70,20 +70,25 @@ Scenario scenario_of(const Case& c) {
           .tolerance = c.tolerance};
 }
 
+/// The same run's maxima, sampled and located.
+std::pair<DenseMaxima, Summary> maxima_of(const Scenario& scenario) {
+  DenseMaxima dense(scenario);
+  SummaryObserver observer(scenario);
+  Audience audience;
+  audience.add(dense);
+  audience.add(observer);
+  run(scenario, audience);
+  return {dense, observer.summary()};
+}
+
 // Located, they are no less than any sample, but for the little by which the equations' rates miss
 // those of the curve within a step, and no more than the samples' spacing lets be missed.
 TEST(LooseTolerances, DoNotHideMaxima) {
   long longest_arcs = 0;
   for (const Case& c : cases()) {
     const Scenario scenario = scenario_of(c);
-    DenseMaxima dense(scenario);
-    SummaryObserver observer(scenario);
-    Audience audience;
-    audience.add(dense);
-    audience.add(observer);
-    run(scenario, audience);
-    const Summary& summary = observer.summary();
-    const auto expect_maximum = [&](double located, double sampled, const char* of) {
+    const auto [dense, summary] = maxima_of(scenario);
+    const auto expect_maximum = [&c](double located, double sampled, const char* of) {
       EXPECT_GE(located, sampled * (1 - 0.1 * c.tolerance))
           << of << ", " << testing::PrintToString(c);
       EXPECT_LE(located, sampled * (1 + 1e-4)) << of << ", " << testing::PrintToString(c);
@@ -109,13 +114,8 @@ TEST(LooseTolerances, DoNotHideMaximaOfAVibrationWithinAStep) {
             Scenario scenario = scenario_of({tolerance, 0, friction, stator_radius});
             scenario.parameters.contact_damping = damping;
             scenario.start_speed_Hz = start_speed_Hz;
-            DenseMaxima dense(scenario);
-            SummaryObserver observer(scenario);
-            Audience audience;
-            audience.add(dense);
-            audience.add(observer);
-            run(scenario, audience);
-            const double force = observer.summary().peak_normal_force_N.value_or(0);
+            const auto [dense, summary] = maxima_of(scenario);
+            const double force = summary.peak_normal_force_N.value_or(0);
             EXPECT_GE(force, dense.normal_force * (1 - 2e-3))
                 << tolerance << ' ' << damping << ' ' << friction << ' ' << start_speed_Hz;
             EXPECT_LE(force, dense.normal_force * (1 + 2e-3));

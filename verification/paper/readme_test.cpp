@@ -9,7 +9,7 @@
 
 #include "model/simulation/simulation.hpp"
 #include "verification/paper/claims.hpp"
-#include "verification/support/command_line.hpp"
+#include "verification/support/run_summary.hpp"
 
 namespace rotor {
 namespace {
@@ -42,7 +42,7 @@ std::vector<Cells> table(const std::string& heading) {
   return rows;
 }
 
-class Readme : public CommandLine {
+class Readme : public RunSummary {
  protected:
   /// Its words, with single blanks between them.
   static std::string text() {
@@ -55,9 +55,6 @@ class Readme : public CommandLine {
     EXPECT_NE(text().find(sentence), std::string::npos) << "does not say: " << sentence;
   }
 
-  nlohmann::json summary(const std::string& arguments) const {
-    return nlohmann::json::parse(rotor("run --json " + arguments + " 2>/dev/null").output);
-  }
   std::string force(const nlohmann::json& summary, int digits) const {
     const auto& force = summary["peak_normal_force_N"];
     return force.is_null() ? "" : fmt::format("{:.{}f}", force.get<double>() / 1000, digits);

@@ -8,19 +8,14 @@
 #include <nlohmann/json.hpp>
 
 #include "figures/scenes/statement.hpp"
-#include "verification/support/command_line.hpp"
+#include "verification/support/run_summary.hpp"
 
 namespace rotor {
 namespace {
 
 using Json = nlohmann::json;
-class Options : public CommandLine {
+class Options : public RunSummary {
  protected:
-  Json summary(const std::string& arguments) const {
-    const Outcome outcome = rotor("run --json " + arguments + " 2>messages");
-    EXPECT_EQ(outcome.status, 0) << arguments << ": " << content("messages");
-    return outcome.status == 0 ? Json::parse(outcome.output) : Json();
-  }
   Json inputs(const std::string& arguments) const { return summary(arguments)["inputs"]; }
 };
 

@@ -6,21 +6,14 @@
 #include <set>
 
 #include "figures/scenes/names.hpp"
-#include "verification/support/command_line.hpp"
+#include "verification/support/run_summary.hpp"
 
 namespace rotor {
 namespace {
 
 using Json = nlohmann::json;
 
-class RunCommand : public CommandLine {
- protected:
-  Json summary(const std::string& arguments) const {
-    const Outcome outcome = rotor("run --json " + arguments + " 2>messages");
-    EXPECT_EQ(outcome.status, 0) << content("messages");
-    return Json::parse(outcome.output);
-  }
-};
+using RunCommand = RunSummary;
 
 TEST_F(RunCommand, StopsAtTheFirstMaximumOfTheForceOnceItRolls) {
   const Json whole = summary(""), stopped = summary("--stop-on rolling");
