@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "figures/data/csv.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/svg_picture.hpp"
 
 namespace rotor {
 namespace {
@@ -27,6 +29,40 @@ TEST_F(Plot, DrawsEveryRunOfAScene) {
   for (const char* shown : {"It's 100 %", "high_mu", "mu's 0.1", "f, Hz", "clearance"})
     EXPECT_NE(picture.find(shown), std::string::npos) << shown;
   EXPECT_EQ(files(), 2);
+}
+
+// Force in kN, speed in Hz, displacement and orbit in mm, each of both runs, reach as far in the
+// picture as in the runs' traces; the ring is drawn around the orbit.
+TEST_F(Plot, DrawsTheCurvesOfEachRun) {
+  ASSERT_EQ(rotor("plot \"it's.toml\"").status, 0);
+  const Picture picture(content("it's.svg"));
+  struct Panel {
+    std::string column;
+    double scale;
+    std::size_t before;  ///< curves that are no run's
+  };
+  const std::vector<Panel> panels = {
+      {"normal_force_N", 1e-3, 0}, {"speed_Hz", 1, 0}, {"rho_m", 1e3, 1}, {"x_a_m", 1e3, 1}};
+  std::size_t curve = 0;
+  for (const Panel& panel : panels) {
+    curve += panel.before;
+    for (const std::string run : {"high_mu", "mu's 0.1"}) {
+      ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,
+                0);
+      std::vector<double> values, heights;
+      for (const CsvRow& row : read_csv(folder_ / "t.csv"))
+        values.push_back(panel.scale * static_cast<double>(row.number(panel.column)));
+      ASSERT_LT(curve, picture.curves.size());
+      const DrawnCurve& drawn = picture.curves[curve++];
+      for (const auto& [x, y] : drawn.points) heights.push_back(y);
+      const auto [least, most] = std::minmax_element(values.begin(), values.end());
+      const auto [top, bottom] = std::minmax_element(heights.begin(), heights.end());
+      const auto [end, begin] = std::minmax({pixel(drawn.y, *least), pixel(drawn.y, *most)});
+      EXPECT_NEAR(*top, end, 0.5) << run << ": " << panel.column;
+      EXPECT_NEAR(*bottom, begin, 0.5) << run << ": " << panel.column;
+    }
+  }
+  EXPECT_EQ(curve, picture.curves.size());
 }
 
 TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {

@@ -182,6 +182,14 @@ TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
   EXPECT_EQ(status, 0);
   EXPECT_TRUE(output.starts_with("50 points; 50 of them took ")) << output;
   EXPECT_EQ(files(), 1);
+  // Said with three digits: what each takes, times the points, over the jobs.
+  const auto [status_of_3, said] = rotor("sweep s.toml --dry-run --jobs 3");
+  double each_ms = 0, all_s = 0;
+  ASSERT_EQ(std::sscanf(said.c_str(), "50 points; 50 of them took %lf ms each: about %lf s with 3",
+                        &each_ms, &all_s),
+            2)
+      << said;
+  EXPECT_NEAR(all_s / (each_ms / 1000 * 50 / 3), 1, 0.01);
 }
 
 TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
