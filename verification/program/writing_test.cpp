@@ -134,6 +134,21 @@ TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
   }
 }
 
+// Its run would take minutes; what it had computed so far is no figure.
+TEST_F(Writing, EndsAFigureWhenInterrupted) {
+  write("fig01.toml",
+        "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0, until_s = 1e5 }\n"
+        "[parameters]\nfriction = 0.05\nseparation_time = 1\nuntil = 1e5\n");
+  const auto [status, output] = shell(
+      "timeout --signal=KILL 60 bash -c 'set -m; \"$0\" figure --scenes . --out out & sleep "
+      "0.5; kill -INT %1; wait %1; echo status $?' \"$rotor\"");
+  EXPECT_NE(output.find("rotor: interrupted; nothing has been written"), std::string::npos)
+      << output;
+  EXPECT_NE(output.find("status 130"), std::string::npos) << output;
+  EXPECT_FALSE(fs::exists(folder_ / "out/fig01.csv"));
+  remove("fig01.toml");
+}
+
 TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
   const auto [status, output] =
       shell("bash -c 'set -m; \"$0\" " + long_run +
