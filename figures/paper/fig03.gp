@@ -1,13 +1,13 @@
 # F_n for high, intermediate and low friction, one above the other.
 set title caption(3, "Radial component F_n of the impact force", \
-  sprintf("%s, f_{max} = %g Hz, %s; grey: %s, steps of %g μs", loss("mu = 0.3"), \
+  sprintf("%s, f_{max} = %g Hz, %s; wide grey beneath: %s, steps of %g μs", loss("mu = 0.3"), \
     number("mu = 0.3", "motor_off_hz"), stiffness("mu = 0.3"), by_method("mu = 0.3 by rk4"), \
     1e6*number("mu = 0.3 by rk4", "step_rub")))
-set multiplot layout 3,1 margins 0.1,0.97,0.11,0.87 spacing 0,0.035
+set multiplot layout 3,1 margins 0.115,0.97,0.11,0.87 spacing 0,0.035
 set xrange [29.1:29.35]
 set yrange [-500:0]
 set ytics -400,200,0
-set ylabel "F_n, kN" offset 1,0
+set ylabel "F_n, kN"
 set format x ""
 force(name) = of_run(name, "normal_force_N")/1e3
 runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
@@ -23,6 +23,7 @@ do for [i = 1:3] {
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
   fixed = name." by rk4"
-  plot data using (of_run(fixed, "time_s")):(force(fixed)) with lines linestyle fixed_steps notitle, \
+  plot data using (of_run(fixed, "time_s")):(force(fixed)) \
+  with lines linestyle fixed_steps linewidth beneath notitle, \
     data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle
 }

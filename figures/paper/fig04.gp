@@ -1,6 +1,6 @@
 # The rotation speed for high, intermediate and low friction.
 set title caption(4, "Rotation speed f = q̇_3/2π of the rotor", \
-  sprintf("%s; level: flight, steep: impacts; grey: %s, whose friction chatters in rolling", \
+  sprintf("%s; level: flight, steep: impacts; wide grey beneath: %s, whose friction chatters in rolling", \
     loss("mu = 0.3"), by_method("mu = 0.3 by rk4")))
 runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
 set xrange [29.1:29.35]
@@ -14,7 +14,7 @@ set label "paper: 45 Hz as rolling sets in, ".friction("mu = 0.3") at graph 0.98
   textcolor rgb grey boxed front
 plot for [i = 1:3] fixed = word(runs, i)." by rk4" \
   data using (of_run(fixed, "time_s")):(of_run(fixed, "speed_Hz")) \
-  with lines linestyle fixed_steps linewidth 2.4 notitle, \
+  with lines linestyle fixed_steps linewidth beneath notitle, \
   for [i = 1:3] name = word(runs, i) \
   data using (of_run(name, "time_s")):(of_run(name, "speed_Hz")) \
   with lines linetype i linewidth 1.2 title friction(name)

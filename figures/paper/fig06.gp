@@ -30,7 +30,12 @@ set label "paper: −1950 J by sliding, 1050 J left" at graph 0.01,first 1050 of
 set label sprintf("here: %.0f J, and %.0f J after the mass loss", T0, T1_0) at t_1 + 3e-4,T0 offset 0,0.7
 set arrow from continuous,graph 0 to continuous,graph 1 nohead linestyle reading
 set arrow from onset,graph 0 to onset,graph 1 nohead linestyle reading
-set label sprintf("collisions\n%+.0f J", T1 - T1_0) at 0.5*(contact_min + continuous),2300 center boxed
-set label sprintf("sliding\n%+.0f J", T2 - T1) at continuous,1900 right offset -1,0 boxed
-set label sprintf("rolling\n%.0f J left", T2) at onset,1900 left offset 1,0 boxed
+# Brackets: from which energy to which one.
+gap = 4e-4                                         # s, beside the vertical lines
+set style arrow 1 heads size screen 0.006,90 linecolor rgb black linewidth 1
+set arrow from continuous - gap,T1_0 to continuous - gap,T1 arrowstyle 1
+set arrow from onset + gap,T1 to onset + gap,T2 arrowstyle 1
+set label "collisions\n".signed("%.0f", T1 - T1_0)." J" at continuous - gap,2700 right boxed
+set label "sliding\n".signed("%.0f", T2 - T1)." J" at onset + gap,0.5*(T1 + T2) left offset 1,0.5 boxed
+set label sprintf("rolling\n%.0f J left", T2) at onset + gap,700 left boxed
 plot data using "time_s":T with lines linetype 1 linewidth 1.8 notitle

@@ -1,8 +1,9 @@
 # The velocities in rolling without slipping, drawn to the state at the onset of rolling: directions and
 # velocities are the computed ones; the clearance alone is enlarged.
 eval "set terminal ".square
+enlarged = 5                                       # the clearance, as the title says
 set title caption(10, "Velocities in rolling along the ring without slipping", \
-  "drawn to the computed onset of rolling, ".friction("run")."; the clearance is drawn enlarged")
+  "drawn to the computed onset of rolling, ".friction("run").sprintf("; clearance enlarged %d times", enlarged))
 r = number("run", "rotor_radius")
 
 # The state at the onset: the first row.
@@ -14,21 +15,21 @@ stats data every ::0::0 using "speed_Hz" name "f" nooutput
 t = t_max; rho = rho_max; f = f_max
 f_rol = f*r/rho                                    # Eq. (26)
 
-# The whirl speed measured over the first 0.1 ms: slope of the angle of O, seen from where it starts.
-near(c) = column("time_s") <= t + 1e-4 ? c : NaN
-turned(x, y) = atan2(x_max*y - y_max*x, x_max*x + y_max*y)
-stats data using (near(column("time_s"))):(turned(column("x_a_m"), column("y_a_m"))) name "whirl" nooutput
-stats data using (near(column("speed_Hz")*r/column("rho_m"))) name "rol" nooutput
-f_whirl = -whirl_slope/(2*pi)
+# The whirl's mean over the window: the angle that O turns by about O_a from row to row, added up.
+x_1 = NaN; y_1 = NaN; turned = 0
+turn(x, y) = (turned = x_1 == x_1 ? turned + atan2(x_1*y - y_1*x, x_1*x + y_1*y) : 0, x_1 = x, y_1 = y, 0)
+stats data using (turn(column("x_a_m"), column("y_a_m"))) nooutput
+stats data using "time_s" name "window" nooutput
+length = window_max - window_min
+f_whirl = -turned/(2*pi*length)
 
 # On the page: y_a to the right, x_a downwards. Lengths in units of the ring's radius.
-enlarged = 0.26                                    # rho as drawn
-scale = enlarged*(r + rho)/rho                     # how much the clearance is enlarged
+drawn = enlarged*rho/(r + rho)                     # rho on the page
 nx = y_max/rho; ny = -x_max/rho                    # direction O_a -> O -> K
 tx = -ny; ty = nx                                  # sense of the rotor's rotation
-Ox = enlarged*nx; Oy = enlarged*ny
+Ox = drawn*nx; Oy = drawn*ny
 Kx = nx; Ky = ny
-radius = 1 - enlarged
+radius = 1 - drawn
 v_O = 2*pi*f_rol*rho                               # m/s, against the sense of rotation
 u = 0.55/v_O                                       # length of an arrow per m/s
 
@@ -45,7 +46,7 @@ set object 2 circle at Ox,Oy size radius fillcolor rgb "#eef3f8" fillstyle solid
 set object 3 circle at 0,0 size 0.018 fillcolor rgb black fillstyle solid front
 set object 4 circle at Ox,Oy size 0.018 fillcolor rgb black fillstyle solid front
 set object 5 circle at Kx,Ky size 0.024 fillcolor rgb black fillstyle solid front
-set object 6 circle at 0,0 size enlarged fillstyle empty border linecolor rgb grey linewidth 1 dashtype (2,3) front
+set object 6 circle at 0,0 size drawn fillstyle empty border linecolor rgb grey linewidth 1 dashtype (2,3) front
 Px = Ox - radius*nx; Py = Oy - radius*ny           # the rim point opposite to K
 
 # Velocities: the field of a body that turns about K at this instant.
@@ -55,13 +56,13 @@ set arrow from Ox,Oy to Ox - v_O*u*tx,Oy - v_O*u*ty arrowstyle 1 front
 set arrow from Px,Py to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 2 front
 set label "O_a" at 0,0 right offset -0.6,0.6 front
 set label "O" at Ox,Oy offset 0.8,-0.8 front
-set label "path of O" at 0,-enlarged center offset 0,-0.8 textcolor rgb grey front
+set label "path of O" at 0,-drawn center offset 0,-0.8 textcolor rgb grey front
 set label "{/:Bold K}" at 1.09*Kx,1.09*Ky center front
 set label "v_K = 0" at 1.2*Kx,1.2*Ky center front
-set label sprintf("v_O = %.1f m/s", v_O) at Ox - 1.1*v_O*u*tx,Oy - 1.1*v_O*u*ty center offset 0,0.3 \
-  textcolor rgb vermilion front boxed
-set label sprintf("%.1f m/s", 2*v_O) at Px - 2.1*v_O*u*tx,Py - 2.1*v_O*u*ty center offset 0,0.3 \
-  textcolor rgb blue front boxed
+# Beyond the tips, on the side to which they point.
+side = tx < 0 ? "left offset 0.8,0" : "right offset -0.8,0"
+set label sprintf("v_O = %.1f m/s", v_O) at Ox - v_O*u*tx,Oy - v_O*u*ty @side textcolor rgb vermilion front boxed
+set label sprintf("%.1f m/s", 2*v_O) at Px - 2*v_O*u*tx,Py - 2*v_O*u*ty @side textcolor rgb blue front boxed
 # f turns with the sense of rotation, f_rol against it.
 arc(a, b, n, i) = a + (b - a)*i/n
 set parametric
@@ -79,12 +80,11 @@ set arrow from 1.1*cos(whirl_angle - 0.9),1.1*sin(whirl_angle - 0.9) \
 set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65) center \
   textcolor rgb vermilion front
 
-set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz; clearance drawn %.0f times", \
-  t, 1e3*rho, f, scale) at 0,-1.2 center
+set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz", t, 1e3*rho, f) at 0,-1.2 center
 set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz, paper 771.4 Hz;  v_O = %.2f m/s, paper 16.9 m/s", \
   f_rol, v_O) at 0,-1.31 center
-set label sprintf("over the first 0.1 ms, in which ρ and f ripple: whirl of O %.1f Hz, mean of f r/ρ %.1f Hz", \
-  f_whirl, rol_mean) at 0,-1.42 center
+set label sprintf("the %.1f ms after it, in which ρ and f ripple: whirl of O %.1f Hz on average, seen from the stator", \
+  1e3*length, f_whirl) at 0,-1.42 center
 plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb black linewidth 3, \
      Ox + 0.5*radius*cos(rotor_angle + arc(0.5, 1.18, 1, t)),Oy + 0.5*radius*sin(rotor_angle + arc(0.5, 1.18, 1, t)) \
        with lines linecolor rgb blue linewidth 1.6, \

@@ -3,11 +3,23 @@ eval "set terminal ".square
 stats data using "time_s" name "window" nooutput
 set title caption(16, "Trajectory of O in the stator's frame O_ax_ay_a", \
   sprintf("%g–%g s, ", window_min, window_max).loss("run")."; ".dotted("run"))
+t_1 = number("run", "separation_time")
+mm(c) = column(c)*1e3
+eval place_at("run", t_1, 0)
+set label at y_1,x_1 point linestyle lost front
+eval place_at("run", t_1 + 8e-3, 1e-5)
+set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
+eval place_at("run", window_max - 0.05, 1e-5)
+set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
+
 set size ratio -1
 set xrange [-4:4]
 set yrange [4:-4]
 set xlabel "y_a, mm"
 set ylabel "x_a (down), mm"
-unset key
+set key at graph 0.02,0.98 left top Left reverse
 set object 1 circle at 0,0 size clearance_of("run") fillstyle empty border linecolor rgb black linewidth 1.2 dashtype (2,3)
-plot data using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype 1 linewidth 1
+plot data using (mm("y_a_m")):(mm("x_a_m")) with lines linetype 1 linewidth 1 notitle, \
+  data using (column("time_s") == window_min ? mm("y_a_m") : NaN):(mm("x_a_m")) with points linestyle first_place title sprintf("%g s", window_min), \
+  keyentry with points linestyle lost title "mass loss", \
+  keyentry with vectors arrowstyle 5 title "sense of motion"

@@ -14,8 +14,8 @@ square_svg = "size 760,800 font 'DejaVu Sans,14' background 'white' enhanced lin
 wide_pdf = "size 16cm,9.33cm font 'DejaVu Sans,8' enhanced linewidth 0.7"
 square_pdf = "size 12.7cm,13.3cm font 'DejaVu Sans,8' enhanced linewidth 0.7"
 if (format eq "svg") { wide = "svg ".wide_svg; square = "svg ".square_svg }
-if (format eq "png") { wide = "pngcairo size 960,560 font 'DejaVu Sans,11' enhanced linewidth 1.2"
-                       square = "pngcairo size 760,800 font 'DejaVu Sans,11' enhanced linewidth 1.2" }
+if (format eq "png") { wide = "pngcairo size 1920,1120 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced linewidth 2.4"
+                       square = "pngcairo size 1520,1600 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced linewidth 2.4" }
 if (format eq "pdf") { wide = "pdfcairo ".wide_pdf; square = "pdfcairo ".square_pdf }
 eval "set terminal ".wide
 set output output
@@ -27,15 +27,20 @@ set linetype 1 linecolor rgb blue linewidth 1.3
 set linetype 2 linecolor rgb vermilion linewidth 1.3
 set linetype 3 linecolor rgb green linewidth 1.3
 set linetype 4 linecolor rgb black linewidth 1.3
-published = 11; clearance = 12; reading = 13; fixed_steps = 14
+published = 11; clearance = 12; reading = 13; fixed_steps = 14; first_place = 15; lost = 16
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 4)
 set style line clearance linecolor rgb black linewidth 1 dashtype (2, 3)
-set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 0.8
+set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
+beneath = 3.4                                       # its width beneath a curve that it may equal
+set style line first_place pointtype 6 pointsize 1 linecolor rgb black linewidth 1.5
+set style line lost pointtype 2 pointsize 1.2 linecolor rgb vermilion linewidth 2
 set style line reading linecolor rgb grey linewidth 0.8
 
 set border linewidth 0.8
 set tics nomirror scale 0.7
-set grid linecolor rgb "#dddddd" linewidth 0.6
+set grid linetype 1 dashtype solid linecolor rgb "#d8d8d8" linewidth 0.6
+set minussign
+signed(form, x) = x < 0 ? "−".sprintf(form, -x) : "+".sprintf(form, x)
 set key opaque samplen 2 spacing 1.15
 set title offset 0,0.3
 set style textbox opaque noborder margins 0.4,0.4
@@ -64,6 +69,14 @@ power_of_ten(x) = sprintf("%g×10^{%d}", x/10**floor(log10(x)), floor(log10(x)))
 x_0 = NaN; y_0 = NaN; crossing = NaN
 follow(x, y, at) = (x_0 < at && x >= at ? crossing = y_0 + (y - y_0)*(at - x_0)/(x - x_0) : 0, \
   x_0 = x, y_0 = y, 0)
+
+# The place of O at a time, mm, and where it is a little later: eval place_at(run, time_s, a_little_s)
+# gives y_1, x_1 and y_2, x_2.
+coordinate(run, c, t) = sprintf("stats data using (follow(of_run('%s', 'time_s'), of_run('%s', '%s')*1e3, %.17g)) nooutput; ", \
+  run, run, c, t)
+place_at(run, t, later) = coordinate(run, "y_a_m", t)."y_1 = crossing; ".coordinate(run, "x_a_m", t)."x_1 = crossing; ". \
+  coordinate(run, "y_a_m", t + later)."y_2 = crossing; ".coordinate(run, "x_a_m", t + later)."x_2 = crossing"
+set style arrow 5 head filled size screen 0.022,18,90 fixed linecolor rgb black linewidth 1
 
 # Parts of captions.
 friction(run) = sprintf("μ = %g", number(run, "friction"))

@@ -70,6 +70,11 @@ std::vector<Curve> curves(const Figure& figure) {
   return all;
 }
 
+/// A whole number with its sign, the minus being the typographer's.
+std::string with_sign(double number) {
+  return (number < 0 ? "\u2212" : "+") + fmt::format("{:.0f}", std::abs(number));
+}
+
 class Pictures : public CommandLine,
                  public testing::WithParamInterface<std::tuple<Figure, Equations>> {
  protected:
@@ -163,8 +168,9 @@ std::vector<std::string> Pictures::captions() const {
         all.push_back(fmt::format("μ = {}", scenario(n).parameters.friction));
         all.push_back(fmt::format("largest |Fn|: {:.1f} kN", force(n)));
       }
-      all.push_back(loss +
-                    ", fmax = 150 Hz, kt = 8×108 N/m; grey: published method, steps of 5 μs");
+      all.push_back(
+          loss +
+          ", fmax = 150 Hz, kt = 8×108 N/m; wide grey beneath: published method, steps of 5 μs");
       break;
     case 4:
       for (std::size_t n = 0; n < 3; ++n)
@@ -181,25 +187,31 @@ std::vector<std::string> Pictures::captions() const {
       all = {"μ = 0.3, " + loss, fmt::format("from {:.4f} s", *of[0].rolling_onset_s)};
       break;
     case 8:
-      all = {"μ = 0.3, 29–29.13 s, " + loss + "; " + clearance};
+      all = {"μ = 0.3, 29–29.13 s, " + loss + "; " + clearance, "29 s", "mass loss",
+             "sense of motion"};
       break;
     case 9:
-      all = {"μ = 0.08, 29–29.35 s, " + loss + "; " + clearance, "published method",
-             "event method"};
+      all = {"μ = 0.08, 29–29.35 s, " + loss + "; " + clearance,
+             "published method",
+             "event method",
+             "29 s",
+             "mass loss",
+             "sense of motion"};
       break;
     case 10:
       all = {fmt::format("onset of rolling t = {:.5f} s", *of[0].rolling_onset_s),
-             fmt::format("f = {:.2f} Hz", *of[0].rolling_onset_speed_Hz), "rolling, μ = 0.3;"};
+             fmt::format("f = {:.2f} Hz", *of[0].rolling_onset_speed_Hz),
+             "rolling, μ = 0.3; clearance enlarged 5 times"};
       break;
     case 11:
       all = {"μ = 0.3, kt = 8×108 N/m, " + loss, fmt::format("largest |Fn|: {:.1f} kN", force(0))};
       for (const std::size_t n : {1U, 2U})
-        all.push_back(fmt::format("largest |Fn|: {:.1f} kN, {:+.0f} %", force(n),
-                                  100 * (force(n) / force(0) - 1)));
+        all.push_back(fmt::format("largest |Fn|: {:.1f} kN, {} %", force(n),
+                                  with_sign(100 * (force(n) / force(0) - 1))));
       break;
     case 12:
     case 13:
-      all = {fmt::format("mass loss at t1 = {} s", figure().from_s),
+      all = {fmt::format("mass loss at t1 = {} s", figure().from_s), "dashed: paper",
              "μ = 0.3, kt = 8×108 N/m, motor still driving", at_peak(0),
              fmt::format("here: {:.1f} Hz", lost_at_Hz)};
       break;
@@ -210,7 +222,8 @@ std::vector<std::string> Pictures::captions() const {
              "motor still driving; " + clearance};
       break;
     case 16:
-      all = {"9.3–9.8 s, mass loss at t1 = 9.4 s; " + clearance};
+      all = {"9.3–9.8 s, mass loss at t1 = 9.4 s; " + clearance, "9.3 s", "mass loss",
+             "sense of motion"};
       break;
     case 17:
       all = {

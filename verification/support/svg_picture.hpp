@@ -48,12 +48,19 @@ inline std::string without_tags(const std::string& text) {
   return plain;
 }
 
+/// A number as a tic label has it, whose minus sign is the typographer's.
+inline double number_of(std::string label) {
+  const std::string minus = "\u2212";
+  if (label.starts_with(minus)) label.replace(0, minus.size(), "-");
+  return std::stod(label);
+}
+
 /// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
 /// panel before its curves. All panels have the x axis of the last one.
 struct Picture {
   explicit Picture(const std::string& svg) {
     Axis y_axis;
-    Points line;  // the last one of the grid
+    Points line;  // the last one of the grid; the key may interrupt it
     bool in_curve = false, y_is_old = false;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
@@ -76,9 +83,9 @@ struct Picture {
         }
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
-        if (line.size() == 2 && !texts.back().empty()) {
-          const double value = std::stod(texts.back());
-          const bool upright = line[0].first == line[1].first;
+        if (line.size() >= 2 && !texts.back().empty()) {
+          const double value = number_of(texts.back());
+          const bool upright = line.front().first == line.back().first;
           if (!upright && std::exchange(y_is_old, false)) y_axis.clear();
           (upright ? x : y_axis)[value] = upright ? line[0].first : line[0].second;
         }
