@@ -119,8 +119,11 @@ $(OUT)/.data: $(ROTOR) $(SCENES)
 	@rm -rf $(OUT)/new; touch $@
 $(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data ;
 
-$(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp
-	@gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'" \
+# Points that were read off a printed figure, if there are any, are drawn into it.
+DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
+$(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
+	@gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'; \
+	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" \
 	  figures/paper/style.gp figures/paper/$*.gp && mv $@.part $@ && echo "$@"
 figures/paper/%.gp:
 	$(error The scene figures/paper/$*.toml has no script $@ that draws it)

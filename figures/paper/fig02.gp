@@ -10,14 +10,17 @@ set ytics 0.5
 stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
 
 set ylabel "q_1, mm"
-plot data using "time_s":(column("q1_m")*1e3) with lines linetype 1 notitle
+its_quantity = "q1_m"
+plot data using "time_s":(column("q1_m")*1e3) with lines linetype 1 notitle @digitised
 unset title
 set ylabel "q_2, mm"
-plot data using "time_s":(column("q2_m")*1e3) with lines linetype 2 notitle
+its_quantity = "q2_m"
+plot data using "time_s":(column("q2_m")*1e3) with lines linetype 2 notitle @digitised
 set ylabel "ρ, mm"
 set xlabel "t, s" offset 0,0.4
 set format x "%g"
 set label sprintf("largest ρ = %.2f mm at %.2f s", rho_max_y, rho_pos_max_y) \
   at rho_pos_max_y, rho_max_y offset 2,-0.5
 set yrange [0:*]
-plot data using "time_s":(column("rho_m")*1e3) with lines linetype 3 notitle
+its_quantity = "rho_m"
+plot data using "time_s":(column("rho_m")*1e3) with lines linetype 3 notitle @digitised

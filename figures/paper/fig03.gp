@@ -23,7 +23,8 @@ do for [i = 1:3] {
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
   fixed = name." by rk4"
+  its_run = name
   plot data using (of_run(fixed, "time_s")):(force(fixed)) \
   with lines linestyle fixed_steps linewidth beneath notitle, \
-    data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle
+    data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle @digitised
 }

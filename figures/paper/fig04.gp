@@ -17,4 +17,5 @@ plot for [i = 1:3] fixed = word(runs, i)." by rk4" \
   with lines linestyle fixed_steps linewidth beneath notitle, \
   for [i = 1:3] name = word(runs, i) \
   data using (of_run(name, "time_s")):(of_run(name, "speed_Hz")) \
-  with lines linetype i linewidth 1.2 title friction(name)
+  with lines linetype i linewidth 1.2 title friction(name) \
+  @digitised

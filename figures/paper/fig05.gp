@@ -16,4 +16,5 @@ set label beside("largest |F_n|", sprintf("%.1f kN at %.4f s", -F_min_y, F_pos_m
   at graph 0.05,0.35 boxed front
 set label beside("onset of rolling", sprintf("%.4f s after the first contact", rolling_min - contact_min), \
   "0.023 s after the first collision") at graph 0.05,0.6 boxed front
-plot data using "time_s":(column("normal_force_N")/1e3) with lines linetype 1 notitle
+plot data using "time_s":(column("normal_force_N")/1e3) with lines linetype 1 notitle \
+  @digitised

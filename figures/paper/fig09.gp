@@ -25,4 +25,5 @@ plot data using (mm("rk4", "y_a_m")):(mm("rk4", "x_a_m")) with lines linestyle f
   data using (of_run("event", "time_s") == window_min ? mm("event", "y_a_m") : NaN):(mm("event", "x_a_m")) with points linestyle first_place \
     title sprintf("%g s", window_min), \
   keyentry with points linestyle lost title "mass loss", \
-  keyentry with vectors arrowstyle 5 title "sense of motion"
+  keyentry with vectors arrowstyle 5 title "sense of motion" \
+  @digitised

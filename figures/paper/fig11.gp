@@ -23,5 +23,6 @@ do for [i = 1:3] {
          unset arrow 1 }
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
-  plot data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle
+  its_run = name
+  plot data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle @digitised
 }

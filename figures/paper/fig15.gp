@@ -12,4 +12,5 @@ set ylabel "ρ, mm"
 set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("run") nohead linestyle clearance
 set label beside("largest ρ", sprintf("%.3f mm at %.4f s: %s", rho_max_y, rho_pos_max_y, contact("run", rho_max_y)), \
   "no contact") at graph 0.97,0.75 right boxed front
-plot data using "time_s":(column("rho_m")*1e3) with lines linetype 1 notitle
+plot data using "time_s":(column("rho_m")*1e3) with lines linetype 1 notitle \
+  @digitised

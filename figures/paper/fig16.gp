@@ -22,4 +22,5 @@ set object 1 circle at 0,0 size clearance_of("run") fillstyle empty border linec
 plot data using (mm("y_a_m")):(mm("x_a_m")) with lines linetype 1 linewidth 1 notitle, \
   data using (column("time_s") == window_min ? mm("y_a_m") : NaN):(mm("x_a_m")) with points linestyle first_place title sprintf("%g s", window_min), \
   keyentry with points linestyle lost title "mass loss", \
-  keyentry with vectors arrowstyle 5 title "sense of motion"
+  keyentry with vectors arrowstyle 5 title "sense of motion" \
+  @digitised

@@ -22,4 +22,5 @@ set label sprintf("speed at the mass loss: %.1f Hz; paper: %g Hz, which is passe
   crossing) \
   at graph 0.97,0.75 right boxed front
 plot data using (of_run("a", "time_s")):(rho("a")) with lines linetype 2 title "a", \
-     data using (of_run("b", "time_s")):(rho("b")) with lines linetype 1 linewidth 1.8 title "b"
+     data using (of_run("b", "time_s")):(rho("b")) with lines linetype 1 linewidth 1.8 title "b" \
+  @digitised

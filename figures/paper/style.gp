@@ -3,6 +3,7 @@
 #   output    the picture
 #   format    svg, pdf or png
 #   equations published or consistent; published if not given
+#   points    files of points read off the printed figure, in its axes' units; none if not given
 # The picture is wide; a script that wants it square says: eval "set terminal ".square
 
 set datafile separator comma
@@ -56,6 +57,18 @@ beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ou
 
 # The column of one run, for scenes with several.
 of_run(name, c) = strcol("run") eq name ? column(c) : NaN
+
+# Points read off the printed figure, drawn by `plot ... @digitised`: those of one run or one quantity,
+# if a script says of which.
+if (!exists("points")) points = ""
+its_run = ""; its_quantity = ""
+is_wanted(wanted, c) = wanted eq "" || strcol(c) eq wanted
+read_off(c) = is_wanted(its_run, "run") && is_wanted(its_quantity, "quantity") ? column(c) : NaN
+set style line 17 pointtype 4 pointsize 0.7 linecolor rgb black linewidth 1
+set errorbars 0
+digitised = points eq "" ? "" : ', for [file in points] file using \
+  (read_off("x")):(read_off("y")):(read_off("x_error")):(read_off("y_error")) \
+  with xyerrorbars linestyle 17 title file eq word(points, 1) ? "printed" : ""'
 
 # What the data say of a run in the lines above their header row: its method, and its numbers.
 said(run, what) = system(sprintf("sed -n 's/^# %s: %s.*/\\1/p' '%s'", run, what, data))

@@ -83,11 +83,12 @@ class Pictures : public CommandLine,
   std::string name() const { return fmt::format("fig{:02}", figure().number); }
 
   /// As `make` draws it.
-  Outcome draw() const {
+  Outcome draw(const std::string& points = "") const {
     return shell(fmt::format(
         "$rotor figure {0} --out . --equations {1} 2>/dev/null && gnuplot -e \"data = '{2}.csv'; "
-        "output = '{2}.svg'; format = 'svg'; equations = '{1}'\" {3}/style.gp {3}/{2}.gp",
-        figure().number, name_of(equations()), name(), ROTOR_SCENES));
+        "output = '{2}.svg'; format = 'svg'; equations = '{1}'; points = '{4}'\" {3}/style.gp "
+        "{3}/{2}.gp",
+        figure().number, name_of(equations()), name(), ROTOR_SCENES, points));
   }
 
   std::vector<std::pair<double, double>> data(const Curve& curve) const {
@@ -251,6 +252,37 @@ TEST_P(Pictures, ShowTheDataAndSayWhatTheEngineSays) {
         picture.texts.begin(), picture.texts.end(),
         [&](const std::string& text) { return text.find(caption) != std::string::npos; }))
         << caption;
+}
+
+// Each point stands once, in the panel of its run and quantity, and where it was read off.
+TEST_P(Pictures, ShowPointsThatWereReadOffThePrintedOne) {
+  const std::vector<Curve> drawn = curves(figure());
+  if (drawn.empty()) return;  // a scheme
+  ASSERT_EQ(draw().status, 0);
+  const Picture without(content(name() + ".svg"));
+  std::string table = "run,quantity,x,y,x_error,y_error\n";
+  Points places;
+  for (std::size_t n = 0; n < drawn.size(); ++n) {
+    if (drawn[n].run.ends_with("rk4")) continue;
+    const auto points = data(drawn[n]);
+    const auto& [x, y] = points[points.size() / 2];
+    table += fmt::format("{},{},{},{},0,0\n", drawn[n].run, drawn[n].y, x, y);
+    places.emplace_back(pixel(without.x, x), pixel(without.curves[n].y, y));
+  }
+  write("points.csv", table);
+  const Outcome with_points = draw("points.csv");
+  ASSERT_EQ(with_points.status, 0) << with_points.output;
+  EXPECT_EQ(with_points.output, "");
+  const Picture picture(content(name() + ".svg"));
+  // Once each, and once in the key of each panel.
+  const auto keys = std::count(picture.texts.begin(), picture.texts.end(), "printed");
+  EXPECT_EQ(picture.squares.size(), places.size() + static_cast<std::size_t>(keys));
+  for (const auto& [x, y] : places)
+    EXPECT_TRUE(std::any_of(picture.squares.begin(), picture.squares.end(),
+                            [&, at_x = x, at_y = y](const auto& square) {
+                              return std::hypot(square.first - at_x, square.second - at_y) < 0.5;
+                            }))
+        << x << ", " << y;
 }
 
 std::string name_of_case(const testing::TestParamInfo<Pictures::ParamType>& c) {

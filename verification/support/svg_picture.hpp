@@ -68,7 +68,7 @@ struct Picture {
       return svg.substr(from, at - from);
     };
     for (std::size_t at = 0; (at = svg.find('<', at)) != std::string::npos; ++at) {
-      const std::string_view tag(&svg[at], std::min<std::size_t>(20, svg.size() - at));
+      const std::string_view tag(&svg[at], std::min<std::size_t>(30, svg.size() - at));
       if (tag.starts_with("<g id=\"gnuplot_plot_")) {
         in_curve = y_is_old = true;
         curves.push_back({{}, y_axis});
@@ -81,6 +81,8 @@ struct Picture {
         } else if (in_curve && points.size() > curves.back().points.size()) {
           curves.back().points = points;  // the shorter one is the key's sample
         }
+      } else if (tag.starts_with("<use xlink:href='#gpPt3' tr")) {
+        squares.push_back(corners(between(at, "translate(", ")")).front());
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
         if (line.size() >= 2 && !texts.back().empty()) {
@@ -97,6 +99,7 @@ struct Picture {
 
   Axis x;
   std::vector<DrawnCurve> curves;
+  Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
 };
 
