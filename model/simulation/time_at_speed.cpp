@@ -101,24 +101,19 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
     return whole_steps;
   }();
   Scenario run_up = run_up_to_speed(scenario);
-  constexpr double not_there = -1;  // less than any speed makes it
   std::optional<UntilContact> look;
   const auto excess = [&](double time_s) {
     run_up.until = time_s;
     Simulation there = before.with(run_up);
     there.finish(look.emplace(patience));
-    if (look->touches || patience.is_over) return not_there;
     const double share = in_Hz(there.instant().state[5]) / speed_Hz - 1;
     constexpr double rounding = 1e-12;  // of the speed at which the motor is switched off
     return std::abs(share) < rounding && watch.motor_off ? 0 : share;
   };
   const double before_s = before.instant().time_s;
   double after_s = way.stopped() ? watch.after_s : end_s;
-  const auto is_slower = [&](double time_s) {
-    const double share = excess(time_s);
-    return not_there < share && share < 0;
-  };
-  while (!watch.motor_off && after_s < end_s && is_slower(after_s))
+  const auto may_become_faster = [&] { return !watch.motor_off && !look->touches; };
+  while (after_s < end_s && excess(after_s) < 0 && may_become_faster() && !patience.is_over)
     after_s = std::min(end_s, after_s + (watch.after_s - before_s));
   if (excess(after_s) < 0)
     return {std::nullopt, look->until_s, std::max(watch.greatest_Hz, look->greatest_Hz),

@@ -112,6 +112,12 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
     simulation.pass_mass_loss(null_observer);
     EXPECT_NEAR(simulation.instant().state[5] / (2 * std::numbers::pi) / speed_Hz, 1, 1e-12);
   }
+  // That at which the motor is switched off is reached, whatever it is.
+  for (int n = 0; n < 20; ++n) {
+    const double speed_Hz = 20 + n * std::numbers::pi;
+    EXPECT_EQ(refusal(numbers({{"separation_speed_hz", speed_Hz}, {"motor_off_hz", speed_Hz}})),
+              "");
+  }
   EXPECT_NE(refusal(numbers({{"separation_speed_hz", 151}})).find("150 Hz at most"),
             std::string::npos);
   EXPECT_NE(refusal(numbers({{"separation_speed_hz", 75}, {"until", 3}})).find("is not reached"),
@@ -121,6 +127,10 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   // What is faster behind a contact, this one at 1.77 s, does not count.
   const std::string touches =
       refusal(numbers({{"separation_speed_hz", 75}, {"eccentricity", 1e-3}}));
+  // Another passes the resonance against the ring, without friction.
+  EXPECT_NE(refusal(numbers({{"separation_speed_hz", 75}, {"eccentricity", 4e-4}, {"friction", 0}}))
+                .find("when it touches the ring"),
+            std::string::npos);
   EXPECT_NE(touches.find("until 1.77346 s, when it touches the ring, the rotor has 9.21934 Hz"),
             std::string::npos)
       << touches;
