@@ -48,6 +48,51 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
   EXPECT_EQ(held_beyond, 0);
 }
 
+/// A rotor that rolls with the ring indented by a hundredth of the clearance.
+struct RollingRotor {
+  explicit RollingRotor(double contact_damping)
+      : rotor({.contact_damping = contact_damping}, Equations::published) {}
+
+  Unknowns unknowns() const { return chart.without_slip(chart.unknowns(q)); }
+
+  RotorSystem<double> rotor;
+  State<double> q = {1.01 * rotor.ring.clearance, 0, 0, 0, 0, 300};
+  ContactChart<double> chart{rotor, q};
+  Rolling<double> phase{rotor, chart};
+};
+
+// What friction can hold beyond what it must, which is at most mu |F_n|, is the same at both ends
+// of a step; falling and rising as fast as they say it would be below zero in between.
+TEST(RollingBounds, SayNothingOfAStepInWhichTheReserveMayDip) {
+  const double h = 1e-4;
+  const auto stays = [&](double damping, double velocity, double acceleration) {
+    const RollingRotor rolling(damping);
+    Point<double, Unknowns> from{0, rolling.unknowns(), {}}, to{h, rolling.unknowns(), {}};
+    rolling.phase(from.x, from.rates, 0);
+    to.rates = from.rates;
+    from.x[3] -= velocity;
+    to.x[3] += velocity;
+    from.rates[3] = -acceleration;
+    to.rates[3] = acceleration;
+    return rolling.phase.event_bounds(from, to)[1].stays_positive;
+  };
+  const RollingRotor rolling(0);
+  const double stiffness = rolling.rotor.ring.stiffness, indentation = 0.01 * 3e-3;
+  const double dips = 8 * indentation / h;  // by twice all of the reserve
+  EXPECT_TRUE(stays(0, 0, 0));
+  EXPECT_TRUE(stays(0, dips / 100, 0));
+  EXPECT_FALSE(stays(0, dips, 0));
+  const double damping = 1e4;  // whose force follows the acceleration
+  EXPECT_TRUE(stays(damping, 0, 0));
+  EXPECT_FALSE(stays(damping, 0, dips * stiffness / damping));
+}
+
+TEST(RollingBounds, TakeTheRotorsTurnIntoWhatCurvesSwingByInAStep) {
+  const RollingRotor rolling(0);
+  const double h = 1e-5, ring = std::sqrt(8e8 / 5);
+  EXPECT_NEAR(rolling.phase.swing(rolling.unknowns(), h), h * (ring + 300), 1e-12);
+}
+
 // Over steps in which a strong motor drives a rotor that mostly turns slowly at first, and damping
 // takes up to half of its speed, no bound is less than what is reached in between.
 TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
@@ -82,8 +127,11 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
     // In steps of a tenth of the fastest decay.
     const int steps = 20 + static_cast<int>(10 * p.support_damping / p.mass * h);
     boost::numeric::odeint::runge_kutta4<FlightChart<double>::Unknowns> stepper;
-    double displacement = rho, bearing_force = 0, speed = std::abs(q[5]);
+    double displacement = rho, bearing_force = 0, speed = std::abs(q[5]), bend = 0;
+    std::array<double, 3> gaps{};  // the last ones, as touch-down's guard has them
     for (int i = 0; i < steps; ++i) {
+      gaps = {gaps[1], gaps[2], phase.guard(0, to.x)};
+      if (i > 1) bend = std::max(bend, std::abs(gaps[0] - 2 * gaps[1] + gaps[2]));
       stepper.do_step(phase, to.x, 0., h / steps);
       const auto extremes = phase.extremes(to.x, {});
       displacement = std::max(displacement, extremes[0].value);
@@ -97,6 +145,10 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
     constexpr double rounding = 1e-9;
     EXPECT_GE((*reach)[0], displacement * (1 - rounding)) << n;
     EXPECT_GE((*reach)[1], bearing_force * (1 - rounding)) << n;
+    const double square = rotor.ring.clearance * rotor.ring.clearance, part = h / steps;
+    EXPECT_GE(*phase.event_bounds(from, to)[0].curvature * part * part,
+              bend * (1 - rounding) - 1e-15 * square)
+        << n;
     rotor.motor_off = speed * (1 - rounding);
     EXPECT_FALSE(phase.event_bounds(from, to)[1].stays_positive) << n;
   }

@@ -22,6 +22,18 @@ std::optional<double> crossing(const F& f, const Slope& slope,
   return first_crossing(at(0), at(1), resolution, bend, at);
 }
 
+// The least that a cubic needs is what it bends at its ends; twice that is left for what is none.
+TEST(Crossing, TakesAFunctionToBendTwiceAsMuchAsTheCubicThroughItsEnds) {
+  const double a = 0.7, b = -2.1, c = 0.4, d = 0.3;
+  for (const auto& [from, until] : {std::pair(0., 0.5), std::pair(-0.3, 2.), std::pair(1., 1.25)}) {
+    const auto at = [&](double t) {
+      return ValueAndSlope<double>{t, ((a * t + b) * t + c) * t + d, (3 * a * t + 2 * b) * t + c};
+    };
+    const double most = std::max(std::abs(6 * a * from + 2 * b), std::abs(6 * a * until + 2 * b));
+    EXPECT_NEAR(estimated_curvature(at(from), at(until)), 2 * most, 1e-12);
+  }
+}
+
 TEST(Crossing, IsFoundOnTheFarSide) {
   const auto zero = crossing([](double t) { return std::cos(2 * t); },
                              [](double t) { return -2 * std::sin(2 * t); });

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "figures/data/csv.hpp"
 #include "figures/scenes/names.hpp"
@@ -199,11 +200,17 @@ std::vector<std::string> Pictures::captions() const {
              "mass loss",
              "sense of motion"};
       break;
-    case 10:
+    case 10: {
+      const double rho =
+          static_cast<double>(read_csv(folder_ / (name() + ".csv")).front().number("rho_m"));
+      const double rolling_Hz = *of[0].rolling_onset_speed_Hz * 0.06 / rho;  // Eq. (26)
       all = {fmt::format("onset of rolling t = {:.5f} s", *of[0].rolling_onset_s),
              fmt::format("f = {:.2f} Hz", *of[0].rolling_onset_speed_Hz),
+             fmt::format("frol = f r/ρ = {:.1f} Hz", rolling_Hz),
+             fmt::format("vO = {:.2f} m/s", 2 * std::numbers::pi * rolling_Hz * rho),
              "rolling, μ = 0.3; clearance enlarged 5 times"};
       break;
+    }
     case 11:
       all = {"μ = 0.3, kt = 8×108 N/m, " + loss, fmt::format("largest |Fn|: {:.1f} kN", force(0))};
       for (const std::size_t n : {1U, 2U})

@@ -72,6 +72,16 @@ TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {
   EXPECT_TRUE(content("a.png").substr(1).starts_with("PNG"));
 }
 
+TEST_F(Plot, WaitsForGnuplotWhateverSignalComes) {
+  write("gnuplot", "#!/bin/sh\nsleep 0.7\nPATH=${PATH#*:} exec gnuplot \"$@\"\n");
+  fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
+  const auto [status, output] = shell(
+      "(PATH=$PWD:$PATH exec $rotor plot \"it's.toml\" --out a.svg) & sleep 0.4; kill -INT $!; "
+      "wait $!");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(content("a.svg").find("</svg>"), std::string::npos);
+}
+
 TEST_F(Plot, FollowsLinksAndKeepsTheMode) {
   write("target.svg", "old");
   fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);

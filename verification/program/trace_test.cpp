@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "figures/scenes/columns.hpp"
+#include "figures/scenes/recorder.hpp"
 #include "model/simulation/energy.hpp"
 #include "model/simulation/simulation.hpp"
 #include "verification/support/command_line.hpp"
@@ -49,6 +50,25 @@ TEST_F(Trace, HasNoMoreRowsThanItsCurvesNeed) {
   const auto rows = numbers("--from 29.1 --until 29.12 --columns time_s,rho_m");
   EXPECT_GT(rows.size(), 100U);
   EXPECT_LT(rows.size(), 1300U);
+}
+
+// Of the largest force, which is negative in compression, only what is larger is still of interest.
+TEST_F(Trace, AsksForMaximaAboveThoseThatItHas) {
+  const Scenario scenario;
+  Recorder recorder({.from_s = 0, .length_s = 1}, {find_column("normal_force_N")}, scenario, 1e-4,
+                    [](auto) {});
+  const auto threshold = [&] { return recorder.threshold(Extreme::normal_force, 0.1, 0.2); };
+  const auto pressed = [&](double indentation) {
+    return Instant{.time_s = 0.1,
+                   .state = {3e-3 + indentation, 0, 0, 0, 0, 300},
+                   .body = Body<double>::of(scenario.parameters),
+                   .contact = ContactState::rolling};
+  };
+  EXPECT_EQ(threshold(), 0);
+  recorder.on_instant(pressed(1e-5));
+  EXPECT_NEAR(threshold(), 8000, 1e-6);
+  recorder.on_maximum({Extreme::normal_force, 1e4, pressed(1.2e-5)});
+  EXPECT_NEAR(threshold(), 9600, 1e-6);
 }
 
 // Asked directly: a run that ends at the time of a row.

@@ -33,6 +33,15 @@ TEST_F(Writing, GoesThroughWhatIsNoRegularFile) {
   remove("copy");
 }
 
+// Who has it open, reads what has been written.
+TEST_F(Writing, WritesToADescriptorInItsPlace) {
+  const auto [status, output] =
+      shell("exec 3<>t.csv; $rotor " + short_run + " --trace /dev/fd/3 >/dev/null 2>&1; cat <&3");
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(output.starts_with("# Trace of a run")) << output;
+  remove("t.csv");
+}
+
 TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   write("target", "old");
   ASSERT_EQ(::chmod((folder_ / "target").c_str(), 0600), 0);
