@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,7 +39,7 @@ bool overlaps(const Allowed& allowed, const Spread& spread) {
   return spread.low <= allowed.greatest && spread.high >= allowed.least;
 }
 
-/// The stored ensembles, by claim and reading.
+/// The stored ensembles, by number and reading.
 using Ensembles = std::map<std::pair<std::string, std::string>, std::pair<Spread, Spread>>;
 
 Ensembles read_ensembles(const std::filesystem::path& table) {
@@ -52,7 +53,7 @@ Ensembles read_ensembles(const std::filesystem::path& table) {
       return Spread{static_cast<long>(number("draws")), number("median"), number("p5"),
                     number("p95"), number("share")};
     };
-    all[{row["claim"], row["reading"]}] = {spread_of("times"), spread_of("all")};
+    all[{row["number"], row["reading"]}] = {spread_of("times"), spread_of("all")};
   }
   return all;
 }
@@ -68,17 +69,36 @@ std::string cells(const Spread& spread) {
 
 }  // namespace
 
-std::string verdict_of(const Claim& claim) {
+std::string verdict_of(const Number& number) {
   const auto holds = [&](const std::optional<double>& value) {
-    return value && claim.allowed.holds(*value);
+    return value && number.allowed.holds(*value);
   };
-  for (const ClaimReading& reading : claim.readings)
+  for (const Reading& reading : number.readings)
     if (holds(reading.converged) || holds(reading.by_rk4)) return "reproduced";
-  if (claim.is_arithmetic) return "refuted";
-  for (const ClaimReading& reading : claim.readings)
-    if (overlaps(claim.allowed, reading.times) || overlaps(claim.allowed, reading.everything))
+  if (number.kind != Kind::simulated) return "refuted";
+  for (const Reading& reading : number.readings)
+    if (overlaps(number.allowed, reading.times) || overlaps(number.allowed, reading.everything))
       return "within rounding";
   return "refuted";
+}
+
+std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers) {
+  const std::vector<std::string> from_best = {"reproduced", "within rounding", "refuted"};
+  std::map<std::string, std::string> worst;
+  for (const Number& number : numbers) {
+    std::string& verdict = worst.try_emplace(number.claim, number.verdict).first->second;
+    if (std::ranges::find(from_best, number.verdict) > std::ranges::find(from_best, verdict))
+      verdict = number.verdict;
+  }
+  return worst;
+}
+
+std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers) {
+  std::set<std::string> names;
+  for (const Number& number : numbers)
+    for (const Reading& reading : number.readings)
+      if (number.kind != Kind::method) names.insert(reading.name);
+  return {names.begin(), names.end()};
 }
 
 double half_digit(const std::string& printed) {
@@ -118,80 +138,87 @@ Allowed allowed(const std::string& printed, const std::string& rule) {
   throw std::invalid_argument("there is no rule " + rule);
 }
 
-std::vector<Claim> read_claims(const std::filesystem::path& table) {
+std::vector<Number> read_numbers(const std::filesystem::path& table) {
+  static const std::map<std::string, Kind> kinds = {
+      {"arithmetic", Kind::arithmetic}, {"method", Kind::method}, {"simulated", Kind::simulated}};
   const std::vector<std::string> known = all_readings();
-  std::vector<Claim> claims;
+  std::vector<Number> numbers;
   for (const CsvRow& row : read_csv(table)) {
-    Claim claim{.id = row["claim"],
-                .figures = row["figures"],
-                .place = row["place"],
-                .says = row["says"],
-                .printed = row["printed"],
-                .rule = row["rule"],
-                .unit = row["unit"],
-                .is_arithmetic = row["kind"] == "arithmetic",
-                .readings = {},
-                .expected_verdict = row["verdict"],
-                .reason = row["reason"],
-                .verdict = {}};
+    if (!kinds.contains(row["kind"])) row.fail("there is no kind " + row["kind"]);
+    Number number{.claim = row["claim"],
+                  .id = row["number"],
+                  .figures = row["figures"],
+                  .place = row["place"],
+                  .says = row["says"],
+                  .printed = row["printed"],
+                  .rule = row["rule"],
+                  .unit = row["unit"],
+                  .kind = kinds.at(row["kind"]),
+                  .readings = {},
+                  .expected_verdict = row["verdict"],
+                  .reason = row["reason"],
+                  .verdict = {}};
     try {
-      claim.allowed = allowed(claim.printed, claim.rule);
+      number.allowed = allowed(number.printed, number.rule);
     } catch (const std::exception& error) {
       row.fail(error.what());
     }
     for (const std::string& name : words(row["readings"])) {
       if (std::ranges::find(known, name) == known.end()) row.fail("nothing computes " + name);
-      claim.readings.push_back({name, {}, {}, {}, {}});
+      number.readings.push_back({name, {}, {}, {}, {}});
     }
-    if (claim.readings.empty()) row.fail("there is no reading");
-    claims.push_back(std::move(claim));
+    if (number.readings.empty()) row.fail("there is no reading");
+    numbers.push_back(std::move(number));
   }
-  return claims;
+  return numbers;
 }
 
-std::vector<Claim> judged_claims(const std::filesystem::path& folder) {
-  std::vector<Claim> claims = read_claims(folder / "claims.csv");
+std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
+  std::vector<Number> numbers = read_numbers(folder / "claims.csv");
   const Ensembles ensembles = read_ensembles(folder / "ensembles.csv");
   PaperInputs own_method;
   own_method.statement.method = Method::rk4;
   PaperRuns converged{PaperInputs{}}, by_rk4(own_method);
-  for (Claim& claim : claims) {
-    for (ClaimReading& reading : claim.readings) {
+  for (Number& number : numbers) {
+    for (Reading& reading : number.readings) {
       reading.converged = read_off(reading.name, converged);
       reading.by_rk4 = read_off(reading.name, by_rk4);
-      std::tie(reading.times, reading.everything) = ensembles.at({claim.id, reading.name});
+      if (number.kind != Kind::method)
+        std::tie(reading.times, reading.everything) = ensembles.at({number.id, reading.name});
     }
-    claim.verdict = verdict_of(claim);
+    number.verdict = verdict_of(number);
   }
-  return claims;
+  return numbers;
 }
 
-std::string ensembles_csv(const std::vector<Claim>& claims, const Draws& times,
+std::string ensembles_csv(const std::vector<Number>& numbers, const Draws& times,
                           const Draws& everything) {
   std::string csv =
-      "claim,reading,draws_times,median_times,p5_times,p95_times,share_times,draws_all,median_all,"
+      "number,reading,draws_times,median_times,p5_times,p95_times,share_times,draws_all,median_all,"
       "p5_all,p95_all,share_all\n";
-  for (const Claim& claim : claims)
-    for (const ClaimReading& reading : claim.readings) {
-      const auto holds = [&](double value) { return claim.allowed.holds(value); };
-      csv += fmt::format("{},{},{},{}\n", claim.id, reading.name,
+  for (const Number& number : numbers)
+    for (const Reading& reading : number.readings) {
+      if (number.kind == Kind::method) continue;
+      const auto holds = [&](double value) { return number.allowed.holds(value); };
+      csv += fmt::format("{},{},{},{}\n", number.id, reading.name,
                          cells(spread(times.at(reading.name), holds)),
                          cells(spread(everything.at(reading.name), holds)));
     }
   return csv;
 }
 
-std::string to_csv(const std::vector<Claim>& claims) {
+std::string to_csv(const std::vector<Number>& numbers) {
   std::string csv =
-      "claim,figures,printed,unit,rule,least,greatest,verdict,reading,converged,published_method,"
+      "claim,number,figures,printed,unit,rule,least,greatest,verdict,reading,converged,published_"
+      "method,"
       "draws_times,median_times,p5_times,p95_times,share_times,draws_all,median_all,p5_all,p95_all,"
       "share_all,reason\n";
-  for (const Claim& c : claims)
-    for (const ClaimReading& r : c.readings)
-      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", c.id, c.figures, c.printed,
-                         c.unit, c.rule, c.allowed.least, c.allowed.greatest, c.verdict, r.name,
-                         cell(r.converged), cell(r.by_rk4), cells(r.times), cells(r.everything),
-                         csv_field(c.reason));
+  for (const Number& n : numbers)
+    for (const Reading& r : n.readings)
+      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", n.claim, n.id, n.figures,
+                         n.printed, n.unit, n.rule, n.allowed.least, n.allowed.greatest, n.verdict,
+                         r.name, cell(r.converged), cell(r.by_rk4), cells(r.times),
+                         cells(r.everything), csv_field(n.reason));
   return csv;
 }
 

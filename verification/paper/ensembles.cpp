@@ -20,11 +20,9 @@ Sweep sweep_of(const std::filesystem::path& printed_inputs, Rounded rounded, lon
   Sweep sweep{.title = {}, .text = {}, .base = {}, .axes = {}, .sample = {}};
   sweep.sample.count = count;
   sweep.sample.seed = 1;
-  for (const CsvRow& row : read_csv(printed_inputs))
-    if (rounded == Rounded::everything || row["input"].starts_with("t_"))
-      sweep.sample.over.push_back({row["input"], Distribution::uniform,
-                                   static_cast<double>(row.number("least")),
-                                   static_cast<double>(row.number("greatest"))});
+  for (const auto& [input, least, greatest] : read_input_ranges(printed_inputs))
+    if (rounded == Rounded::everything || input.starts_with("t_"))
+      sweep.sample.over.push_back({input, Distribution::uniform, least, greatest});
   return sweep;
 }
 
@@ -38,22 +36,27 @@ double value_of(const std::string& reading, PaperRuns& runs) {
 
 }  // namespace
 
-Draws draw(const std::filesystem::path& printed_inputs, Rounded rounded, long count, int threads,
-           const std::function<void(long)>& told) {
-  const Sweep sweep = sweep_of(printed_inputs, rounded, count);
-  const SweepPoints points(sweep);
-  const std::vector<std::string> names = all_readings();
+std::vector<InputRange> read_input_ranges(const std::filesystem::path& printed_inputs) {
+  std::vector<InputRange> ranges;
+  for (const CsvRow& row : read_csv(printed_inputs))
+    ranges.push_back({row["input"], static_cast<double>(row.number("least")),
+                      static_cast<double>(row.number("greatest"))});
+  return ranges;
+}
+
+Draws evaluate(const std::vector<std::string>& readings, const Points& points, int threads,
+               const std::function<void(long)>& told) {
   Draws draws;
-  for (const std::string& name : names) draws[name].resize(static_cast<std::size_t>(count));
-  Dealer dealer(0, count, [](std::string_view, long) {});
+  for (const std::string& name : readings)
+    draws[name].resize(static_cast<std::size_t>(points.count));
+  Dealer dealer(0, points.count, [](std::string_view, long) {});
   std::atomic<long> done = 0;
   const auto make_worker = [&]() -> Work {
     return [&](long n) {
-      PaperInputs inputs;
-      for (const auto& [input, value] : points(n).statement.numbers) inputs.set(input, value);
+      PaperInputs inputs = points.at(n);
       inputs.statement.numbers["tolerance"] = tolerance_of_draws;
       PaperRuns runs(inputs);
-      for (const std::string& name : names)
+      for (const std::string& name : readings)
         draws.at(name)[static_cast<std::size_t>(n)] = value_of(name, runs);
       ++done;
       return std::string();
@@ -61,6 +64,18 @@ Draws draw(const std::filesystem::path& printed_inputs, Rounded rounded, long co
   };
   work(dealer, threads, make_worker, [&] { told(done); });
   return draws;
+}
+
+Draws draw(const std::vector<std::string>& readings, const std::filesystem::path& printed_inputs,
+           Rounded rounded, long count, int threads, const std::function<void(long)>& told) {
+  const Sweep sweep = sweep_of(printed_inputs, rounded, count);
+  const SweepPoints points(sweep);
+  const auto at = [&](long n) {
+    PaperInputs inputs;
+    for (const auto& [input, value] : points(n).statement.numbers) inputs.set(input, value);
+    return inputs;
+  };
+  return evaluate(readings, {count, at}, threads, told);
 }
 
 Spread spread(std::vector<double> values, const std::function<bool(double)>& holds) {

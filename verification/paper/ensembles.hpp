@@ -11,16 +11,32 @@
 
 namespace rotor {
 
+/// What the digits of an input allow: a row of printed-inputs.csv.
+struct InputRange {
+  std::string input;
+  double least, greatest;
+};
+std::vector<InputRange> read_input_ranges(const std::filesystem::path& printed_inputs);
+
 enum class Rounded { times, everything };  ///< the instants of the mass loss alone, or all inputs
 
-/// Draws of one reading: its values in the order of the draws, NaN where there is none.
+/// Draws of each reading: its values in the order of the draws, NaN where there is none.
 using Draws = std::map<std::string, std::vector<double>>;
 
-/// The readings that runs decide, over so many draws from the first one of Sobol's sequence on, by
-/// so many threads. The same draws whatever their number. `told` hears how many are done.
-Draws draw(
-    const std::filesystem::path& printed_inputs, Rounded rounded, long count, int threads,
+/// Readings at so many points, by so many threads. The same whatever their number. `told` hears
+/// how many are done.
+struct Points {
+  long count;
+  std::function<PaperInputs(long)> at;
+};
+Draws evaluate(
+    const std::vector<std::string>& readings, const Points& points, int threads,
     const std::function<void(long)>& told = [](long) {});
+
+/// The same over so many draws from the first one of Sobol's sequence on.
+Draws draw(
+    const std::vector<std::string>& readings, const std::filesystem::path& printed_inputs,
+    Rounded rounded, long count, int threads, const std::function<void(long)>& told = [](long) {});
 
 /// A stored ensemble of one reading.
 struct Spread {

@@ -1,4 +1,4 @@
-/// Recomputes reference-data/ensembles.csv: every reading of every claim over the rounding of the
+/// Recomputes reference-data/ensembles.csv: every reading over the rounding of the
 /// printed inputs: `ensembles FOLDER COUNT`.
 #include <fmt/format.h>
 
@@ -15,11 +15,12 @@ int main(const Arguments& arguments) {
   if (arguments.size() != 2) throw std::runtime_error("needs: FOLDER COUNT");
   const std::filesystem::path folder = arguments[0];
   const long count = std::stol(arguments[1]);
-  const auto claims = read_claims(folder / "claims.csv");
+  const auto numbers = read_numbers(folder / "claims.csv");
+  const auto readings = readings_to_draw(numbers);
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const auto drawn = [&](Rounded rounded, const char* what) {
     long next = 0;
-    return draw(folder / "printed-inputs.csv", rounded, count, threads, [&](long done) {
+    return draw(readings, folder / "printed-inputs.csv", rounded, count, threads, [&](long done) {
       if (done < next) return;
       fmt::print(stderr, "{}: {} of {} draws\n", what, done, count);
       next = done + std::max(1L, count / 10);
@@ -38,7 +39,7 @@ int main(const Arguments& arguments) {
                           "of printed-inputs.csv. p5, p95: quantiles; share: in which the claim "
                           "holds.\n",
                           count) +
-                  ensembles_csv(claims, times, everything));
+                  ensembles_csv(numbers, times, everything));
   files.commit();
   return 0;
 }

@@ -7,6 +7,7 @@
 
 #include "figures/scenes/account.hpp"
 #include "model/simulation/energy.hpp"
+#include "verification/paper/place_of_loss.hpp"
 
 namespace rotor {
 namespace {
@@ -99,11 +100,15 @@ PaperRun::PaperRun(const Scenario& scenario, RunUps& run_ups) : scenario_(scenar
 
 std::optional<Instant> PaperRun::at_peak() const { return onset_ ? peak_ : std::nullopt; }
 
-std::optional<Instant> PaperRun::touch_down_before_rolling(std::size_t from_last) const {
-  if (!onset_) return std::nullopt;
+std::size_t PaperRun::touch_downs_before_rolling() const {
+  if (!onset_) return 0;
   const auto after = std::find_if(touch_downs_.begin(), touch_downs_.end(),
                                   [this](const Instant& at) { return at.time_s > onset_->time_s; });
-  const auto before = static_cast<std::size_t>(after - touch_downs_.begin());
+  return static_cast<std::size_t>(after - touch_downs_.begin());
+}
+
+std::optional<Instant> PaperRun::touch_down_before_rolling(std::size_t from_last) const {
+  const std::size_t before = touch_downs_before_rolling();
   if (before <= from_last) return std::nullopt;
   return touch_downs_[before - 1 - from_last];
 }
@@ -120,6 +125,17 @@ std::vector<double> PaperRun::collision_durations() const {
     if (next != touch_downs_.begin()) durations.push_back(release.time_s - std::prev(next)->time_s);
   }
   return durations;
+}
+
+double PaperRun::change_of_speed_in_flight() const {
+  double greatest = 0;
+  for (const Instant& release : releases_) {
+    const auto next = std::find_if(touch_downs_.begin(), touch_downs_.end(),
+                                   [&](const Instant& at) { return at.time_s > release.time_s; });
+    if (next != touch_downs_.end())
+      greatest = std::max(greatest, std::abs(next->state[5] / release.state[5] - 1));
+  }
+  return greatest;
 }
 
 double PaperRun::peak_until(double time_s) const {
@@ -169,15 +185,44 @@ std::optional<PaperRun::Rolling> PaperRun::measured(double duration_s) const {
                  (first / first_s - last / last_s) / (first / first_s) / turns};
 }
 
-std::optional<double> PaperRuns::friction_until_rolling() {
+/// The work of friction where the rotor touches down.
+class FrictionWatch : public EnergyObserver {
+ public:
+  using EnergyObserver::EnergyObserver;
+
+  void on_instant(const Instant& at) override {
+    EnergyObserver::on_instant(at);
+    if (at.event == Event::touch_down) until_touch_downs.push_back(-balance().friction);
+  }
+
+  std::vector<double> until_touch_downs;
+};
+
+const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
+  if (friction_work_) return *friction_work_;
+  friction_work_.emplace();
   const PaperRun& run = high();
-  if (run.scenario().method != Method::event || !run.onset()) return std::nullopt;
-  Scenario until_rolling = run.scenario();
-  until_rolling.until = run.onset()->time_s;
-  EnergyObserver energy(until_rolling);
-  Observer null_observer;
-  finish(run_ups_.depart(until_rolling, null_observer), until_rolling, std::nullopt, energy);
-  return energy.balance().friction;
+  if (run.scenario().method == Method::event && run.onset()) {
+    Scenario until_rolling = run.scenario();
+    until_rolling.until = run.onset()->time_s;
+    FrictionWatch watch(until_rolling);
+    Observer null_observer;
+    finish(run_ups_.depart(until_rolling, null_observer), until_rolling, std::nullopt, watch);
+    *friction_work_ = FrictionWork{watch.until_touch_downs, -watch.balance().friction};
+  }
+  return *friction_work_;
+}
+
+const Summary& PaperRuns::lost_at(double angle) {
+  const auto found = lost_at_.find(angle);
+  if (found != lost_at_.end()) return found->second;
+  const PaperRun& opposite = high();
+  const Scenario& scenario = opposite.scenario();
+  const Instant from =
+      PlaceOfLoss(scenario.parameters, angle).separate(opposite.before_loss(), scenario.equations);
+  SummaryObserver observer(scenario);
+  run(scenario, from, observer);
+  return lost_at_.emplace(angle, observer.summary()).first->second;
 }
 
 std::optional<double> PaperRuns::time_at_critical_speed() {
@@ -191,18 +236,24 @@ std::optional<double> PaperRuns::time_at_critical_speed() {
 
 Parameters PaperRuns::parameters() { return high().scenario().parameters; }
 
-const PaperRun& PaperRuns::rub(double friction) {
+Statement PaperRuns::at_operating_speed(double friction) const {
   Statement statement = inputs_.statement;
   statement.numbers["friction"] = friction;
   statement.numbers["separation_time"] = inputs_.t_operating;
+  return statement;
+}
+
+const PaperRun& PaperRuns::rub(double friction) { return get(at_operating_speed(friction)); }
+
+const PaperRun& PaperRuns::high_by(Method method) {
+  Statement statement = at_operating_speed(inputs_.mu_high);
+  statement.method = method;
   return get(statement);
 }
 
 const PaperRun& PaperRuns::changed(double friction, const char* quantity, double factor) {
   const PaperRun& as_it_is = rub(friction);
-  Statement statement = inputs_.statement;
-  statement.numbers["friction"] = friction;
-  statement.numbers["separation_time"] = inputs_.t_operating;
+  Statement statement = at_operating_speed(friction);
   statement.numbers[quantity] = factor * find_statable(quantity)->quantity.of(as_it_is.scenario());
   return get(statement);
 }

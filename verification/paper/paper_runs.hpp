@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,11 +37,15 @@ class PaperRun {
   const std::optional<Instant>& onset() const { return onset_; }
   std::optional<Instant> at_peak() const;
 
-  /// Touch-downs, counted from the last one before rolling (0) backwards; empty if there are fewer.
+  /// Touch-downs before rolling, of which there are so many; counted from the last one (0)
+  /// backwards; empty if there are fewer.
+  std::size_t touch_downs_before_rolling() const;
   std::optional<Instant> touch_down_before_rolling(std::size_t from_last) const;
   std::optional<Instant> last_touch_down() const;
   /// Durations of the collisions that end by a release, s.
   std::vector<double> collision_durations() const;
+  /// Largest change of the speed between a release and the next touch-down, relative.
+  double change_of_speed_in_flight() const;
   /// Largest normal force until a time, N.
   double peak_until(double time_s) const;
 
@@ -85,18 +90,28 @@ class PaperRuns {
   const PaperRun& high() { return rub(inputs_.mu_high); }
   const PaperRun& intermediate() { return rub(inputs_.mu_intermediate); }
   const PaperRun& low() { return rub(inputs_.mu_low); }
+  /// At high friction by a method that need not be that of the others.
+  const PaperRun& high_by(Method method);
   /// At the operating speed, a contact parameter multiplied.
   const PaperRun& changed(double friction, const char* quantity, double factor);
-  /// Work of friction until rolling at high friction, J, negative; by the event method alone.
-  std::optional<double> friction_until_rolling();
+  /// What friction takes at high friction, J; by the event method alone, and if the rotor comes to
+  /// roll.
+  struct FrictionWork {
+    std::vector<double> until_touch_downs;  ///< one after the other
+    double until_rolling;
+  };
+  const std::optional<FrictionWork>& friction_work();
+  /// The same loss at high friction from another point of the rim: see place_of_loss.hpp.
+  const Summary& lost_at(double angle);
   /// When the run-up passes the eigenfrequency of the supports, s.
   std::optional<double> time_at_critical_speed();
   const PaperRun& at_100_Hz() { return loss_at(inputs_.t_100, 0.25); }
   const PaperRun& at_75_Hz() { return loss_at(inputs_.t_75, 0.25); }
-  const PaperRun& at_50_Hz() { return loss_at(inputs_.t_50, 1.6); }
+  const PaperRun& at_50_Hz() { return loss_at(inputs_.t_50, 3); }
   const PaperRun& near_critical() { return loss_at(inputs_.t_critical, 1.8); }
 
  private:
+  Statement at_operating_speed(double friction) const;
   const PaperRun& rub(double friction);
   const PaperRun& loss_at(double time_s, double rub_s);
   const PaperRun& get(const Statement& statement);
@@ -104,6 +119,8 @@ class PaperRuns {
   PaperInputs inputs_;
   RunUps run_ups_;
   std::deque<PaperRun> runs_;  // which stay where they are
+  std::optional<std::optional<FrictionWork>> friction_work_;
+  std::map<double, Summary> lost_at_;
 };
 
 }  // namespace rotor

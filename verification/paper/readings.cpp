@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "verification/paper/place_of_loss.hpp"
 
 namespace rotor {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 using Value = std::optional<double>;
-using Reading = std::function<Value(PaperRuns&)>;
+using Formula = std::function<Value(PaperRuns&)>;
 
 double energy(const Instant& at) { return kinetic_energy(at.body, at.motion()); }
 double rho(const Instant& at) { return at.motion().displacement.norm(); }
@@ -42,16 +43,20 @@ double force(PaperRuns& r, const Instant& at) {
   return -ring.normal_force(ring.rim_point(at.motion()));
 }
 
+double indentation(PaperRuns& r, const Instant& at) {
+  return Ring<double>(r.parameters()).rim_point(at.motion()).indentation;
+}
+
 /// Of an instant at high friction, if it has occurred.
 template <class F>
-Reading at_onset(F f) {
+Formula at_onset(F f) {
   return [f](PaperRuns& r) -> Value {
     const auto& at = r.high().onset();
     return at ? Value(f(r, *at)) : std::nullopt;
   };
 }
 template <class F>
-Reading at_peak(F f) {
+Formula at_peak(F f) {
   return [f](PaperRuns& r) -> Value {
     const auto at = r.high().at_peak();
     return at ? Value(f(r, *at)) : std::nullopt;
@@ -59,22 +64,22 @@ Reading at_peak(F f) {
 }
 /// Of the touch-down with which continuous contact begins.
 template <class F>
-Reading at_touch_down(std::size_t from_last, F f) {
+Formula at_touch_down(std::size_t from_last, F f) {
   return [from_last, f](PaperRuns& r) -> Value {
     const auto at = r.high().touch_down_before_rolling(from_last);
     return at ? Value(f(r, *at)) : std::nullopt;
   };
 }
-Reading before_loss(const std::function<double(PaperRuns&, const Instant&)>& f) {
+Formula before_loss(const std::function<double(PaperRuns&, const Instant&)>& f) {
   return [f](PaperRuns& r) -> Value { return f(r, r.high().before_loss()); };
 }
-Reading rolling(double PaperRun::Rolling::*of, bool first_turn, double factor = 1) {
+Formula rolling(double PaperRun::Rolling::*of, bool first_turn, double factor = 1) {
   return [=](PaperRuns& r) -> Value {
     const auto measured = first_turn ? r.high().first_turn() : r.high().first_5_ms();
     return measured ? Value(factor * ((*measured).*of)) : std::nullopt;
   };
 }
-Reading input(const std::function<double(PaperRuns&)>& f) {
+Formula input(const std::function<double(PaperRuns&)>& f) {
   return [f](PaperRuns& r) -> Value { return f(r); };
 }
 
@@ -84,7 +89,7 @@ double since_first_contact(PaperRuns& r, const Instant& at) {
 }
 
 /// Largest change of a result when a contact parameter is doubled and halved, %.
-Reading change(double PaperInputs::*friction, const char* quantity,
+Formula change(double PaperInputs::*friction, const char* quantity,
                const std::function<Value(const PaperRun&)>& result) {
   return [=](PaperRuns& r) -> Value {
     const double mu = r.inputs().*friction;
@@ -105,7 +110,7 @@ Value time_to_rolling(const PaperRun& run) {
 }
 
 /// Of the separate collisions at the three frictions, s.
-Reading collision(bool longest) {
+Formula collision(bool longest) {
   return [longest](PaperRuns& r) -> Value {
     std::vector<double> all;
     for (const PaperRun* run : {&r.high(), &r.intermediate(), &r.low()})
@@ -114,21 +119,70 @@ Reading collision(bool longest) {
     return longest ? std::ranges::max(all) : std::ranges::min(all);
   };
 }
-Reading steps_in(const Reading& duration) {
-  return [duration](PaperRuns& r) -> Value {
-    const Value value = duration(r);
-    return value ? Value(*value / Scenario{}.step_rub) : std::nullopt;
+/// The separation: what the rotor and the piece have together after it, less what there was before.
+struct Gain {
+  double energy;            ///< J
+  Vector<double> momentum;  ///< N s
+  double angular_momentum;  ///< about where C is, N m s
+};
+Gain gain_by_separation(PaperRuns& r) {
+  const PaperRun& run = r.high();
+  const MassLoss<double> its = loss(r);
+  const auto before = run.before_loss().motion(), after = run.after_loss().motion();
+  const Vector<double> from_O(-r.parameters().rotor_radius, 0), c = before.mass_centre();
+  const Vector<double> piece = before.velocity + before.speed * quarter_turn(from_O);
+  const Vector<double> momentum = its.after.mass * after.mass_centre_velocity();
+  const Vector<double> arm = after.mass_centre() - c;
+  const Vector<double> arm_of_piece = before.displacement + from_O - c;
+  return {energy(run.after_loss()) + its.lost_mass * piece.squaredNorm() / 2 -
+              energy(run.before_loss()),
+          momentum + its.lost_mass * piece - its.before.mass * before.mass_centre_velocity(),
+          its.after.inertia * after.speed + cross(arm, momentum) +
+              its.lost_mass * cross(arm_of_piece, piece) - its.before.inertia * before.speed};
+}
+
+/// What friction takes until continuous contact begins, or from there to rolling, J.
+Formula friction_work(bool sliding, std::size_t from_last) {
+  return [=](PaperRuns& r) -> Value {
+    const auto& work = r.friction_work();
+    if (!work || work->until_touch_downs.size() <= from_last) return std::nullopt;
+    const double until = *(work->until_touch_downs.rbegin() + static_cast<long>(from_last));
+    return sliding ? work->until_rolling - until : until;
   };
 }
 
-/// What the rotor and the piece have together after the loss, less what there was before, J.
-double gain_by_separation(PaperRuns& r) {
-  const PaperRun& run = r.high();
-  const auto m = run.before_loss().motion();
-  const Vector<double> piece =
-      m.velocity + m.speed * quarter_turn(Vector<double>(-r.parameters().rotor_radius, 0));
-  return energy(run.after_loss()) + loss(r).lost_mass * piece.squaredNorm() / 2 -
-         energy(run.before_loss());
+/// Largest change of a result when the piece leaves from elsewhere on the rim, %.
+Formula elsewhere(const std::function<Value(const Summary&)>& result) {
+  return [=](PaperRuns& r) -> Value {
+    const Value opposite = result(r.lost_at(0));
+    double largest = 0;
+    for (const int quarters : {1, 2, 3}) {
+      const Value changed = result(r.lost_at(quarters * two_pi / 4));
+      if (!opposite || !changed) return std::nullopt;
+      largest = std::max(largest, std::abs(*changed / *opposite - 1));
+    }
+    return 100 * largest;
+  };
+}
+
+/// By the paper's method and steps, relative to the converged value, %.
+Formula off_by_own_method(const std::function<Value(const PaperRun&)>& result) {
+  return [=](PaperRuns& r) -> Value {
+    const Value own = result(r.high_by(Method::rk4)), converged = result(r.high_by(Method::event));
+    if (!own || !converged) return std::nullopt;
+    return 100 * std::abs(*own / *converged - 1);
+  };
+}
+
+/// Where on the rim the loss leaves the largest unbalance: degrees from opposite to the first one.
+double place_of_largest_unbalance(PaperRuns& r) {
+  int best = 0;
+  const auto unbalance = [&](int degrees) {
+    return PlaceOfLoss(r.parameters(), degrees * two_pi / 360).unbalance();
+  };
+  for (int degrees = -179; degrees <= 180; ++degrees)
+    if (unbalance(degrees) > unbalance(best)) best = degrees;
+  return best;
 }
 
 /// With the numbers that the text itself uses: 770 Hz, 3.5 mm, 45 Hz.
@@ -136,8 +190,8 @@ double printed_translation(PaperRuns& r) {
   return loss(r).after.mass * std::pow(two_pi * 770 * 3.5e-3, 2) / 2;
 }
 
-const std::map<std::string, Reading>& readings() {
-  static const std::map<std::string, Reading> all = {
+const std::map<std::string, Formula>& readings() {
+  static const std::map<std::string, Formula> all = {
       {"speed_rad", input([](PaperRuns& r) { return two_pi * r.parameters().motor_off_Hz; })},
       {"lost_mass", input([](PaperRuns& r) { return loss(r).lost_mass; })},
       {"lost_share", input([](PaperRuns& r) { return 100 * loss(r).lost_mass / r.parameters().mass; })},
@@ -189,8 +243,24 @@ const std::map<std::string, Reading>& readings() {
       {"velocity_jump", before_loss([](PaperRuns& r, const Instant& at) {
          return loss(r).velocity_jump(at.state[5]);
        })},
-      {"separation_gain",
-       [](PaperRuns& r) -> Value { return 100 * gain_by_separation(r) / energy_before(r); }},
+      {"energy_gain",
+       [](PaperRuns& r) -> Value { return 100 * gain_by_separation(r).energy / energy_before(r); }},
+      {"momentum_gain", before_loss([](PaperRuns& r, const Instant& at) {
+         return 100 * gain_by_separation(r).momentum.norm() /
+                (loss(r).lost_mass * loss(r).piece_velocity(at.state[5]));
+       })},
+      {"angular_momentum_gain", before_loss([](PaperRuns& r, const Instant& at) {
+         return 100 * gain_by_separation(r).angular_momentum / (at.body.inertia * at.state[5]);
+       })},
+      {"speed_gain", before_loss([](PaperRuns& r, const Instant& at) {
+         return 100 * (r.high().after_loss().state[5] / at.state[5] - 1);
+       })},
+      {"place_of_largest_unbalance", input(place_of_largest_unbalance)},
+      {"elsewhere_peak", elsewhere([](const Summary& s) { return s.peak_normal_force_N; })},
+      {"elsewhere_time", elsewhere([](const Summary& s) -> Value {
+         if (!s.rolling_onset_s) return std::nullopt;
+         return *s.rolling_onset_s - *s.first_contact_s;
+       })},
       {"loss_of_energy",
        [](PaperRuns& r) -> Value {
          return 100 * (1 - energy(r.high().after_loss()) / energy_before(r));
@@ -236,13 +306,19 @@ const std::map<std::string, Reading>& readings() {
       {"onset_share_left", at_onset([](PaperRuns& r, const Instant& at) {
          return 100 * energy(at) / energy_before(r);
        })},
+      {"peak_share_left", at_peak([](PaperRuns& r, const Instant& at) {
+         return 100 * energy(at) / energy_before(r);
+       })},
+      {"peak_share_lost", at_peak([](PaperRuns& r, const Instant& at) {
+         return 100 - 100 * energy(at) / energy_before(r);
+       })},
       {"onset_share_lost", at_onset([](PaperRuns& r, const Instant& at) {
          return 100 - 100 * energy(at) / energy_before(r);
        })},
       {"friction_share",
        [](PaperRuns& r) -> Value {
-         const auto work = r.friction_until_rolling();
-         return work ? Value(-100 * *work / energy_before(r)) : std::nullopt;
+         const auto& work = r.friction_work();
+         return work ? Value(100 * work->until_rolling / energy_before(r)) : std::nullopt;
        }},
       {"translation_share", at_onset([](PaperRuns& r, const Instant& at) {
          return 100 * translation(r, at) / energy(at);
@@ -274,6 +350,29 @@ const std::map<std::string, Reading>& readings() {
       {"sliding_J_last_but_one", at_touch_down(1, [](PaperRuns& r, const Instant& at) {
          return energy(at) - energy(*r.high().onset());
        })},
+      {"collisions_friction_last", friction_work(false, 0)},
+      {"collisions_friction_last_but_one", friction_work(false, 1)},
+      {"sliding_friction_last", friction_work(true, 0)},
+      {"sliding_friction_last_but_one", friction_work(true, 1)},
+      {"rolls", [](PaperRuns& r) -> Value { return r.high().onset() ? 1. : 0.; }},
+      {"before_the_last", at_touch_down(0, [](PaperRuns& r, const Instant&) {
+         return static_cast<double>(r.high().touch_downs_before_rolling()) - 1;
+       })},
+      {"before_the_last_but_one", at_touch_down(1, [](PaperRuns& r, const Instant&) {
+         return static_cast<double>(r.high().touch_downs_before_rolling()) - 2;
+       })},
+      {"indentation_of_radius", at_peak([](PaperRuns& r, const Instant& at) {
+         return 100 * indentation(r, at) / r.parameters().rotor_radius;
+       })},
+      {"indentation_of_clearance", at_peak([](PaperRuns& r, const Instant& at) {
+         return 100 * indentation(r, at) / (rho(at) - indentation(r, at));
+       })},
+      {"speed_in_flight", [](PaperRuns& r) -> Value {
+         double greatest = 0;
+         for (const PaperRun* run : {&r.high(), &r.intermediate(), &r.low()})
+           greatest = std::max(greatest, run->change_of_speed_in_flight());
+         return 100 * greatest;
+       }},
       {"force_ratio_last", at_touch_down(0, [](PaperRuns& r, const Instant& at) {
          return *peak(r.high()) / r.high().peak_until(at.time_s);
        })},
@@ -319,11 +418,25 @@ const std::map<std::string, Reading>& readings() {
          if (!at.touches()) return std::nullopt;
          return 100 * force(r, at) / *peak(r.low());
        }},
+      {"low_lasts", [](PaperRuns& r) -> Value { return r.low().last().touches() ? 1. : 0.; }},
+      {"low_slows_a_turn", [](PaperRuns& r) -> Value {
+         const Instant& end = r.low().last();
+         const auto from = r.low().last_touch_down();
+         if (!from || !end.touches()) return std::nullopt;
+         const double turns = (end.state[2] - from->state[2]) / two_pi;
+         return 100 * (1 - end.state[5] / from->state[5]) / turns;
+       }},
       {"low_rolls", [](PaperRuns& r) -> Value { return r.low().onset() ? 1. : 0.; }},
       {"shortest_s", collision(false)},
       {"longest_s", collision(true)},
-      {"shortest_steps", steps_in(collision(false))},
-      {"longest_steps", steps_in(collision(true))},
+      {"shortest_steps", input([](PaperRuns&) { return 1e-4 / Scenario{}.step_rub; })},
+      {"longest_steps", input([](PaperRuns&) { return 3e-4 / Scenario{}.step_rub; })},
+      {"whirl_off", off_by_own_method([](const PaperRun& run) -> Value {
+         const auto m = run.first_5_ms();
+         return m ? Value(m->whirl_Hz) : std::nullopt;
+       })},
+      {"final_speed_off",
+       off_by_own_method([](const PaperRun& run) { return Value(speed_Hz(run.last())); })},
 
       {"peak_kN_100",
        [](PaperRuns& r) -> Value {
@@ -336,12 +449,26 @@ const std::map<std::string, Reading>& readings() {
          return value ? Value(*value / 1e3) : std::nullopt;
        }},
       {"rolls_at_100", [](PaperRuns& r) -> Value { return r.at_100_Hz().onset() ? 1. : 0.; }},
+      {"collisions_100", [](PaperRuns& r) -> Value {
+         const auto count = r.at_100_Hz().touch_downs_before_rolling();
+         return count > 0 ? Value(count) : std::nullopt;
+       }},
+      {"rises_with_speed", [](PaperRuns& r) -> Value {
+         const auto force = [](const PaperRun& run) { return peak(run).value_or(0); };
+         return force(r.at_75_Hz()) < force(r.at_100_Hz()) && force(r.at_100_Hz()) < force(r.high())
+                    ? 1.
+                    : 0.;
+       }},
       {"Hz_100", [](PaperRuns& r) -> Value { return speed_Hz(r.at_100_Hz().before_loss()); }},
       {"Hz_75", [](PaperRuns& r) -> Value { return speed_Hz(r.at_75_Hz().before_loss()); }},
       {"Hz_50", [](PaperRuns& r) -> Value { return speed_Hz(r.at_50_Hz().before_loss()); }},
       {"Hz_critical", [](PaperRuns& r) -> Value { return speed_Hz(r.near_critical().before_loss()); }},
       {"collisions_50",
        [](PaperRuns& r) -> Value { return static_cast<double>(r.at_50_Hz().summary().collisions); }},
+      {"settled_50", [](PaperRuns& r) -> Value {
+         const Instant& at = r.at_50_Hz().last();
+         return 100 * std::abs(rho(at) / at.body.eccentricity - 1);
+       }},
       {"collisions_critical",
        [](PaperRuns& r) -> Value {
          return static_cast<double>(r.near_critical().summary().collisions);

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "model/simulation/simulation.hpp"
-#include "verification/paper/claims.hpp"
+#include "verification/paper/claims_table.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
@@ -192,26 +192,40 @@ TEST_F(Readme, HasExamplesThatRun) {
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
   std::map<std::string, int> verdicts;
   int arithmetic = 0;
-  const auto claims = judged_claims(ROTOR_REFERENCE_DATA);
-  for (const Claim& claim : claims) {
-    ++verdicts[claim.verdict];
-    arithmetic += claim.is_arithmetic;
-  }
+  const auto numbers = judged_numbers(ROTOR_REFERENCE_DATA);
+  const auto claims = verdicts_of_claims(numbers);
+  for (const auto& [claim, verdict] : claims) ++verdicts[verdict];
+  for (const Number& number : numbers) arithmetic += number.kind == Kind::arithmetic;
   expect_said(fmt::format(
       "Of the text's {} claims, {} are reproduced, {} lie within the rounding of its inputs, and "
       "{} "
       "are refuted",
       claims.size(), verdicts["reproduced"], verdicts["within rounding"], verdicts["refuted"]));
-  expect_said(fmt::format("each of the {} rows", claims.size()));
+  expect_said(fmt::format("each of the {} numbers", numbers.size()));
+  EXPECT_EQ(figures_without_claim(numbers), (std::vector{8, 9, 15, 16}));
+  expect_said("About Figs. 8, 9, 15 and 16 it claims nothing");
+  for (const Number& number : numbers)
+    if (number.kind == Kind::simulated) {
+      EXPECT_EQ(number.readings.front().everything.draws, 10000);
+      EXPECT_EQ(number.readings.front().times.draws, 10000);
+    }
+  expect_said("over 10,000 draws of the printed digits");
   expect_said(fmt::format("{} of them arithmetic on printed numbers", arithmetic));
   const auto converged = [&](const std::string& id) {
-    const auto found = std::ranges::find(claims, id, &Claim::id);
+    const auto found = std::ranges::find(numbers, id, &Number::id);
     return found->readings.front().converged.value();
   };
   expect_said(
       fmt::format("The frequency of q1 in rolling, {:.0f} Hz, is not that of the whirl, {:.0f} Hz",
                   converged("f_q1"), converged("f_rol")));
   expect_said(fmt::format("at {:.0f} % of it", 100 - converged("onset_at_peak")));
+  expect_said(fmt::format(
+      "Friction takes {:.0f} % of the energy until rolling, not 75 %: that is what is gone by all "
+      "causes, {:.0f} %",
+      converged("share_dissipated"), converged("share_lost")));
+  expect_said(fmt::format("it changes the largest force by {:.0f} %, but may double the time",
+                          converged("location_force")));
+  EXPECT_NEAR(converged("location_time"), 100, 10);
   expect_said(fmt::format("Twice and half k_t change the largest force by up to {:.0f} %",
                           converged("stiffness_force")));
   int wrong_changes = 0;

@@ -11,7 +11,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
-#include "verification/paper/claims.hpp"
+#include "verification/paper/claims_table.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
@@ -86,48 +86,19 @@ void print_audit(const std::vector<TestOutcome>& outcomes) {
   }
 }
 
-std::string digits(const std::optional<double>& value) {
-  return value ? fmt::format("{:.5g}", *value) : "-";
-}
-std::string range(const Spread& spread) {
-  return fmt::format("{:.4g} ... {:.4g}", spread.low, spread.high);
-}
-
-/// Whether all claims have the verdicts that the table expects.
+/// Whether all numbers have the verdicts that the table expects.
 bool print_and_write_claims(const std::filesystem::path& folder, const std::filesystem::path& out) {
-  const auto claims = judged_claims(folder);
-  bool as_expected = true;
+  const auto numbers = judged_numbers(folder);
   fmt::print(
       "\nThe claims of the paper's text, by the rules of reference-data/policy.md; ranges "
-      "from 5 to 95 % over the rounding of\nt_1 and of every printed digit, and the share "
-      "of runs in which the claim holds\n");
-  for (const std::string verdict : {"reproduced", "within rounding", "refuted"}) {
-    const auto of_it = [&](const Claim& claim) { return claim.verdict == verdict; };
-    fmt::print("\n{}: {}\n  {:<58}{:>10} {:<7}{:>10}{:>10}  {:<20}{:>6}  {:<20}{:>6}\n", verdict,
-               std::ranges::count_if(claims, of_it), "claim, its readings below it", "printed", "",
-               "converged", "by rk4", "rounding of t_1", "holds", "of every digit", "holds");
-    for (const Claim& claim : claims) {
-      if (!of_it(claim)) continue;
-      as_expected = as_expected && claim.verdict == claim.expected_verdict;
-      bool first = true;
-      for (const ClaimReading& reading : claim.readings) {
-        fmt::print("  {:<58}{:>10} {:<7}{:>10}{:>10}  {:<20}{:>4.0f} %  {:<20}{:>4.0f} %\n",
-                   first ? claim.says : "    or: " + reading.name,
-                   !first                  ? ""
-                   : claim.printed.empty() ? claim.rule
-                                           : claim.printed,
-                   first ? claim.unit : "", digits(reading.converged), digits(reading.by_rk4),
-                   range(reading.times), 100 * reading.times.share, range(reading.everything),
-                   100 * reading.everything.share);
-        first = false;
-      }
-      if (!claim.reason.empty()) fmt::print("      {}\n", claim.reason);
-    }
-  }
+      "from 5 to 95 % over the rounding of t_1 and of every printed digit,\nand the share of "
+      "runs in which the claim holds\n{}",
+      claims_table(numbers));
   FileTransaction files;
-  files.write(out, to_csv(claims));
+  files.write(out, to_csv(numbers));
   files.commit();
-  return as_expected;
+  return std::ranges::all_of(
+      numbers, [](const Number& number) { return number.verdict == number.expected_verdict; });
 }
 
 void print_register(const std::filesystem::path& assumptions) {

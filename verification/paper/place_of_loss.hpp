@@ -1,0 +1,30 @@
+/// The loss of the same piece from any point of the rim: Sec. 2.2 with plane vectors, of which
+/// model/mechanics/mass_loss.hpp is the case of a point opposite to the unbalance.
+#pragma once
+
+#include "model/simulation/instant.hpp"
+
+namespace rotor {
+
+class PlaceOfLoss {
+ public:
+  /// At an angle from the point opposite to the unbalance, rad.
+  PlaceOfLoss(const Parameters& parameters, double angle);
+
+  /// The piece is a point of the rim, and the rest of the rotor goes on as a rigid body.
+  const Body<double>& after() const { return after_; }
+  double lost_mass() const { return lost_mass_; }
+  const Vector<double>& piece() const { return piece_; }                  ///< from O, m
+  double unbalance() const { return after_.mass * after_.eccentricity; }  ///< kg m
+
+  /// The instant after the loss. The axes O_a xy are laid anew, x towards the new mass centre.
+  /// As printed, O gets the change of the mass centre's velocity once more.
+  Instant separate(Instant at, Equations equations) const;
+
+ private:
+  double lost_mass_;
+  Vector<double> piece_, eccentricity_, shift_;  ///< OD, OC_1 and CC_1, in the axes before the loss
+  Body<double> after_;
+};
+
+}  // namespace rotor
