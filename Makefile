@@ -47,6 +47,8 @@ MUTANTS_PACKAGES := python3
 # Another compiler; another processor, with a program that runs its programs here.
 CLANG_PACKAGES    := clang
 PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
+# Designs and estimators of which input decides a result.
+RANKING_PACKAGES := libopenturns-dev
 # Sweeps over many machines; with it a program takes 30 ms longer to start.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
@@ -65,7 +67,7 @@ endef
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures $(FIGURES) reference ensembles verify lint mutants deps-bench bench-programs \
         bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
-        clean
+        deps-ranking ranking clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -87,6 +89,8 @@ deps-clang: deps ## install the other compiler, for make verify CXX=clang++ (opt
 deps-portable: deps ## install what make portable needs (optional)
 	$(call install,$(PORTABLE_PACKAGES))
 
+deps-ranking: deps ## install what make ranking needs (optional)
+	$(call install,$(RANKING_PACKAGES))
 deps-mpi: deps ## install what make mpi needs (optional)
 	$(call install,$(MPI_PACKAGES))
 
@@ -161,6 +165,11 @@ reference: build ## recompute high-precision.csv and figure-values.csv in quadru
 ensembles: build ## redraw reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes)
 	$(call build-target,ensembles)
 	@$(BUILD)/ensembles reference-data 10000
+
+ranking: build ## redraw reference-data/ranking.csv: which input decides each number of the text (minutes)
+	$(if $(call missing,$(RANKING_PACKAGES)),$(error Missing package: $(RANKING_PACKAGES) (make deps-ranking installs it)))
+	$(call build-target,ranking)
+	@$(BUILD)/ranking reference-data 512
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run

@@ -1,0 +1,99 @@
+#include "verification/paper/uncertainty.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "figures/data/csv.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Yes or no, and counts, have no error that is small.
+bool is_continuous(const Number& number) {
+  return number.kind == Kind::simulated && number.rule != "is" &&
+         !(number.unit.empty() && number.rule == "few");
+}
+
+bool has_printed_number(const Number& number) {
+  return number.rule == "digits" || number.rule == "about";
+}
+
+std::string percent(double value) {
+  return std::isnan(value) ? "-" : fmt::format("{:.2g}", 100 * value);
+}
+
+std::string decided(const Uncertainty& u, std::size_t most) {
+  std::string text;
+  for (std::size_t n = 0; n < std::min(most, u.decided_by.size()); ++n) {
+    const Influence& input = u.decided_by[n];
+    text += fmt::format("{}{} {:.2f} +- {:.2f}", n > 0 ? "; " : "", input.input, input.total.value,
+                        (input.total.high - input.total.low) / 2);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
+                                       const std::vector<Influence>& ranking) {
+  PaperInputs finer;
+  finer.statement.numbers["tolerance"] = Scenario{}.tolerance / 100;
+  PaperRuns finer_runs(finer);
+  std::vector<Uncertainty> all;
+  for (const Number& number : numbers) {
+    if (!is_continuous(number)) continue;
+    const Reading& reading = number.readings.front();
+    const double s = reading.converged.value();
+    if (s == 0) continue;  // kept to the bit: nothing is relative to that
+    const auto relative = [&](double value) { return value / std::abs(s); };
+    const auto half_range = [&](const Spread& spread) {
+      return relative((spread.high - spread.low) / 2);
+    };
+    const bool printed = has_printed_number(number);
+    all.push_back({.number = number.id,
+                   .says = number.says,
+                   .unit = number.unit,
+                   .simulated = s,
+                   .error = printed ? relative(s - std::stod(number.printed)) : nan,
+                   .u_num = relative(std::abs(read_off(reading.name, finer_runs).value() - s)),
+                   .u_num_own = reading.by_rk4 ? relative(std::abs(*reading.by_rk4 - s)) : nan,
+                   .u_times = half_range(reading.times),
+                   .u_input = half_range(reading.everything),
+                   .u_printed = printed ? relative(half_digit(number.printed)) : nan,
+                   .decided_by = ranked(ranking, reading.name)});
+  }
+  return all;
+}
+
+std::string uncertainty_table(const std::vector<Uncertainty>& all) {
+  std::string table =
+      fmt::format("  {:<80}{:>11} {:<5}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {}\n", "", "S", "", "E, %",
+                  "u_num", "by rk4", "by t_1", "u_input", "u_D", "decided by, total index");
+  for (const Uncertainty& u : all)
+    table +=
+        fmt::format("  {:<80}{:>11.5g} {:<5}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {}\n", u.says,
+                    u.simulated, u.unit, percent(u.error), percent(u.u_num), percent(u.u_num_own),
+                    percent(u.u_times), percent(u.u_input), percent(u.u_printed), decided(u, 2));
+  return table;
+}
+
+std::string to_csv(const std::vector<Uncertainty>& all) {
+  std::string csv =
+      "number,unit,simulated,error,u_num,u_num_published_method,u_input_times,u_input,u_printed,"
+      "decided_by\n";
+  for (const Uncertainty& u : all) {
+    csv += fmt::format("{},{}", u.number, u.unit);
+    for (const double value :
+         {u.simulated, u.error, u.u_num, u.u_num_own, u.u_times, u.u_input, u.u_printed})
+      csv += ',' + (std::isnan(value) ? std::string() : fmt::format("{:.6g}", value));
+    csv += ',' + csv_field(decided(u, u.decided_by.size())) + '\n';
+  }
+  return csv;
+}
+
+}  // namespace rotor

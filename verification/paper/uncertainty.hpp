@@ -1,0 +1,30 @@
+/// Numerical and input uncertainty of each number of the text side by side, in the terms of ASME
+/// V&V 20. There is no experiment: what is compared with is the number as printed.
+#pragma once
+
+#include "verification/paper/claims.hpp"
+#include "verification/paper/ranking.hpp"
+
+namespace rotor {
+
+/// All relative to the simulated value. NaN where there is none.
+struct Uncertainty {
+  std::string number, says, unit;
+  double simulated;  ///< S, converged, by the first reading
+  double error;      ///< E = S - D, D being the number as printed
+  double u_num;      ///< of the event method at its default tolerance: change by a hundredth of it
+  double u_num_own;  ///< of the paper's method at its own steps: its distance from S
+  double u_times;    ///< half the range from 5 to 95 % over the rounding of t_1
+  double u_input;    ///< the same over every printed digit
+  double u_printed;  ///< half a unit of the last digit of D
+  std::vector<Influence> decided_by;  ///< the inputs with the greatest total indices first
+};
+
+/// Of what is simulated and is no mere yes or no.
+std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
+                                       const std::vector<Influence>& ranking);
+
+std::string uncertainty_table(const std::vector<Uncertainty>& all);
+std::string to_csv(const std::vector<Uncertainty>& all);
+
+}  // namespace rotor
