@@ -170,6 +170,28 @@ TEST_F(ClaimsInFolder, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquati
   }
 }
 
+TEST(Claims, HaveTheFirstVerdictThatAppliesByAnyReading) {
+  const Spread outside{.draws = 1, .median = 4, .low = 3, .high = 5, .share = 0};
+  const Spread overlapping{.draws = 1, .median = 3, .low = 1.9, .high = 4, .share = 0.1};
+  const auto verdict = [&](Kind kind, double converged, double by_rk4, const Spread& times,
+                           const Spread& everything) {
+    Number number;
+    number.kind = kind;
+    number.allowed = {1, 2};
+    number.readings = {{"other", 9, {}, outside, outside},
+                       {"this", converged, by_rk4, times, everything}};
+    return verdict_of(number);
+  };
+  const auto simulated = Kind::simulated;
+  EXPECT_EQ(verdict(simulated, 1.5, 3, outside, outside), "reproduced");
+  EXPECT_EQ(verdict(simulated, 3, 1.5, outside, outside), "reproduced");
+  EXPECT_EQ(verdict(simulated, 3, 3, overlapping, outside), "within rounding");
+  EXPECT_EQ(verdict(simulated, 3, 3, outside, overlapping), "within rounding");
+  EXPECT_EQ(verdict(simulated, 3, 3, outside, outside), "refuted");
+  for (const Kind at_printed_numbers : {Kind::arithmetic, Kind::method})
+    EXPECT_EQ(verdict(at_printed_numbers, 3, 3, overlapping, overlapping), "refuted");
+}
+
 TEST(Claims, HaveTheWorstVerdictOfTheirNumbers) {
   const auto number = [](const char* claim, const char* verdict) {
     Number n;

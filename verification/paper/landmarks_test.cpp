@@ -88,6 +88,23 @@ TEST(Landmarks, BeyondAContactAreOfFirstOrderAboutInThePapersStepAndHaveNoGridCo
   }
 }
 
+TEST(Landmarks, HaveAGridConvergenceIndexOnlyWhereSuccessiveOrdersAgree) {
+  // Of second order, errors of 16, 4 and 1 %: the last change over 2^2 - 1, times 1.25.
+  Convergence c{.landmark = {},
+                .unit = {},
+                .converged = 1,
+                .by_tolerance = {},
+                .by_steps = {1.16, 1.04, 1.01},
+                .orders = {2, 2.1}};
+  EXPECT_NEAR(c.grid_convergence_index().value(), 1.25 * 0.03 / 1.01 / 3, 1e-12);
+  c.orders = {2, 2.3};
+  EXPECT_FALSE(c.grid_convergence_index());
+  c.orders = {2, std::nan("")};
+  EXPECT_FALSE(c.grid_convergence_index());
+  c.orders = {2};
+  EXPECT_FALSE(c.grid_convergence_index());
+}
+
 TEST(Landmarks, OfManyContactsDoNotConvergeByThePapersStepsAtAll) {
   const Convergence& speed = landmark("mu = 0.08: speed at 29.35 s");
   EXPECT_GT(speed.error_by_steps(finest), speed.error_by_steps(papers_own) / 4);
