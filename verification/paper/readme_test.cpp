@@ -189,6 +189,18 @@ TEST_F(Readme, HasExamplesThatRun) {
   EXPECT_TRUE(output.starts_with("21000 points; ")) << output;
 }
 
+TEST_F(Readme, AndTheCitationNameTheSamePaperAndNoAuthorsOfIt) {
+  const std::string title = "Overcritical high-speed rotor systems, full annular rub and accident";
+  expect_said(title + '*');
+  expect_said("names neither its authors nor journal and year");
+  std::ifstream file(ROTOR_SOURCES "/CITATION.cff");
+  std::string citation;
+  for (std::string word; file >> word;) citation += word + ' ';
+  EXPECT_NE(citation.find("title: " + title + " authors: - name: the authors of the paper"),
+            std::string::npos);
+  EXPECT_NE(citation.find("names neither its authors nor journal and year"), std::string::npos);
+}
+
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
   std::map<std::string, int> verdicts;
   int arithmetic = 0;
