@@ -10,6 +10,7 @@
 
 #include "figures/data/csv.hpp"
 #include "verification/paper/claims_table.hpp"
+#include "verification/paper/judged.hpp"
 #include "verification/support/in_folder.hpp"
 
 namespace rotor {
@@ -18,11 +19,6 @@ namespace {
 /// The share of draws that have a value.
 double values_share(const std::vector<double>& values) {
   return spread(values, [](double value) { return !std::isnan(value); }).share;
-}
-
-const std::vector<Number>& numbers() {
-  static const auto all = judged_numbers(ROTOR_REFERENCE_DATA);
-  return all;
 }
 
 class ClaimsInFolder : public InFolder {};
@@ -95,9 +91,19 @@ TEST(Policy, AllowsTheNumbersOfItsTable) {
   EXPECT_THROW(allowed("one", "digits"), std::invalid_argument);
 }
 
+TEST(Policy, SaysTheStandardErrorOfAShare) {
+  std::ifstream file(ROTOR_REFERENCE_DATA "/policy.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto draws = static_cast<double>(judged().back().readings.front().everything.draws);
+  ASSERT_EQ(draws, 10000);
+  EXPECT_NE(
+      text.find(fmt::format("a share of 10,000 runs is {:.1f} % at most", 50 / std::sqrt(draws))),
+      std::string::npos);  // where half of them hold
+}
+
 TEST(Policy, HasEveryRuleThatTheTableUsesAndNoOther) {
   std::set<std::string> used;
-  for (const Number& number : numbers()) used.insert(number.rule);
+  for (const Number& number : judged()) used.insert(number.rule);
   std::ifstream file(ROTOR_REFERENCE_DATA "/policy.md");
   std::set<std::string> rules;
   for (std::string line; std::getline(file, line);)
@@ -106,12 +112,12 @@ TEST(Policy, HasEveryRuleThatTheTableUsesAndNoOther) {
 }
 
 TEST(Claims, HaveTheVerdictsThatTheTableStates) {
-  for (const Number& number : numbers())
+  for (const Number& number : judged())
     EXPECT_EQ(number.verdict, number.expected_verdict) << number.id;
 }
 
 TEST(Claims, ThatAreNotReproducedHaveAReason) {
-  for (const Number& number : numbers())
+  for (const Number& number : judged())
     if (number.verdict != "reproduced") {
       EXPECT_FALSE(number.reason.empty()) << number.id;
     }
@@ -119,7 +125,7 @@ TEST(Claims, ThatAreNotReproducedHaveAReason) {
 
 TEST(Claims, StandOnceAndUseEveryReading) {
   std::set<std::string> ids, used;
-  for (const Number& number : numbers()) {
+  for (const Number& number : judged()) {
     EXPECT_TRUE(ids.insert(number.id).second) << number.id;
     for (const Reading& reading : number.readings) used.insert(reading.name);
   }
@@ -129,7 +135,7 @@ TEST(Claims, StandOnceAndUseEveryReading) {
 // What policy.md says of it, by the shares themselves rather than by quantiles.
 TEST(Claims, ThatAreRefutedFailInAtLeast95PercentOfTheDraws) {
   int refuted = 0;
-  for (const Number& number : numbers()) {
+  for (const Number& number : judged()) {
     if (number.verdict != "refuted" || number.kind != Kind::simulated) continue;
     ++refuted;
     for (const Reading& reading : number.readings) {
@@ -148,7 +154,7 @@ TEST_F(ClaimsInFolder, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquati
   std::string changed;
   std::set<std::string> ids;
   for (std::string line; std::getline(table, line);) {
-    for (const Number& number : numbers()) {
+    for (const Number& number : judged()) {
       if (number.verdict == "reproduced" || !line.starts_with(number.claim + ',' + number.id + ','))
         continue;
       const std::string as_printed = ',' + number.printed + ',' + number.rule + ',';
@@ -208,11 +214,11 @@ TEST(Claims, HaveTheWorstVerdictOfTheirNumbers) {
 }
 
 TEST(Claims, AreNoneAboutTheTrajectoriesAndTheBeginningOfFig14) {
-  EXPECT_EQ(figures_without_claim(numbers()), (std::vector{8, 9, 15, 16}));
-  const std::string table = claims_table(numbers());
+  EXPECT_EQ(figures_without_claim(judged()), (std::vector{8, 9, 15, 16}));
+  const std::string table = claims_table(judged());
   EXPECT_NE(table.find("nothing is claimed about Figs. 8, 9, 15, 16, which is no success"),
             std::string::npos);
-  for (const Number& number : numbers())
+  for (const Number& number : judged())
     EXPECT_NE(table.find(number.says), std::string::npos) << number.id;
 }
 
@@ -221,8 +227,8 @@ TEST(Ensembles, AreWhatRunsGive) {
   const auto inputs = std::filesystem::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv";
   for (const auto& [rounded, count] :
        {std::pair(Rounded::times, 40L), {Rounded::everything, 120L}}) {
-    const Draws draws = draw(readings_to_draw(numbers()), inputs, rounded, count, 2);
-    for (const Number& number : numbers())
+    const Draws draws = draw(readings_to_draw(judged()), inputs, rounded, count, 2);
+    for (const Number& number : judged())
       for (const Reading& reading : number.readings) {
         if (number.kind == Kind::method) continue;
         const Spread stored = rounded == Rounded::times ? reading.times : reading.everything;
@@ -247,8 +253,8 @@ TEST(Ensembles, AreWhatRunsGive) {
 
 TEST(Ensembles, DoNotDependOnTheNumberOfThreads) {
   const auto inputs = std::filesystem::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv";
-  const Draws one = draw(readings_to_draw(numbers()), inputs, Rounded::everything, 3, 1);
-  const Draws two = draw(readings_to_draw(numbers()), inputs, Rounded::everything, 3, 2);
+  const Draws one = draw(readings_to_draw(judged()), inputs, Rounded::everything, 3, 1);
+  const Draws two = draw(readings_to_draw(judged()), inputs, Rounded::everything, 3, 2);
   for (const auto& [reading, values] : one)
     for (std::size_t n = 0; n < values.size(); ++n)
       EXPECT_TRUE(values[n] == two.at(reading)[n] ||

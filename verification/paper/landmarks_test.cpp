@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "model/simulation/instant.hpp"
+#include "model/simulation/scenario.hpp"
 #include "verification/paper/convergence.hpp"
 #include "verification/support/reference_tables.hpp"
 

@@ -52,7 +52,7 @@ std::optional<std::pair<Estimate, Estimate>> indices(const std::vector<double>& 
   // The input counts twice: for a single one, OpenTURNS 1.20 leaves the intervals times the
   // variance.
   OT::Sample all(parts[0]);
-  for (const std::size_t part : {1, 2, 2}) all.add(parts[part]);
+  for (const std::size_t part : {1U, 2U, 2U}) all.add(parts[part]);
   OT::MartinezSensitivityAlgorithm algorithm(OT::Sample(4 * rows, 2), all, rows);
   algorithm.setUseAsymptoticDistribution(true);
   const OT::Interval first = algorithm.getFirstOrderIndicesInterval();

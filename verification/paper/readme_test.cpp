@@ -9,6 +9,7 @@
 
 #include "model/simulation/simulation.hpp"
 #include "verification/paper/claims_table.hpp"
+#include "verification/paper/judged.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
@@ -204,7 +205,7 @@ TEST_F(Readme, AndTheCitationNameTheSamePaperAndNoAuthorsOfIt) {
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
   std::map<std::string, int> verdicts;
   int arithmetic = 0;
-  const auto numbers = judged_numbers(ROTOR_REFERENCE_DATA);
+  const auto& numbers = judged();
   const auto claims = verdicts_of_claims(numbers);
   for (const auto& [claim, verdict] : claims) ++verdicts[verdict];
   for (const Number& number : numbers) arithmetic += number.kind == Kind::arithmetic;

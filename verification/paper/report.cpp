@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -123,8 +124,8 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
   fmt::print(
       "\nThe claims of the paper's text, by the rules of reference-data/policy.md; ranges "
       "from 5 to 95 % over the rounding of t_1 and of every printed digit,\nand the share of "
-      "runs in which the claim holds\n{}",
-      claims_table(numbers));
+      "runs in which the claim holds (standard error {:.1f} % at most)\n{}",
+      50 / std::sqrt(numbers.back().readings.front().everything.draws), claims_table(numbers));
   files.write(out / "claims.csv", to_csv(numbers));
   return std::ranges::all_of(
       numbers, [](const Number& number) { return number.verdict == number.expected_verdict; });

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "verification/paper/judged.hpp"
+
 namespace rotor {
 namespace {
 
@@ -16,7 +18,7 @@ const std::vector<Influence>& ranking() {
 }
 
 const std::vector<Uncertainty>& all() {
-  static const auto found = uncertainties(judged_numbers(ROTOR_REFERENCE_DATA), ranking());
+  static const auto found = uncertainties(judged(), ranking());
   return found;
 }
 

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "figures/data/csv.hpp"
-#include "verification/paper/claims.hpp"
+#include "verification/paper/judged.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -124,8 +124,7 @@ TEST_F(Verdicts, AboutRollingAtLowFrictionAreShares) {
 
 TEST_F(Verdicts, ThatHaveChangedAreThoseOfToday) {
   std::map<std::string, std::string> today;
-  for (const Number& number : judged_numbers(ROTOR_REFERENCE_DATA))
-    today[number.id] = number.verdict;
+  for (const Number& number : judged()) today[number.id] = number.verdict;
   const auto rows = table("| number | before | now | why |");
   EXPECT_GT(rows.size(), 20U);
   for (const Cells& row : rows) {
