@@ -97,7 +97,7 @@ std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers) {
   std::set<std::string> names;
   for (const Number& number : numbers)
     for (const Reading& reading : number.readings)
-      if (number.kind != Kind::method) names.insert(reading.name);
+      if (number.kind == Kind::simulated) names.insert(reading.name);
   return {names.begin(), names.end()};
 }
 
@@ -183,7 +183,7 @@ std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
     for (Reading& reading : number.readings) {
       reading.converged = read_off(reading.name, converged);
       reading.by_rk4 = read_off(reading.name, by_rk4);
-      if (number.kind != Kind::method)
+      if (number.kind == Kind::simulated)
         std::tie(reading.times, reading.everything) = ensembles.at({number.id, reading.name});
     }
     number.verdict = verdict_of(number);
@@ -198,7 +198,7 @@ std::string ensembles_csv(const std::vector<Number>& numbers, const Draws& times
       "p5_all,p95_all,share_all\n";
   for (const Number& number : numbers)
     for (const Reading& reading : number.readings) {
-      if (number.kind == Kind::method) continue;
+      if (number.kind != Kind::simulated) continue;
       const auto holds = [&](double value) { return number.allowed.holds(value); };
       csv += fmt::format("{},{},{},{}\n", number.id, reading.name,
                          cells(spread(times.at(reading.name), holds)),

@@ -230,7 +230,7 @@ TEST(Ensembles, AreWhatRunsGive) {
     const Draws draws = draw(readings_to_draw(judged()), inputs, rounded, count, 2);
     for (const Number& number : judged())
       for (const Reading& reading : number.readings) {
-        if (number.kind == Kind::method) continue;
+        if (number.kind != Kind::simulated) continue;
         const Spread stored = rounded == Rounded::times ? reading.times : reading.everything;
         const Spread anew = spread(draws.at(reading.name),
                                    [&](double value) { return number.allowed.holds(value); });

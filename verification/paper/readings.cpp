@@ -211,6 +211,12 @@ const std::map<std::string, Formula>& readings() {
        input([](PaperRuns& r) {
          return loss(r).after.mass * std::pow(two_pi * 770, 2) * 3.5e-3 / 1e3;
        })},
+      {"rolling_Hz_printed",
+       input([](PaperRuns& r) { return 45 * r.parameters().rotor_radius / 3.5e-3; })},
+      {"velocity_printed", input([](PaperRuns&) { return two_pi * 770 * 3.5e-3; })},
+      {"damping_N_printed", input([](PaperRuns& r) {
+         return two_pi * 770 * 3.5e-3 * r.parameters().support_damping / 2;
+       })},
       {"sum_of_parts_printed",
        input([](PaperRuns& r) {
          return printed_translation(r) + loss(r).after.inertia * std::pow(two_pi * 45, 2) / 2;
