@@ -63,6 +63,7 @@ std::string cell(const std::optional<double>& value) {
   return cell(value.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 std::string cells(const Spread& spread) {
+  if (spread.draws == 0) return ",,,,";
   return fmt::format("{},{},{},{},{}", spread.draws, cell(spread.median), cell(spread.low),
                      cell(spread.high), cell(spread.share));
 }
