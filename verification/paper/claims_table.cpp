@@ -74,9 +74,12 @@ std::string claims_table(const std::vector<Number>& numbers) {
     if (std::ranges::find(headings, heading_of(number)) == headings.end())
       headings.push_back(heading_of(number));
   }
-  // Figures before sections, each in its order.
+  // Figures, Nomenclature, sections. Equations without a figure stand in Sec. 3.
   const auto order = [](const std::string& heading) {
-    return heading.starts_with("Fig. ") ? std::stoi(heading.substr(5)) : 100;
+    constexpr double nomenclature = 100, equations = nomenclature + 3.5;
+    if (heading.starts_with("Fig. ")) return std::stod(heading.substr(5));
+    if (heading.starts_with("Sec. ")) return nomenclature + std::stod(heading.substr(5));
+    return heading.starts_with("Eq. ") ? equations : nomenclature;
   };
   std::ranges::stable_sort(headings, {}, order);
   std::string table =

@@ -126,6 +126,23 @@ TEST(Claims, OfArithmeticHaveNoEnsembleAndEmptyCellsForIt) {
   EXPECT_EQ(std::ranges::count(drawn, "peak_kN"), 1);
 }
 
+TEST(Claims, ArePrintedFigureByFigureThenSectionBySectionWithTheirNumbersBelow) {
+  const std::string table = claims_table(judged());
+  std::size_t last = 0;
+  for (const char* heading : {"Fig. 2", "Fig. 3", "Fig. 12", "Fig. 17", "Nomenclature", "Sec. 2.2",
+                              "Sec. 2.3", "Sec. 3", "Eq. (27)", "Sec. 4"}) {
+    const std::size_t at = table.find('\n' + std::string(heading) + '\n');
+    EXPECT_NE(at, std::string::npos) << heading;
+    EXPECT_GT(at, last) << heading;
+    last = at;
+  }
+  const std::size_t claim = table.find("  stiffness: refuted, as the worst of\n");
+  ASSERT_NE(claim, std::string::npos);
+  const std::size_t force = table.find("change of the largest force by twice and half k_t");
+  EXPECT_GT(force, claim);
+  EXPECT_GT(table.find("change of the time to rolling by twice and half k_t"), force);
+}
+
 TEST(Claims, AreNoneAboutTheTrajectoriesAndTheBeginningOfFig14) {
   EXPECT_EQ(figures_without_claim(judged()), (std::vector{8, 9, 15, 16}));
   const std::string table = claims_table(judged());
