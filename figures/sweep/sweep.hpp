@@ -57,6 +57,7 @@ struct Sweep {
   std::vector<Axis> axes;  ///< the last one varies fastest, but for the sample
   Sample sample;
   std::optional<StopOn> stop_on = StopOn::outcome;
+  std::vector<std::string> columns = {};  ///< of the results; all if empty
 
   long points() const;
   std::vector<std::string> quantities() const;  ///< that vary

@@ -8,7 +8,7 @@
 
 #include "figures/data/text.hpp"
 #include "figures/scenes/toml_statement.hpp"
-#include "figures/sweep/sweep.hpp"
+#include "figures/sweep/sweep_row.hpp"
 
 namespace rotor {
 namespace {
@@ -23,12 +23,13 @@ class SweepReader : TomlFile {
   explicit SweepReader(const std::filesystem::path& file) : TomlFile(file) {}
 
   Sweep read() {
-    expect_keys(root(), {"title", "stop_on", "parameters", "axis", "sample"});
+    expect_keys(root(), {"title", "stop_on", "columns", "parameters", "axis", "sample"});
     Sweep sweep;
     sweep.title = text(root(), "title").value_or("");
     sweep.text = whole_text();
     if (const auto stop = text(root(), "stop_on"))
       sweep.stop_on = at(*root().get("stop_on"), "stop_on", [&] { return parse_stop(*stop); });
+    if (root().contains("columns")) sweep.columns = columns();
     sweep.base = stated_in(*this, table(root(), "parameters"), {});
     for (const toml::table* in : tables(root(), "axis")) sweep.axes.push_back(axis(*in));
     if (root().contains("sample")) sweep.sample = sample(table(root(), "sample"));
@@ -46,6 +47,25 @@ class SweepReader : TomlFile {
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}; or \"end\", which is that of the run", error.what()));
     }
+  }
+
+  std::vector<std::string> columns() const {
+    const toml::node& node = *root().get("columns");
+    const toml::array* const array = node.as_array();
+    if (!array || array->empty()) fail(node, "columns", "must be a list with something in it");
+    const std::vector<std::string>& allowed = result_columns();
+    std::vector<std::string> all;
+    for (const toml::node& item : *array) {
+      const auto name = item.value_or<std::string>("");
+      if (std::ranges::find(allowed, name) == allowed.end())
+        fail(item, "columns",
+             fmt::format("there is no result \"{}\"{}; there are: {}", shown(name),
+                         suggestion(name, allowed), fmt::join(allowed, ", ")));
+      if (std::ranges::find(all, name) != all.end())
+        fail(item, "columns", fmt::format("\"{}\" stands twice", name));
+      all.push_back(name);
+    }
+    return all;
   }
 
   std::string whole_text() const {

@@ -20,9 +20,8 @@ std::vector<std::string> keys_of(const nlohmann::ordered_json& summary) {
   return keys;
 }
 
-const std::vector<std::string>& summary_keys() {
-  static const std::vector<std::string> keys = keys_of(to_json(Account{}));
-  return keys;
+const std::vector<std::string>& columns_of(const Sweep& sweep) {
+  return sweep.columns.empty() ? result_columns() : sweep.columns;
 }
 
 std::string field(const nlohmann::ordered_json& value) {
@@ -30,14 +29,19 @@ std::string field(const nlohmann::ordered_json& value) {
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
-std::string cells(const Account& account) {
+std::string cells(const Account& account, const std::vector<std::string>& columns) {
   const nlohmann::ordered_json summary = to_json(account);
   std::string row;
-  for (const std::string& key : summary_keys()) row += field(summary.at(key)) + ',';
+  for (const std::string& key : columns) row += field(summary.at(key)) + ',';
   return row;
 }
 
 }  // namespace
+
+const std::vector<std::string>& result_columns() {
+  static const std::vector<std::string> keys = keys_of(to_json(Account{}));
+  return keys;
+}
 
 std::string sweep_head(const Sweep& sweep) {
   std::vector<std::string> provenance = {
@@ -47,8 +51,9 @@ std::string sweep_head(const Sweep& sweep) {
   for (std::string line; std::getline(text, line);) provenance.push_back("  " + line);
   std::vector<std::string> names = sweep.quantities();
   for (std::string& name : names)  // beside a result of the same name, such as the method's
-    if (std::ranges::find(summary_keys(), name) != summary_keys().end()) name += "_varied";
-  names.insert(names.end(), summary_keys().begin(), summary_keys().end());
+    if (std::ranges::find(result_columns(), name) != result_columns().end()) name += "_varied";
+  const std::vector<std::string>& columns = columns_of(sweep);
+  names.insert(names.end(), columns.begin(), columns.end());
   names.emplace_back("refusal");
   return csv_head(provenance, {names.begin(), names.end()});
 }
@@ -63,11 +68,12 @@ std::string SweepRows::operator()(long n) {
     const Account account =
         finish(run_ups_.depart(scenario, monitor), scenario, sweep_.stop_on, monitor);
     if (account.early.interrupted) throw Interrupted();
-    return row + cells(account) + '\n';
+    return row + cells(account, columns_of(sweep_)) + '\n';
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
-    return row + std::string(summary_keys().size(), ',') + csv_field(one_line(error.what())) + '\n';
+    return row + std::string(columns_of(sweep_).size(), ',') + csv_field(one_line(error.what())) +
+           '\n';
   }
 }
 

@@ -7,6 +7,9 @@
 
 namespace rotor {
 
+/// The columns that results can have: the plain keys of a summary.
+const std::vector<std::string>& result_columns();
+
 /// What stands above the rows: where they come from, and the names of their columns.
 std::string sweep_head(const Sweep& sweep);
 

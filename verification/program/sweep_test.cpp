@@ -116,6 +116,23 @@ TEST_F(SweepCommand, RunsEachToItsEndWhereItIsAskedTo) {
   EXPECT_LT(final_time(axis), 29.2);  // rolling, 23 ms after the first contact
 }
 
+// The same cells as in the whole rows, a refusal beside them.
+TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
+  const std::string axis = "[[axis]]\nquantity = \"start_speed_hz\"\nvalues = [10, 150]\n";
+  write("whole.toml", "[parameters]\nclearance = 1e-3\n" + axis);
+  write("part.toml", "columns = [\"collisions\", \"outcome\"]\n" + content("whole.toml"));
+  ASSERT_EQ(rotor("sweep whole.toml --out whole.csv").status, 0);
+  ASSERT_EQ(rotor("sweep part.toml --out part.csv").status, 0);
+  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz,collisions,outcome,refusal");
+  const auto whole = results("whole.csv"), part = results("part.csv");
+  ASSERT_EQ(part.size(), 2U);
+  for (std::size_t n = 0; n < part.size(); ++n)
+    for (const char* column : {"start_speed_hz", "collisions", "outcome", "refusal"})
+      EXPECT_EQ(part[n][column], whole[n][column]) << column;
+  EXPECT_NE(part[0]["refusal"], "");
+  EXPECT_EQ(part[1]["outcome"], "rolling");
+}
+
 TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
   write("s.toml", mixed);
   for (const char* jobs : {"1", "2", "5"})
@@ -234,6 +251,13 @@ TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
                      "must go from a number to a greater one"),
            std::pair(std::string("stop_on = \"lunch\"\n") + axis(friction + "values = [0.1]\n"),
                      "or \"end\""),
+           std::pair(std::string("columns = [\"outcom\"]\n") + axis(friction + "values = [0.1]\n"),
+                     "there is no result \"outcom\"; did you mean outcome?"),
+           std::pair("columns = [\"outcome\", \"outcome\"]\n" + axis(friction + "values = [0.1]\n"),
+                     "\"outcome\" stands twice"),
+           std::pair("columns = []\n" + axis(friction + "values = [0.1]\n"), "something in it"),
+           std::pair("columns = \"outcome\"\n" + axis(friction + "values = [0.1]\n"),
+                     "must be a list"),
        })
     EXPECT_NE(refusal(text).find(message), std::string::npos) << text << refusal(text);
   write("s.toml", axis(friction + "values = [0.1]\n"));
