@@ -1,4 +1,6 @@
 /// Closed forms of rolling and of sliding whirl.
+#include "model/theory/whirl.hpp"
+
 #include <gtest/gtest.h>
 
 #include "verification/support/bare.hpp"
@@ -88,13 +90,13 @@ struct SlidingWhirl : testing::Test {
     return end == run.events().end() ? Event::none : end->event;
   }
 
-  static constexpr double zeta = 0.1, beta = 100;
+  static constexpr double zeta = 0.1, beta = 10;
   Scenario scenario = bare();
 };
 
 TEST_F(SlidingWhirl, GrowsAboveTheRateOfTheClosedFormAndDiesBelowIt) {
   const Parameters& p = scenario.parameters;
-  const double whirl = w_n() * (zeta / p.friction + std::hypot(1, zeta / p.friction));
+  const double whirl = Whirl(p).separatrix_rate(p.friction);
   // Friction balances damping: mu k_t Delta = d Omega rho.
   const double share = p.support_damping * whirl / (p.friction * p.contact_stiffness);
   const double indentation = (p.stator_radius - p.rotor_radius) * share / (1 - share);
@@ -105,7 +107,7 @@ TEST_F(SlidingWhirl, GrowsAboveTheRateOfTheClosedFormAndDiesBelowIt) {
 
 TEST_F(SlidingWhirl, NeedsTheFrictionOfTheClosedFormHoweverDeepItBegins) {
   const double whirl = w_n() * std::sqrt(1 + beta);  // of a rotor whose clearance does not count
-  const double least = 2 * zeta * std::sqrt(1 + beta) / beta, deep = 100 * 3e-3;
+  const double least = Whirl(scenario.parameters).whip_friction(), deep = 100 * 3e-3;
   // The clearance, a hundredth of the indentation, moves the limit by about as much.
   scenario.parameters.friction = 1.05 * least;
   EXPECT_EQ(fate(whirl, deep), Event::rolling_onset);

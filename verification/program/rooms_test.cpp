@@ -24,15 +24,18 @@ const std::map<std::string, Names>& allowed() {
     return names;
   };
   static const Names scenes = with(model, {"figures/data", "figures/scenes"});
-  static const Names of_verification = with(scenes, {"figures/sweep", "verification/support"});
+  static const Names of_verification =
+      with(scenes, {"figures/sweep", "model/theory", "verification/support"});
   static const std::map<std::string, Names> rooms = {
       {"model/mechanics", {}},
       {"model/integration", {}},
       {"model/phases", {"model/mechanics", "model/integration"}},
       {"model/simulation", {"model/mechanics", "model/integration", "model/phases"}},
+      {"model/theory", {"model/mechanics"}},
       {"figures/data", {}},
       {"figures/scenes", with(model, {"figures/data"})},
       {"figures/sweep", scenes},
+      {"figures/maps", with(scenes, {"figures/sweep", "model/theory"})},
       {"figures/program", with(scenes, {"figures/sweep"})},
       {"verification/support", scenes},
       {"verification/equations", of_verification},

@@ -1,0 +1,106 @@
+/// The motion that follows a mass loss as long as the rotor stays clear of the ring, in closed
+/// form.
+///
+/// At a constant speed w, and without gravity's moment, O obeys m z'' + d z' + k z = m e w^2
+/// e^{iwt} in the stator's axes, as a complex number. Before the loss z = s_0 e^{iwt} is the steady
+/// response. The loss changes m and e but neither z nor, put right, z'; as printed, z' rises by
+/// Delta_vy across the rotor's axis. After it
+///
+///     z = s e^{iwt} + (a e^{i w_d t} + b e^{-i w_d t}) e^{-delta t},
+///
+/// so that |z| <= |s| + |a| + |b|: a rotor whose clearance is larger cannot touch.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+
+#include "model/mechanics/mass_loss.hpp"
+
+namespace rotor {
+
+class MassLossResponse {
+ public:
+  using Complex = std::complex<double>;
+
+  /// For supports that are not overdamped.
+  MassLossResponse(const Parameters& p, Equations equations, double speed)
+      : speed_(speed), clearance_(p.stator_radius - p.rotor_radius) {
+    const MassLoss<double> loss(p);
+    const Supports<double> supports(p, equations);
+    const auto steady = [&](const Body<double>& body) {
+      const Vector<double> centre = supports.unbalance_response(body, speed);
+      return Complex(centre.x() - body.eccentricity, centre.y());
+    };
+    const State<double> before = {
+        steady(loss.before).real(), steady(loss.before).imag(), 0, 0, 0, speed};
+    const State<double> after = loss.separate(before, equations);
+    const Complex z(after[0], after[1]), rate = Complex(after[3], after[4]) + i * speed * z;
+    steady_ = steady(loss.after);
+    decay_ = p.support_damping / (2 * loss.after.mass);
+    frequency_ = std::sqrt(p.support_stiffness / loss.after.mass - decay_ * decay_);
+    const Complex free = z - steady_, free_rate = rate - i * speed * steady_;
+    a_ = (free_rate + (decay_ + i * frequency_) * free) / (2. * i * frequency_);
+    b_ = free - a_;
+  }
+
+  /// O and its velocity at a time after the loss, in the axes in which the rotor's x axis lay at
+  /// the loss.
+  Complex position(double t) const { return driven(t) + forward(t) + backward(t); }
+  Complex velocity(double t) const {
+    return i * speed_ * driven(t) + (i * frequency_ - decay_) * forward(t) -
+           (i * frequency_ + decay_) * backward(t);
+  }
+
+  double steady() const { return std::abs(steady_); }  ///< what |z| tends to, m
+  double bound() const { return reach_from(0); }       ///< above |z| for ever, m
+
+  /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-5 of it.
+  double greatest() const {
+    double found = steady(), last = 0, here = std::abs(position(0));
+    for (double t = 0; reach_from(t) > (1 + 1e-5) * found; t += look()) {
+      const double next = std::abs(position(t + look())), bend = 2 * here - last - next;
+      const bool is_peak = here >= last && here >= next && bend > 0;
+      found = std::max(found, is_peak ? here + (next - last) * (next - last) / (8 * bend) : here);
+      last = here;
+      here = next;
+    }
+    return found;
+  }
+
+  /// When |z| reaches the clearance for the first time, if it does, s.
+  std::optional<double> first_contact() const {
+    const auto gap = [&](double t) { return clearance_ - std::abs(position(t)); };
+    double clear = 0;
+    while (gap(clear + look()) > 0) {
+      clear += look();
+      if (reach_from(clear) < clearance_) return std::nullopt;
+    }
+    double touching = clear + look();
+    for (int halving = 0; halving < 50; ++halving) {
+      const double middle = (clear + touching) / 2;
+      (gap(middle) > 0 ? clear : touching) = middle;
+    }
+    return touching;
+  }
+
+ private:
+  static constexpr Complex i{0, 1};
+
+  Complex driven(double t) const { return steady_ * std::exp(i * speed_ * t); }
+  Complex forward(double t) const { return a_ * std::exp((i * frequency_ - decay_) * t); }
+  Complex backward(double t) const { return b_ * std::exp(-(i * frequency_ + decay_) * t); }
+  double reach_from(double t) const {
+    return steady() + (std::abs(a_) + std::abs(b_)) * std::exp(-decay_ * t);
+  }
+  /// A sixty-fourth of a period of the faster motion, s.
+  double look() const { return std::numbers::pi / 32 / std::max(speed_, frequency_); }
+
+  double speed_, clearance_;
+  Complex steady_, a_, b_;
+  double decay_, frequency_;
+};
+
+}  // namespace rotor

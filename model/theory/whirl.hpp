@@ -1,0 +1,104 @@
+/// Where the rotor can whirl along the ring, in closed form.
+///
+/// O moves at the radius rho = c + Delta around O_a, at a constant rate. With w_n = sqrt(k/m),
+/// zeta = d / (2 sqrt(k m)), beta = k_t/k and N = k_t Delta:
+///
+/// **Backward**, at the rate Omega, without unbalance; friction F drives the whirl and brakes the
+/// rotor:
+///
+///     N = (m Omega^2 - k) rho,   m rho Omega' = F - d rho Omega,   I w' = -F r.
+///
+/// The first of these gives rho = c k_t / (k_t + k - m Omega^2): contact needs Omega > w_n, and the
+/// ring yields without bound at sqrt((k + k_t)/m). Sliding, F = mu N: the whirl grows where
+/// mu (m Omega^2 - k) > d Omega, thus above the rate of separatrix_rate(). That lies below the
+/// rate at which the ring yields if mu exceeds whip_friction(); then the whirl feeds itself, which
+/// the literature calls dry whip, until the rim rolls. Rolling, r w = Omega rho: the free rotor
+/// slows down, F = d rho Omega I / (I + m r^2), which friction can give if mu exceeds
+/// rolling_friction().
+///
+/// **Forward**, at the rotor's own speed, pressed on and dragged along by its unbalance. With C
+/// ahead of O by the angle phi, and w' = -mu N r / I slowing O down as well:
+///
+///     N = (m w^2 - k) rho + m w^2 e cos(phi),
+///     m w^2 e sin(phi) = d w rho + mu N (1 - m r rho / I).
+///
+/// There is such a phi as long as mu does not exceed synchronous_friction(). Above it nothing but
+/// backward whirl can last.
+///
+/// All of this is derived here. The literature asks the same questions of a rotor and a stator that
+/// may vibrate (Black 1968), of backward whirl (Jiang 2007) and of the onset of dry whip (Jiang and
+/// Ulbrich 2005); of these papers only the abstracts have been seen, their formulas have not.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "model/mechanics/contact.hpp"
+#include "model/mechanics/mass_loss.hpp"
+
+namespace rotor {
+
+/// The rotor after its mass loss.
+class Whirl {
+ public:
+  explicit Whirl(const Parameters& p)
+      : body_(MassLoss<double>(p).after),
+        stiffness_(p.support_stiffness),
+        damping_(p.support_damping),
+        ring_(p) {}
+
+  /// Backward sliding whirl in contact grows above this rate and dies below it, rad/s.
+  double separatrix_rate(double friction) const {
+    const double ratio = zeta() / friction;
+    return natural_rate() * (ratio + std::hypot(1, ratio));
+  }
+
+  /// Below this friction backward sliding whirl dies at any rate.
+  double whip_friction() const {
+    const double beta = ring_.stiffness / stiffness_;
+    return 2 * zeta() * std::sqrt(1 + beta) / beta;
+  }
+
+  /// The rate of backward rolling at a speed, both in rad/s: the root of r w = Omega rho(Omega).
+  double rolling_rate(double speed) const {
+    const double b = ring_.clearance * ring_.stiffness, rim = ring_.rotor_radius * speed;
+    const double c = rim * (ring_.stiffness + stiffness_);
+    return 2 * c / (b + std::sqrt(b * b + 4 * body_.mass * rim * c));
+  }
+
+  /// The friction that backward rolling needs at a speed; infinite where it would leave the ring.
+  double rolling_friction(double speed) const {
+    const double rate = rolling_rate(speed), pressure = body_.mass * rate * rate - stiffness_;
+    if (!(pressure > 0)) return std::numeric_limits<double>::infinity();
+    const double r = ring_.rotor_radius;
+    return body_.inertia / (body_.inertia + body_.mass * r * r) * damping_ * rate / pressure;
+  }
+
+  /// The friction up to which forward synchronous rub can last at a speed, the indentation
+  /// neglected beside the clearance: 0 if the unbalance cannot even overcome the damping, infinite
+  /// if it overcomes any friction.
+  double synchronous_friction(double speed) const {
+    const double inertia_force = body_.mass * speed * speed;
+    const double unbalance = inertia_force * body_.eccentricity / ring_.clearance;
+    const double pressure = inertia_force - stiffness_, drag = damping_ * speed;
+    if (drag >= unbalance) return 0;
+    const double slowing = body_.mass * ring_.rotor_radius * ring_.clearance / body_.inertia;
+    if (pressure <= unbalance || slowing >= 1) return std::numeric_limits<double>::infinity();
+    // The greatest left-hand side over phi: mu' pressure + drag = unbalance sqrt(1 + mu'^2).
+    const double effective =
+        (unbalance * std::sqrt(pressure * pressure + drag * drag - unbalance * unbalance) -
+         pressure * drag) /
+        (pressure * pressure - unbalance * unbalance);
+    return effective / (1 - slowing);
+  }
+
+ private:
+  double natural_rate() const { return std::sqrt(stiffness_ / body_.mass); }
+  double zeta() const { return damping_ / (2 * std::sqrt(stiffness_ * body_.mass)); }
+
+  Body<double> body_;
+  double stiffness_, damping_;
+  Ring<double> ring_;
+};
+
+}  // namespace rotor

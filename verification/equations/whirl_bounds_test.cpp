@@ -1,0 +1,124 @@
+/// Where whirl can last: closed forms against runs of single rotors and of many.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "figures/sweep/sweep.hpp"
+#include "model/simulation/summary.hpp"
+#include "model/theory/whirl.hpp"
+#include "verification/support/bare.hpp"
+
+namespace rotor {
+namespace {
+
+/// Supports, but neither gravity nor motor; the ring lets radial motion settle.
+Scenario supported() {
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  p.support_stiffness = Parameters{}.support_stiffness;
+  p.support_damping = Parameters{}.support_damping;
+  p.contact_damping = 0.2 * std::sqrt(p.contact_stiffness * p.mass);
+  return scenario;
+}
+
+/// In contact with the ring, from a polar state of O.
+Instant pressed(const Scenario& scenario, ContactState contact, double rho, double whirl,
+                double speed) {
+  Instant at = at_rest(scenario.parameters);
+  at.motor_on = false;
+  at.contact = contact;
+  at.state = {rho, 0, 0, 0, (whirl - speed) * rho, speed};
+  return at;
+}
+
+struct BackwardRolling : testing::Test {
+  static constexpr double speed = 300;  // rad/s
+  Scenario scenario = supported();
+
+  EventRecorder rolled(double duration_s) const {
+    const Whirl whirl(scenario.parameters);
+    const double rate = whirl.rolling_rate(speed);
+    const double rho = scenario.parameters.rotor_radius * speed / rate;
+    EventRecorder run;
+    follow(scenario, pressed(scenario, ContactState::rolling, rho, -rate, speed), duration_s, run);
+    return run;
+  }
+};
+
+TEST_F(BackwardRolling, GoesOnAtTheClosedFormsRateWithoutDampers) {
+  scenario.parameters.support_damping = 0;
+  scenario.parameters.friction = 1;
+  const Instant last = rolled(0.05).last();
+  ASSERT_EQ(last.contact, ContactState::rolling);
+  const double rho =
+      scenario.parameters.rotor_radius * speed / Whirl(scenario.parameters).rolling_rate(speed);
+  EXPECT_NEAR(std::hypot(last.state[0], last.state[1]), rho, 1e-12);  // of 3.7 mm
+  EXPECT_NEAR(last.state[5] / speed, 1, 1e-10);
+}
+
+TEST_F(BackwardRolling, NeedsTheFrictionOfTheClosedForm) {
+  scenario.parameters.support_damping = 200;  // so that friction has something to do
+  const double least = Whirl(scenario.parameters).rolling_friction(speed);
+  EXPECT_GT(least, 2e-3);
+  // rho begins to shrink as the rotor slows down, which swings the force by 0.5 %.
+  scenario.parameters.friction = 1.01 * least;
+  EXPECT_EQ(rolled(1e-3).count(Event::break_away), 0);
+  scenario.parameters.friction = 0.99 * least;
+  EXPECT_GT(rolled(1e-3).count(Event::break_away), 0);
+}
+
+/// Forward rub, with C where friction can be greatest.
+struct SynchronousRub : testing::Test {
+  static constexpr double speed = 900, duration_s = 0.1;  // beyond the limit O falls behind in less
+
+  /// Whether O keeps its place beside C, the friction a multiple of the closed form's.
+  bool lasts(Scenario scenario, double of_limit) const {
+    Parameters& p = scenario.parameters;
+    p.friction = of_limit * Whirl(p).synchronous_friction(speed);
+    const Body<double> body = MassLoss<double>(p).after;
+    const double clearance = p.stator_radius - p.rotor_radius;
+    const double pressure = body.mass * speed * speed - p.support_stiffness;
+    const double slowing = body.mass * p.rotor_radius * clearance / body.inertia;
+    const double mu = p.friction * (1 - slowing), phi = std::atan2(1, -mu);
+    const double force =
+        pressure * clearance + body.mass * speed * speed * body.eccentricity * std::cos(phi);
+    const double rho = clearance + force / p.contact_stiffness;
+    // In the axes that turn with the rotor, C lies along x: O is behind it by phi, and at rest.
+    Instant at = pressed(scenario, ContactState::sliding, rho, speed, speed);
+    at.state[0] = rho * std::cos(phi);
+    at.state[1] = -rho * std::sin(phi);
+    at.body = body;
+    at.separated = true;
+    bool behind = false;  // O by a quarter turn or more than where it began
+    MotionObserver watch(0, duration_s, [&](const DenseOutput& motion) {
+      const State<double> q = motion.at(motion.until_s).state;
+      behind = behind || q[0] * at.state[0] + q[1] * at.state[1] < 0;
+    });
+    follow(scenario, at, duration_s, watch);
+    return !behind;
+  }
+};
+
+TEST_F(SynchronousRub, LastsUpToTheClosedFormsFriction) {
+  // A driven rotor keeps its speed. A free one does not, and would outrun the limit if the supports
+  // took much of its speed.
+  for (const auto& [inertia, damping] : {std::pair(1e9, 25.), {1e9, 500.}, {9e-3, 25.}}) {
+    Scenario scenario = supported();
+    scenario.parameters.inertia = inertia;
+    scenario.parameters.support_damping = damping;
+    scenario.parameters.eccentricity = Parameters{}.eccentricity;
+    EXPECT_TRUE(lasts(scenario, 0.97)) << inertia << ' ' << damping;
+    EXPECT_FALSE(lasts(scenario, 1.03)) << inertia << ' ' << damping;
+  }
+}
+
+TEST_F(SynchronousRub, NeedsAnUnbalanceThatOvercomesTheSupportsDamping) {
+  Parameters p;
+  p.support_damping = 700;  // d w = 6.3e5 N/m, m w^2 e / c = 6.0e5 N/m
+  EXPECT_EQ(Whirl(p).synchronous_friction(speed), 0);
+  p.stator_radius = p.rotor_radius + 0.4e-3;  // less than e: C ahead of O overcomes all friction
+  EXPECT_EQ(Whirl(p).synchronous_friction(speed), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace rotor
