@@ -6,6 +6,7 @@ SHELL       := bash
 FORMAT    ?= svg
 EQUATIONS ?= published
 FIG       ?=
+POINTS    ?= 400
 BUILD     := build
 SCENES    := $(sort $(wildcard figures/paper/fig*.toml))
 FIGURES   := $(SCENES:figures/paper/%.toml=%)
@@ -21,6 +22,7 @@ ROTOR := $(BUILD)/rotor
 one_of = $(if $(filter $($(1)),$(2)),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
 $(call one_of,EQUATIONS,published consistent)
+$(if $(shell [ "$(POINTS)" -ge 20 ] 2>/dev/null && echo yes),,$(error POINTS=$(POINTS): must be a whole number, 20 at least))
 
 # Figures of the published equations stand in build/figures, others in a folder of their own.
 OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
@@ -66,7 +68,7 @@ endef
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures $(FIGURES) reference ensembles verify lint mutants deps-bench bench-programs \
-        bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
+        maps map-theory bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
         deps-ranking ranking clean
 
 help: ## list all targets
@@ -75,6 +77,7 @@ help: ## list all targets
 	@echo "  make figNN          redraw one figure: $(FIGURES)"
 	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures),"
 	@echo "         SEED=7, COUNT=100 (of make mutants: which mechanical changes, and how many)"
+	@echo "         POINTS=40 (of make maps: points along each axis, 400 if not given)"
 
 deps: ## install the Debian packages that are missing
 	$(call install,$(PACKAGES))
@@ -131,6 +134,35 @@ $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIG
 	  figures/paper/style.gp figures/paper/$*.gp && mv $@.part $@ && echo "$@"
 figures/paper/%.gp:
 	$(error The scene figures/paper/$*.toml has no script $@ that draws it)
+
+# Maps of outcomes over two quantities. Coarser ones stand in a folder of their own. A sweep that was
+# stopped goes on where it was.
+MAPS   := speed-friction speed-clearance clearance-stiffness contact
+MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
+MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
+maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (minutes)
+.SECONDARY: $(foreach map,$(MAPS) rounding,$(foreach end,.toml .csv -theory.csv,$(MAP_OUT)/$(map)$(end)))
+map-theory: build
+	$(call build-target,map-theory)
+$(BUILD)/map-theory: map-theory
+
+# An ensemble at each point wants a tenth of the points.
+$(MAP_OUT)/%.toml: figures/maps/%.toml
+	@mkdir -p $(@D); sed -e "s/^points = 40$$/points = $$(($(POINTS) / 10))/" -e 's/^points = 400$$/points = $(POINTS)/' $< > $@
+$(MAP_OUT)/%.csv: $(MAP_OUT)/%.toml $(ROTOR)
+	@$(ROTOR) sweep $< --out $@
+$(MAP_OUT)/%-theory.csv: $(MAP_OUT)/%.toml $(BUILD)/map-theory
+	@$(BUILD)/map-theory $< > $@
+$(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
+	@awk -f figures/maps/shares.awk $< > $@
+draw_map = gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; $(1)" figures/paper/style.gp $(2) && \
+  mv $@.part $@ && echo "$@"
+$(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp figures/maps/map.gp
+	@$(call draw_map,theory = '$(word 2,$^)'; shows = 'outcome',figures/maps/$*.gp figures/maps/map.gp)
+$(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp figures/maps/map.gp
+	@$(call draw_map,theory = '$(word 2,$^)'; shows = 'force',figures/maps/$*.gp figures/maps/map.gp)
+$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv figures/maps/rounding.gp
+	@$(call draw_map,,figures/maps/rounding.gp)
 
 verify: build ## build, run all tests, and hold the published numbers against ours
 	$(call build-target,all)

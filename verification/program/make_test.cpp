@@ -28,6 +28,7 @@ TEST_F(Make, SaysWhatItCannotMake) {
   expect_line("FORMAT=jpg figures", "FORMAT=jpg: must be one of: svg pdf png");
   expect_line("EQUATIONS=printed figures",
               "EQUATIONS=printed: must be one of: published consistent");
+  expect_line("POINTS=many maps", "POINTS=many: must be a whole number, 20 at least");
   write("build", "a file in the place of the folder");
   expect_line("build", "build: cannot be written");
   expect_line("figures/paper/fig18.gp",

@@ -1,0 +1,36 @@
+# The share of rotors that roll, over the rounding of the inputs that are not on the axes, and its standard error,
+# which is that of random draws. The caller sets what style.gp wants; data are those of shares.awk.
+eval "set terminal ".square
+stats data using (1) nooutput name "all"
+panel = int(all_records)/2
+stats data every ::0::0 using "draws" nooutput name "draws"
+set multiplot title sprintf("{/:Bold Backward rolling over the rounding of the other inputs}: %d draws at each point", draws_max)
+set tics front out
+unset grid; unset key; unset colorbox
+set xrange [*:*] noextend; set yrange [*:*] noextend
+top = 0.9; bottom = 0.09; height = (top - bottom)/2
+do for [p = 0:3] {
+  at_left = p % 2 == 0; at_bottom = p/2 == 1
+  set lmargin at screen at_left ? 0.1 : 0.5
+  set rmargin at screen at_left ? 0.47 : 0.87
+  set tmargin at screen top - height*(p/2) - 0.03
+  set bmargin at screen top - height*(p/2 + 1) + 0.02
+  set title (at_left ? "published equations" : "consistent equations") offset 0,-0.6
+  set format x (at_bottom ? "%g" : ""); set format y (at_left ? "%g" : "")
+  set xlabel (at_bottom ? "speed at the mass loss, Hz" : "") offset 0,0.4
+  set ylabel (at_left ? "coefficient of friction μ" : "") offset 0.5,0
+  if (at_bottom) {
+    set palette defined (0 "#ffffff", 1 "#707070")
+    set cbrange [0:0.05]; set cblabel "standard error of the share" offset -1,0
+  } else {
+    set palette defined (0 "#f4f4f4", 1 "#f3c9a0", 2 "#d55e00")
+    set cbrange [0:1]; set cblabel "share that rolls" offset -1,0
+  }
+  if (at_left) { unset colorbox } else {
+    set colorbox user origin screen 0.89, graph 0 size screen 0.025, graph 1
+  }
+  first = (p % 2)*panel
+  eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image", \
+    first, first + panel - 1, at_bottom ? "standard_error" : "rolling_share")
+}
+unset multiplot

@@ -1,0 +1,17 @@
+# The share of draws that roll, at each point of a sweep's axes: the rows of its draws stand together.
+BEGIN { FS = OFS = "," }
+/^#/ { print; next }
+!outcome {
+  for (i = 1; i <= NF; ++i) if ($i == "outcome") outcome = i
+  print "equations", $2, $3, "draws", "rolling_share", "standard_error"
+  next
+}
+{ point = $1 OFS $2 OFS $3 }
+point != last { tell(); last = point; draws = rolling = 0 }
+{ ++draws; rolling += $outcome == "rolling" }
+END { tell() }
+function tell(share) {
+  if (!draws) return
+  share = rolling / draws
+  print last, draws, share, sqrt(share * (1 - share) / draws)
+}

@@ -1,0 +1,4 @@
+# Reasons one and three: high speed at the mass loss, small clearance.
+heading = "Speed at the mass loss and clearance"
+abscissa = "start_speed_hz"; x_name = "speed at the mass loss, Hz"
+ordinate = "clearance";      y_name = "clearance, mm"; y_unit = 1e-3

@@ -1,0 +1,78 @@
+/// What closed forms say of a map: `map-theory MAP.toml` writes a row for each point of a sweep
+/// file, in its order, a blank line before each scan of the last axis, as gnuplot wants it.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <numbers>
+
+#include "figures/data/csv.hpp"
+#include "figures/sweep/sweep.hpp"
+#include "model/theory/mass_loss_response.hpp"
+#include "model/theory/whirl.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr std::array names = {
+    "clearance_m",          "mu",           "greatest_m", "bound_m", "steady_m", "rolling_friction",
+    "synchronous_friction", "whip_friction"};
+
+std::array<double, names.size()> closed_forms(const Scenario& scenario) {
+  const Parameters& p = scenario.parameters;
+  const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
+  const MassLossResponse response(p, scenario.equations, speed);
+  const Whirl whirl(p);
+  return {p.stator_radius - p.rotor_radius,
+          p.friction,
+          response.greatest(),
+          response.bound(),
+          response.steady(),
+          whirl.rolling_friction(speed),
+          whirl.synchronous_friction(speed),
+          whirl.whip_friction()};
+}
+
+/// Empty cells where the rotor would touch before the loss.
+std::string cells(const Statement& statement) {
+  std::array<double, names.size()> values;
+  values.fill(std::numeric_limits<double>::quiet_NaN());
+  try {
+    values = closed_forms(scenario_of(statement));
+  } catch (const std::exception&) {  // which the sweep says in its own row
+  }
+  std::string row;
+  for (const double value : values) row += (row.empty() ? "" : ",") + csv_field(value);
+  return row + '\n';
+}
+
+void print(const char* file) {
+  const Sweep sweep = read_sweep(file);
+  const SweepPoints points(sweep);
+  std::vector<std::string> columns = sweep.quantities();
+  columns.insert(columns.end(), names.begin(), names.end());
+  fmt::print("{}", csv_head({"Closed forms of model/theory for " + sweep.title},
+                            {columns.begin(), columns.end()}));
+  const long scan = sweep.axes.back().points();
+  for (long n = 0; n < sweep.points(); ++n) {
+    const SweepPoint point = points(n);
+    if (n % scan == 0) fmt::print("\n");
+    for (const std::string& value : point.values) fmt::print("{},", csv_field(value));
+    fmt::print("{}", cells(point.statement));
+  }
+}
+
+}  // namespace
+}  // namespace rotor
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 2) throw std::runtime_error("needs a sweep file");
+    rotor::print(argv[1]);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "map-theory: {}\n", error.what());
+    return 1;
+  }
+}

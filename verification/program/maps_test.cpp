@@ -1,0 +1,233 @@
+/// The maps of `make maps`, coarse: their points are those of `rotor run`, closed forms agree with
+/// them, and they can be drawn.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <regex>
+
+#include "figures/data/csv.hpp"
+#include "figures/scenes/names.hpp"
+#include "figures/sweep/sweep_row.hpp"
+#include "model/theory/mass_loss_response.hpp"
+#include "model/theory/whirl.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+const std::string maps = ROTOR_SOURCES "/figures/maps/";
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+struct Maps : CommandLine, testing::WithParamInterface<const char*> {
+ protected:
+  /// The map with so many points along each axis, as FILE.toml in the folder.
+  Sweep coarse(const std::string& map, int points) const {
+    const std::string whole = text_of(maps + map + ".toml");
+    EXPECT_NE(whole.find("\npoints = 400\n"), std::string::npos);
+    write(map + ".toml", std::regex_replace(whole, std::regex("\npoints = 400\n"),
+                                            fmt::format("\npoints = {}\n", points)));
+    return read_sweep(folder_ / (map + ".toml"));
+  }
+
+  /// What `rotor run` is told of a point.
+  static std::string options_of(const SweepPoint& point) {
+    std::string options = "--stop-on outcome";
+    const auto add = [&](std::string name, const std::string& value) {
+      std::replace(name.begin(), name.end(), '_', '-');
+      options += fmt::format(" --{} {}", name, value);
+    };
+    for (const auto& [name, number] : point.statement.numbers) add(name, fmt::format("{}", number));
+    add("equations", std::string(name_of(point.statement.equations.value())));
+    return options;
+  }
+};
+
+TEST_P(Maps, HaveTheRowsThatRunsOfTheirOwnGive) {
+  const Sweep sweep = coarse(GetParam(), 40);
+  const SweepPoints points(sweep);
+  SweepRows rows(sweep);
+  std::mt19937_64 lot(1);
+  for (int drawn = 0; drawn < 8; ++drawn) {
+    const long n = static_cast<long>(lot() % static_cast<unsigned long>(sweep.points()));
+    write("row.csv", sweep_head(sweep) + rows(n));
+    const CsvRow row = read_csv(folder_ / "row.csv").at(0);
+    const std::string options = options_of(points(n));
+    const Outcome run = rotor("run --json " + options + " 2> messages");
+    if (run.status != 0) {
+      EXPECT_EQ("rotor: " + row["refusal"] + "\n", content("messages")) << options;
+      continue;
+    }
+    const auto summary = nlohmann::ordered_json::parse(run.output);
+    for (const std::string& column : sweep.columns) {
+      const auto& value = summary.at(column);
+      EXPECT_EQ(row[column], value.is_null()     ? ""
+                             : value.is_string() ? value.get<std::string>()
+                                                 : value.dump())
+          << column << ' ' << options;
+    }
+  }
+}
+
+// What gnuplot complains of, it says.
+TEST_P(Maps, AreDrawn) {
+  const std::string map = GetParam();
+  coarse(map, 6);
+  const auto [status, output] = shell(fmt::format(
+      "$rotor sweep {0}.toml --out {0}.csv >/dev/null && {1} {0}.toml > theory.csv && "
+      "for shows in outcome force; do gnuplot -e \"data='{0}.csv'; theory='theory.csv'; "
+      "output='$shows.svg'; format='svg'; shows='$shows'\" {2}/figures/paper/style.gp "
+      "{3}{0}.gp {3}map.gp; done",
+      map, ROTOR_MAP_THEORY, ROTOR_SOURCES, maps));
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(output, "");
+  const std::string outcome = content("outcome.svg"), force = content("force.svg");
+  for (const std::string& picture : {outcome, force}) {
+    std::size_t images = 0;
+    for (std::size_t at = 0; (at = picture.find("<image", at)) != std::string::npos; ++at) ++images;
+    EXPECT_EQ(images, map == "contact" ? 4U : 2U);
+  }
+  for (const char* word : {"backward rolling", "touches or stalls before the loss", "published"})
+    EXPECT_NE(outcome.find(word), std::string::npos) << word;
+  EXPECT_NE(force.find("largest normal force, kN"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Four, Maps,
+                         testing::Values("speed-friction", "speed-clearance", "clearance-stiffness",
+                                         "contact"),
+                         [](const auto& map) {
+                           return std::regex_replace(map.param, std::regex("-"), "_");
+                         });
+
+/// The maps of the reasons, whose borders closed forms know in part.
+struct TheoryOfMaps : Maps {};
+
+TEST_P(TheoryOfMaps, KnowsWhatTouchesAndWhatCannotRubForLong) {
+  const Sweep sweep = coarse(GetParam(), 24);
+  const SweepPoints points(sweep);
+  SweepRows rows(sweep);
+  std::string all = sweep_head(sweep);
+  for (long n = 0; n < sweep.points(); ++n) all += rows(n);
+  write("map.csv", all);
+  const auto results = read_csv(folder_ / "map.csv");
+  int touching = 0, clear = 0, limited = 0;
+  for (long n = 0; n < sweep.points(); ++n) {
+    const CsvRow& row = results[static_cast<std::size_t>(n)];
+    if (!row["refusal"].empty()) continue;
+    const Scenario scenario = scenario_of(points(n).statement);
+    const Parameters& p = scenario.parameters;
+    const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
+    const double ratio = speed / std::sqrt(p.support_stiffness / p.mass);
+    // Near resonance half a second is short, and the unbalance changes the speed.
+    if (std::abs(ratio - 1) < 0.15) continue;
+    const MassLossResponse response(p, scenario.equations, speed);
+    const double clearance = p.stator_radius - p.rotor_radius;
+    const bool touches = row.number("collisions") > 0;
+    (touches ? touching : clear)++;
+    // To the 0.3 % by which the speed changes, and gravity's moment.
+    if (std::abs(response.greatest() / clearance - 1) > 3e-3) {
+      EXPECT_EQ(touches, response.greatest() > clearance) << n;
+    }
+    if (touches) {
+      EXPECT_GT(response.bound(), clearance) << n;
+    }
+    if (touches && p.friction > Whirl(p).synchronous_friction(speed)) {
+      ++limited;
+      EXPECT_TRUE(row["outcome"] == "rolling" || row["outcome"] == "freed") << n;
+    }
+  }
+  EXPECT_GT(touching, 300);
+  EXPECT_GT(clear, 200);
+  EXPECT_GT(limited, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Three, TheoryOfMaps,
+                         testing::Values("speed-friction", "speed-clearance",
+                                         "clearance-stiffness"),
+                         [](const auto& map) {
+                           return std::regex_replace(map.param, std::regex("-"), "_");
+                         });
+
+TEST_F(Maps, ShowEveryOutcomeAsAClassOfItsOwn) {
+  const std::string script = text_of(maps + "map.gp");
+  for (int n = 0; n <= static_cast<int>(rotor::Outcome::undecided); ++n) {
+    const auto outcome = static_cast<rotor::Outcome>(n);
+    const bool is_named =
+        script.find(fmt::format("outcome eq \"{}\" ?", name_of(outcome))) != std::string::npos;
+    EXPECT_EQ(is_named, outcome != rotor::Outcome::stalled) << name_of(outcome);
+  }
+}
+
+TEST_F(Maps, HaveClosedFormsBesideThemPointByPoint) {
+  const Sweep sweep = coarse("speed-clearance", 4);
+  ASSERT_EQ(shell(ROTOR_MAP_THEORY " speed-clearance.toml > theory.csv").status, 0);
+  ASSERT_EQ(shell("grep . theory.csv > rows.csv").status, 0);  // without gnuplot's blank lines
+  const auto rows = read_csv(folder_ / "rows.csv");
+  ASSERT_EQ(static_cast<long>(rows.size()), sweep.points());
+  EXPECT_EQ(content("theory.csv").find("\n\npublished,0.00025,3,"),
+            content("theory.csv").find("\n\n"));
+  const SweepPoints points(sweep);
+  for (const long n : {5L, 14L, 31L}) {
+    const CsvRow& row = rows[static_cast<std::size_t>(n)];
+    const Scenario scenario = scenario_of(points(n).statement);
+    const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
+    const MassLossResponse response(scenario.parameters, scenario.equations, speed);
+    const Whirl whirl(scenario.parameters);
+    EXPECT_EQ(static_cast<double>(row.number("greatest_m")), response.greatest());
+    EXPECT_EQ(static_cast<double>(row.number("bound_m")), response.bound());
+    EXPECT_EQ(static_cast<double>(row.number("steady_m")), response.steady());
+    EXPECT_EQ(static_cast<double>(row.number("rolling_friction")), whirl.rolling_friction(speed));
+    EXPECT_EQ(static_cast<double>(row.number("synchronous_friction")),
+              whirl.synchronous_friction(speed));
+    EXPECT_EQ(static_cast<double>(row.number("whip_friction")), whirl.whip_friction());
+    EXPECT_EQ(static_cast<double>(row.number("mu")), 0.3);
+  }
+  const auto [status, output] = shell(ROTOR_MAP_THEORY " none.toml");
+  EXPECT_EQ(status, 1);
+  EXPECT_TRUE(output.starts_with("map-theory: none.toml: ")) << output;
+}
+
+TEST_F(Maps, OfRoundingDrawWhatThePrintedDigitsAllow) {
+  const Sweep sweep = read_sweep(maps + "rounding.toml");
+  std::vector<Draw> expected;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/printed-inputs.csv")) {
+    const std::string input = row["input"];
+    const bool is_left_out = input == "gravity" || input == "torque" || input == "motor_off_hz" ||
+                             input.starts_with("mu_") || input.starts_with("t_");
+    if (!is_left_out)
+      expected.push_back({input, Distribution::uniform, static_cast<double>(row.number("least")),
+                          static_cast<double>(row.number("greatest"))});
+  }
+  ASSERT_EQ(sweep.sample.over.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(sweep.sample.over[i].quantity, expected[i].quantity);
+    EXPECT_EQ(sweep.sample.over[i].a, expected[i].a) << expected[i].quantity;
+    EXPECT_EQ(sweep.sample.over[i].b, expected[i].b) << expected[i].quantity;
+  }
+}
+
+TEST_F(Maps, OfRoundingShowSharesWithTheirErrors) {
+  std::string rows = "# from\nequations_varied,friction,start_speed_hz,mass,outcome,refusal\n";
+  for (const auto& [speed, rolling] : {std::pair(3, 0), {9, 3}, {3, 4}})
+    for (int n = 0; n < 4; ++n)
+      rows += fmt::format("published,0.1,{},{},{},\n", speed, n, n < rolling ? "rolling" : "freed");
+  write("r.csv", rows);
+  ASSERT_EQ(shell("awk -f " + maps + "shares.awk r.csv > s.csv").status, 0);
+  const auto shares = read_csv(folder_ / "s.csv");
+  ASSERT_EQ(shares.size(), 3U);
+  for (const auto& [n, share, error] :
+       {std::tuple(0U, 0., 0.), {1U, 0.75, 0.216506}, {2U, 1., 0.}}) {
+    EXPECT_EQ(shares[n].number("draws"), 4);
+    EXPECT_EQ(shares[n].number("rolling_share"), share);
+    EXPECT_NEAR(static_cast<double>(shares[n].number("standard_error")), error, 1e-6);  // as said
+  }
+}
+
+}  // namespace
+}  // namespace rotor
