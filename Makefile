@@ -67,7 +67,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures $(FIGURES) reference ensembles verify lint mutants deps-bench bench-programs \
+.PHONY: help deps need-deps build figures $(FIGURES) reference ensembles reasons verify lint mutants deps-bench bench-programs \
         maps map-theory bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
         deps-ranking ranking clean
 
@@ -202,6 +202,10 @@ ranking: build ## redraw reference-data/ranking.csv: which input decides each nu
 	$(if $(call missing,$(RANKING_PACKAGES)),$(error Missing package: $(RANKING_PACKAGES) (make deps-ranking installs it)))
 	$(call build-target,ranking)
 	@$(BUILD)/ranking reference-data 512
+
+reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (minutes)
+	$(call build-target,reasons)
+	@$(BUILD)/reasons reference-data 1000
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run

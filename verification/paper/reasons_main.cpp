@@ -1,0 +1,40 @@
+/// Recomputes reference-data/reasons-tried.csv: `reasons FOLDER DRAWS`.
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "figures/data/files.hpp"
+#include "verification/paper/reasons.hpp"
+#include "verification/support/program.hpp"
+
+namespace rotor {
+namespace {
+
+int main(const Arguments& arguments) {
+  if (arguments.size() != 2) throw std::runtime_error("needs: FOLDER DRAWS");
+  const std::filesystem::path folder = arguments[0];
+  const long draws = std::stol(arguments[1]);
+  const auto reasons = read_reasons(folder / "reasons.csv");
+  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  FileTransaction files;
+  files.write(
+      folder / "reasons-tried.csv",
+      fmt::format("# How often the statements of reasons.csv fail, from `make reasons`; not "
+                  "from the paper.\n"
+                  "# rotor " ROTOR_VERSION ", {} draws of verification/paper/reasons.toml. "
+                  "rotors: that count; fails: those on which the statement fails,\n"
+                  "# by_step: at each step along the values; first, last: trend, from the "
+                  "least to the most risky value; example: the first\n"
+                  "# rotor that fails, as options of `rotor run`, with the two values "
+                  "between which it does.\n",
+                  draws) +
+          to_csv(reasons, tried(reasons, Equations::published, draws, threads),
+                 tried(reasons, Equations::consistent, draws, threads)));
+  files.commit();
+  return 0;
+}
+
+}  // namespace
+}  // namespace rotor
+
+int main(int argc, char** argv) { return rotor::run_program("reasons", rotor::main, argc, argv); }
