@@ -1,6 +1,7 @@
 /// What closed forms say of a map: `map-theory MAP.toml` writes a row for each point of a sweep
 /// file, in its order, a blank line before each scan of the last axis, as gnuplot wants it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cstdio>
@@ -44,7 +45,7 @@ std::string cells(const Statement& statement) {
   } catch (const std::exception&) {  // which the sweep says in its own row
   }
   std::string row;
-  for (const double value : values) row += (row.empty() ? "" : ",") + csv_field(value);
+  for (const double value : values) row += ',' + csv_field(value);
   return row + '\n';
 }
 
@@ -59,8 +60,7 @@ void print(const char* file) {
   for (long n = 0; n < sweep.points(); ++n) {
     const SweepPoint point = points(n);
     if (n % scan == 0) fmt::print("\n");
-    for (const std::string& value : point.values) fmt::print("{},", csv_field(value));
-    fmt::print("{}", cells(point.statement));
+    fmt::print("{}{}", fmt::join(point.values, ","), cells(point.statement));
   }
 }
 

@@ -5,11 +5,15 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
+#include "figures/data/csv.hpp"
 #include "model/simulation/simulation.hpp"
+#include "model/theory/whirl.hpp"
 #include "verification/paper/claims_table.hpp"
 #include "verification/paper/judged.hpp"
+#include "verification/paper/reasons.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
@@ -200,6 +204,28 @@ TEST_F(Readme, AndTheCitationNameTheSamePaperAndNoAuthorsOfIt) {
   EXPECT_NE(citation.find("title: " + title + " authors: - name: the authors of the paper"),
             std::string::npos);
   EXPECT_NE(citation.find("names neither its authors nor journal and year"), std::string::npos);
+}
+
+TEST_F(Readme, SaysHowOftenTheReasonsFail) {
+  std::map<std::string, std::string> shares;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/reasons-tried.csv"))
+    shares[row["reason"] + row["equations"]] =
+        fmt::format("{:.0f} %", 100 * static_cast<double>(row.number("share")));
+  const auto rows = table("| the text, in our words |");
+  const auto reasons = read_reasons(ROTOR_REFERENCE_DATA "/reasons.csv");
+  ASSERT_EQ(rows.size(), reasons.size());
+  for (std::size_t n = 0; n < rows.size(); ++n)
+    EXPECT_EQ(rows[n], (Cells{reasons[n].says, shares[reasons[n].id + "published"],
+                              shares[reasons[n].id + "consistent"]}));
+  EXPECT_EQ(shares["speed_forcepublished"], "0 %");  // without exception
+}
+
+TEST_F(Readme, SaysWhereWhirlCanLast) {
+  const Whirl whirl(Parameters{});
+  const double speed = 2 * std::numbers::pi * 150;
+  expect_said(
+      fmt::format("could last from mu = {:.4f} on at 150 Hz", whirl.rolling_friction(speed)));
+  expect_said(fmt::format("lasts up to mu = {:.3f};", whirl.synchronous_friction(speed)));
 }
 
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {

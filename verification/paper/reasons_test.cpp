@@ -1,12 +1,17 @@
 /// The paper's reasons for the accident: that the stored shares of failure are what runs give.
 #include "verification/paper/reasons.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "figures/data/csv.hpp"
+#include "figures/scenes/account.hpp"
+#include "figures/scenes/statement.hpp"
+#include "model/theory/whirl.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -94,6 +99,87 @@ TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
     }
   }
   EXPECT_GT(tried, 15);
+}
+
+struct SingleRuns : ReasonsExamples {
+  std::string outcome(const std::string& options) const { return summary(options)["outcome"]; }
+};
+
+TEST_F(SingleRuns, RollWhateverTheClearanceButWithLessForce) {
+  double last = 557;  // kN
+  for (const char* clearance : {"2e-3", "3e-3", "4e-3", "5e-3"}) {
+    const auto found = summary(fmt::format("--clearance {}", clearance));
+    EXPECT_EQ(found["outcome"], "rolling") << clearance;
+    const double force = found["peak_normal_force_N"].get<double>() / 1e3;
+    EXPECT_LT(force, last);
+    last = force;
+  }
+  EXPECT_NEAR(last, 323.8, 0.1);
+  // Put right, the rotor does not get as far as 5 mm.
+  EXPECT_EQ(outcome("--clearance 5e-3 --equations consistent"), "no_contact");
+}
+
+TEST_F(SingleRuns, CanFreeThemselvesWhereBothLessAndMoreFrictionRolls) {
+  for (const char* start : {"--separation-speed-hz 101", "--start-speed-hz 101 --torque 0"}) {
+    EXPECT_EQ(outcome(fmt::format("{} --friction 0.1", start)), "rolling");
+    EXPECT_EQ(outcome(fmt::format("{} --friction 0.15", start)), "freed");
+    EXPECT_EQ(outcome(fmt::format("{} --friction 0.2", start)), "rolling");
+  }
+}
+
+TEST_F(SingleRuns, BetweenRollingOnesTouchOnceAndComeFreeWithoutSliding) {
+  for (const auto& [speed_Hz, expected] : {std::pair(50, "no_contact"),
+                                           {52, "rolling"},
+                                           {54, "freed"},
+                                           {62, "freed"},
+                                           {64, "rolling"}}) {
+    const auto found = summary(fmt::format("--separation-speed-hz {}", speed_Hz));
+    EXPECT_EQ(found["outcome"], expected) << speed_Hz;
+    if (found["outcome"] == "freed") {
+      EXPECT_EQ(found["collisions"], 1) << speed_Hz;
+    }
+  }
+}
+
+// Stiff supports only seem safe: the motor does not get past their resonance.
+TEST_F(SingleRuns, WithStiffSupportsTouchInTheRunUpOrStall) {
+  EXPECT_EQ(summary("--support-stiffness 9e4")["collisions_before_loss"], 0);
+  const auto touching = summary("--support-stiffness 1e5");
+  EXPECT_GT(touching["collisions_before_loss"], 0);
+  EXPECT_EQ(touching["outcome"], "rolling");
+  EXPECT_EQ(outcome("--support-stiffness 1.2e5"), "stalled");
+}
+
+/// The share of losses between 120 and 180 Hz after which the rotor rolls.
+double rolling_share(Equations equations, double friction, double contact_damping) {
+  Statement statement;
+  statement.equations = equations;
+  statement.numbers = {
+      {"torque", 0}, {"until", 0.5}, {"friction", friction}, {"contact_damping", contact_damping}};
+  constexpr int speeds = 21;
+  int rolling = 0;
+  for (int n = 0; n < speeds; ++n) {
+    statement.numbers["start_speed_hz"] = 120 + 3 * n;
+    const Scenario scenario = scenario_of(statement);
+    Observer nobody;
+    const Account account = finish(Departure(scenario), scenario, StopOn::outcome, nobody);
+    rolling += account.summary.outcome == rotor::Outcome::rolling ? 1 : 0;
+  }
+  return static_cast<double>(rolling) / speeds;
+}
+
+// Below the limit of forward rub it is the rebound that decides which way the rotor is dragged.
+TEST(BorderOfFriction, RisesToTheLimitOfForwardRubAsContactsLoseTheirRebound) {
+  const double limit = Whirl(Parameters{}).synchronous_friction(2 * std::numbers::pi * 150);
+  EXPECT_NEAR(limit, 0.163, 5e-4);
+  for (const Equations set : {Equations::published, Equations::consistent}) {
+    EXPECT_EQ(rolling_share(set, 0.08, 1e4), 0);  // at half of the limit
+    EXPECT_EQ(rolling_share(set, 0.1, 1e4), 1);
+    EXPECT_EQ(rolling_share(set, 0.15, 1e5), 0);
+    EXPECT_GT(rolling_share(set, 0.18, 1e5), 0.8);
+    EXPECT_EQ(rolling_share(set, 0.02, 3e3), 0);
+    EXPECT_EQ(rolling_share(set, 0.06, 3e3), 1);
+  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "figures/data/files.hpp"
 #include "verification/paper/claims_table.hpp"
 #include "verification/paper/convergence.hpp"
+#include "verification/paper/reasons.hpp"
 #include "verification/paper/uncertainty.hpp"
 #include "verification/support/program.hpp"
 
@@ -138,6 +139,23 @@ void print_register(const std::filesystem::path& assumptions) {
                row["unit"], row["other"], row["value_other"], row["unit"]);
 }
 
+void print_reasons(const std::filesystem::path& folder) {
+  fmt::print(
+      "\nThe paper's reasons for the accident, on the rotors of verification/paper/reasons.toml: "
+      "the "
+      "share on which each statement\nfails, of those on which it can (reference-data/reasons.csv; "
+      "make reasons; reasons-tried.csv has an example of each)\n  {:<62}{:<18}{:>16}{:>16}\n",
+      "", "along", "published", "consistent");
+  std::map<std::string, std::string> shares;
+  for (const CsvRow& row : read_csv(folder / "reasons-tried.csv"))
+    shares[row["reason"] + row["equations"]] =
+        fmt::format("{:.1f} +- {:.1f} %", 100 * static_cast<double>(row.number("share")),
+                    100 * static_cast<double>(row.number("standard_error")));
+  for (const Reason& reason : read_reasons(folder / "reasons.csv"))
+    fmt::print("  {:<62}{:<18}{:>16}{:>16}\n", reason.says, reason.quantity,
+               shares.at(reason.id + "published"), shares.at(reason.id + "consistent"));
+}
+
 int main(const Arguments& arguments) {
   if (arguments.size() != 4)
     throw std::runtime_error(
@@ -150,6 +168,7 @@ int main(const Arguments& arguments) {
   print_audit(outcomes);
   print_register(arguments[2]);
   const std::filesystem::path data = arguments[1], out = arguments[3];
+  print_reasons(data);
   const auto numbers = judged_numbers(data);
   FileTransaction files;
   print_and_write_convergence(files, out);

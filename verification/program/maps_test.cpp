@@ -75,10 +75,11 @@ TEST_P(Maps, HaveTheRowsThatRunsOfTheirOwnGive) {
   }
 }
 
-// What gnuplot complains of, it says.
+// What gnuplot complains of, it says. The README's picture is one of them.
 TEST_P(Maps, AreDrawn) {
   const std::string map = GetParam();
-  coarse(map, 6);
+  const bool is_previewed = map == "speed-friction";
+  coarse(map, is_previewed ? 40 : 6);
   const auto [status, output] = shell(fmt::format(
       "$rotor sweep {0}.toml --out {0}.csv >/dev/null && {1} {0}.toml > theory.csv && "
       "for shows in outcome force; do gnuplot -e \"data='{0}.csv'; theory='theory.csv'; "
@@ -96,6 +97,9 @@ TEST_P(Maps, AreDrawn) {
   for (const char* word : {"backward rolling", "touches or stalls before the loss", "published"})
     EXPECT_NE(outcome.find(word), std::string::npos) << word;
   EXPECT_NE(force.find("largest normal force, kN"), std::string::npos);
+  if (is_previewed) {
+    EXPECT_TRUE(outcome == text_of(maps + "preview/speed-friction.svg"));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Four, Maps,
@@ -165,29 +169,38 @@ TEST_F(Maps, ShowEveryOutcomeAsAClassOfItsOwn) {
 }
 
 TEST_F(Maps, HaveClosedFormsBesideThemPointByPoint) {
-  const Sweep sweep = coarse("speed-clearance", 4);
+  const Sweep sweep = coarse("speed-clearance", 26);  // of which some are near resonance
   ASSERT_EQ(shell(ROTOR_MAP_THEORY " speed-clearance.toml > theory.csv").status, 0);
+  EXPECT_EQ(content("theory.csv").find("\n\npublished,0.00025,3,"),
+            content("theory.csv").find("\n\n"));
   ASSERT_EQ(shell("grep . theory.csv > rows.csv").status, 0);  // without gnuplot's blank lines
   const auto rows = read_csv(folder_ / "rows.csv");
   ASSERT_EQ(static_cast<long>(rows.size()), sweep.points());
-  EXPECT_EQ(content("theory.csv").find("\n\npublished,0.00025,3,"),
-            content("theory.csv").find("\n\n"));
   const SweepPoints points(sweep);
-  for (const long n : {5L, 14L, 31L}) {
+  int refused = 0;
+  for (long n = 0; n < sweep.points(); ++n) {
     const CsvRow& row = rows[static_cast<std::size_t>(n)];
-    const Scenario scenario = scenario_of(points(n).statement);
-    const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
-    const MassLossResponse response(scenario.parameters, scenario.equations, speed);
-    const Whirl whirl(scenario.parameters);
-    EXPECT_EQ(static_cast<double>(row.number("greatest_m")), response.greatest());
-    EXPECT_EQ(static_cast<double>(row.number("bound_m")), response.bound());
-    EXPECT_EQ(static_cast<double>(row.number("steady_m")), response.steady());
-    EXPECT_EQ(static_cast<double>(row.number("rolling_friction")), whirl.rolling_friction(speed));
-    EXPECT_EQ(static_cast<double>(row.number("synchronous_friction")),
-              whirl.synchronous_friction(speed));
-    EXPECT_EQ(static_cast<double>(row.number("whip_friction")), whirl.whip_friction());
-    EXPECT_EQ(static_cast<double>(row.number("mu")), 0.3);
+    if (row["greatest_m"].empty()) {
+      ++refused;
+      EXPECT_THROW(scenario_of(points(n).statement), std::exception);
+    } else if (n % 50 == 0) {
+      const Scenario scenario = scenario_of(points(n).statement);
+      const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
+      const MassLossResponse response(scenario.parameters, scenario.equations, speed);
+      const Whirl whirl(scenario.parameters);
+      for (const auto& [column, expected] :
+           {std::pair("greatest_m", response.greatest()),
+            {"bound_m", response.bound()},
+            {"steady_m", response.steady()},
+            {"rolling_friction", whirl.rolling_friction(speed)},
+            {"synchronous_friction", whirl.synchronous_friction(speed)},
+            {"whip_friction", whirl.whip_friction()},
+            {"mu", 0.3}})
+        EXPECT_EQ(static_cast<double>(row.number(column)), expected) << column;
+    }
   }
+  EXPECT_GT(refused, 5);
+  EXPECT_LT(refused, 50);
   const auto [status, output] = shell(ROTOR_MAP_THEORY " none.toml");
   EXPECT_EQ(status, 1);
   EXPECT_TRUE(output.starts_with("map-theory: none.toml: ")) << output;
