@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -59,9 +60,11 @@ class MassLossResponse {
 
   /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-5 of it.
   double greatest() const {
-    double found = steady(), last = 0, here = std::abs(position(0));
-    for (double t = 0; reach_from(t) > (1 + 1e-5) * found; t += look()) {
-      const double next = std::abs(position(t + look())), bend = 2 * here - last - next;
+    constexpr double none = std::numeric_limits<double>::infinity();  // before the first look
+    double found = steady(), last = none, here = std::abs(position(0)), t = 0;
+    while (reach_from(t) > (1 + 1e-5) * found) {
+      t += look();
+      const double next = std::abs(position(t)), bend = 2 * here - last - next;
       const bool is_peak = here >= last && here >= next && bend > 0;
       found = std::max(found, is_peak ? here + (next - last) * (next - last) / (8 * bend) : here);
       last = here;

@@ -81,7 +81,7 @@ TEST_P(Maps, AreDrawn) {
   const bool is_previewed = map == "speed-friction";
   coarse(map, is_previewed ? 40 : 6);
   const auto [status, output] = shell(fmt::format(
-      "$rotor sweep {0}.toml --out {0}.csv >/dev/null && {1} {0}.toml > theory.csv && "
+      "$rotor sweep {0}.toml --out {0}.csv >/dev/null 2>&1 && {1} {0}.toml > theory.csv && "
       "for shows in outcome force; do gnuplot -e \"data='{0}.csv'; theory='theory.csv'; "
       "output='$shows.svg'; format='svg'; shows='$shows'\" {2}/figures/paper/style.gp "
       "{3}{0}.gp {3}map.gp; done",
