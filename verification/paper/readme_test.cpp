@@ -10,6 +10,7 @@
 
 #include "figures/data/csv.hpp"
 #include "model/simulation/simulation.hpp"
+#include "model/theory/mass_loss_response.hpp"
 #include "model/theory/whirl.hpp"
 #include "verification/paper/claims_table.hpp"
 #include "verification/paper/judged.hpp"
@@ -226,6 +227,15 @@ TEST_F(Readme, SaysWhereWhirlCanLast) {
   expect_said(
       fmt::format("could last from mu = {:.4f} on at 150 Hz", whirl.rolling_friction(speed)));
   expect_said(fmt::format("lasts up to mu = {:.3f};", whirl.synchronous_friction(speed)));
+  expect_said("the border of contact begins at 51.80 or 94.29 Hz");
+  const auto touches = [](Equations set, double speed_Hz) {
+    return MassLossResponse({}, set, 2 * std::numbers::pi * speed_Hz).first_contact().has_value();
+  };
+  for (const auto& [set, border_Hz] :
+       {std::pair(Equations::published, 51.80), {Equations::consistent, 94.29}}) {
+    EXPECT_FALSE(touches(set, border_Hz - 0.005));
+    EXPECT_TRUE(touches(set, border_Hz + 0.005));
+  }
 }
 
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
