@@ -149,8 +149,10 @@ void print_reasons(const std::filesystem::path& folder) {
   std::map<std::string, std::string> shares;
   for (const CsvRow& row : read_csv(folder / "reasons-tried.csv"))
     shares[row["reason"] + row["equations"]] =
-        fmt::format("{:.1f} +- {:.1f} %", 100 * static_cast<double>(row.number("share")),
-                    100 * static_cast<double>(row.number("standard_error")));
+        row["fails"] == "0"
+            ? fmt::format("none of {}", row["rotors"])
+            : fmt::format("{:.1f} +- {:.1f} %", 100 * static_cast<double>(row.number("share")),
+                          100 * static_cast<double>(row.number("standard_error")));
   for (const Reason& reason : read_reasons(folder / "reasons.csv"))
     fmt::print("  {:<62}{:<18}{:>16}{:>16}\n", reason.says, reason.quantity,
                shares.at(reason.id + "published"), shares.at(reason.id + "consistent"));
