@@ -1,12 +1,12 @@
 /// The audit: where the paper contradicts itself, shown by measurement, in both sets of equations.
 #include <gtest/gtest.h>
 
-#include <boost/math/tools/roots.hpp>
 #include <complex>
 #include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/onset_speed.hpp"
 #include "verification/support/summary_of.hpp"
 
 namespace rotor {
@@ -80,22 +80,6 @@ TEST(Audit, TheAccidentAt75HzExistsOnlyWithTheJumpCountedTwice) {
   const Summary consistent = summary_of(scenario);
   EXPECT_FALSE(consistent.first_contact_s);
   EXPECT_LT(*consistent.max_displacement_m, 2.6e-3);
-}
-
-/// The lowest speed at which the mass loss leads to contact, Hz: the motor drives, and the mass is
-/// lost the later the faster.
-double onset_speed_Hz(Equations equations) {
-  Scenario scenario{.equations = equations, .tolerance = 1e-8};
-  const auto touches = [&](double separation_time) {
-    scenario.parameters.separation_time = separation_time;
-    scenario.until = separation_time + 0.1;  // the first swing out, a period of the supports
-    return summary_of(scenario).first_contact_s.has_value() ? 1. : -1.;
-  };
-  const auto close = [](double a, double b) { return b - a < 1e-3; };  // 0.005 Hz
-  const auto [from, until] = boost::math::tools::bisect(touches, 5., 28., close);
-  scenario.parameters.separation_time = until;
-  scenario.until = until + 1e-3;
-  return *summary_of(scenario).speed_at_separation_Hz;
 }
 
 TEST(Audit, TheOnsetSpeedOfContactIsThatOfTheClosedFormWhichTheSecondJumpHalves) {
