@@ -36,10 +36,12 @@ ASKED  := $(if $(FIG),$(shell printf 'fig%02d ' $(FIG)),$(FIGURES))
 #                             command line, scene files, JSON summary, messages and CSV
 #   libgtest-dev librapidcheck-dev
 #                             tests, and properties on random rotors
+#   libkainjow-mustache-dev   templates of the reviewer's page
 #   gnuplot-nox fonts-dejavu-core
 #                             pictures, and the font in them
 PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
-            nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev gnuplot-nox fonts-dejavu-core
+            nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev libkainjow-mustache-dev \
+            gnuplot-nox fonts-dejavu-core
 # Peers of the benchmark: SUNDIALS and GSL in C, SciPy in Debian's Python; Google Benchmark times
 # single evaluations.
 BENCH_PACKAGES := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
@@ -67,7 +69,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures $(FIGURES) reference ensembles reasons verify lint mutants deps-bench bench-programs \
+.PHONY: help deps need-deps build figures $(FIGURES) reference ensembles reasons verify report lint mutants deps-bench bench-programs \
         maps map-theory bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
         deps-ranking ranking clean
 
@@ -167,6 +169,12 @@ $(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv figures/maps/round
 verify: build ## build, run all tests, and hold the published numbers against ours
 	$(call build-target,all)
 	@verification/verify.sh $(BUILD)
+
+# Both sets of equations, drawn by make's own rules, then what stands beside the pictures.
+report: build ## the reviewer's page: build/report/index.html, one file that needs no network
+	$(call build-target,report-page report-numbers)
+	@for set in published consistent; do $(MAKE) --no-print-directory -s figures FORMAT=svg EQUATIONS=$$set; done
+	@verification/report/report.sh $(BUILD)
 
 lint: build ## check the code's format, and look for mistakes with clang-tidy
 	$(call build-target,all)

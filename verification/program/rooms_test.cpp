@@ -44,6 +44,7 @@ const std::map<std::string, Names>& allowed() {
       {"verification/program", of_verification},
       {"verification/robustness", of_verification},
       {"verification/benchmark", of_verification},
+      {"verification/report", with(of_verification, {"verification/paper"})},
   };
   return rooms;
 }

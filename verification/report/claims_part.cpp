@@ -1,0 +1,103 @@
+/// The claims and their verdicts.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "verification/report/document.hpp"
+
+namespace rotor {
+namespace {
+
+Json number_or_nothing(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json spread_json(const Spread& spread) {
+  Json all = {{"draws", spread.draws},
+              {"median", number_or_nothing(spread.median)},
+              {"low", number_or_nothing(spread.low)},
+              {"high", number_or_nothing(spread.high)},
+              {"holds_in_percent", number_or_nothing(100 * spread.share)}};
+  all["is_range"] = !all["low"].is_null();
+  return all;
+}
+
+Json reading_json(const ClaimReading& reading) {
+  return {{"name", reading.name},
+          {"converged", reading.converged ? Json(*reading.converged) : Json()},
+          {"published_method", reading.by_rk4 ? Json(*reading.by_rk4) : Json()},
+          {"times", spread_json(reading.times)},
+          {"inputs", spread_json(reading.everything)}};
+}
+
+Json figures_of(const Claim& claim) {
+  Json numbers = Json::array();
+  std::istringstream stream(claim.figures);
+  for (int number = 0; stream >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+/// What is allowed, in words.
+std::string interval_of(const Allowed& allowed) {
+  if (!std::isfinite(allowed.greatest)) return fmt::format("more than {:g}", allowed.least);
+  if (allowed.least == allowed.greatest) return "";
+  return fmt::format("{:.6g} to {:.6g}", allowed.least, allowed.greatest);
+}
+
+/// As a class of the page's style.
+std::string mark_of(const std::string& verdict) {
+  return verdict == "within rounding" ? "rounding" : verdict;
+}
+
+}  // namespace
+
+Json claims_json(const std::vector<Claim>& claims) {
+  Json all = Json::array();
+  for (const Claim& claim : claims) {
+    Json readings = Json::array();
+    for (const ClaimReading& reading : claim.readings) readings.push_back(reading_json(reading));
+    all.push_back({{"id", claim.id},
+                   {"figures", figures_of(claim)},
+                   {"place", claim.place},
+                   {"says", claim.says},
+                   {"printed", claim.printed},
+                   {"unit", claim.unit},
+                   {"rule", claim.rule},
+                   {"least", number_or_nothing(claim.allowed.least)},
+                   {"greatest", number_or_nothing(claim.allowed.greatest)},
+                   {"interval", interval_of(claim.allowed)},
+                   {"is_arithmetic", claim.is_arithmetic},
+                   {"verdict", claim.verdict},
+                   {"mark", mark_of(claim.verdict)},
+                   {"reason", claim.reason},
+                   {"readings", readings}});
+  }
+  return all;
+}
+
+Json verdict_json(const std::vector<const Json*>& claims) {
+  const auto count = [&](const char* verdict) {
+    return std::ranges::count_if(claims,
+                                 [&](const Json* claim) { return (*claim)["verdict"] == verdict; });
+  };
+  const auto all = static_cast<long>(claims.size());
+  const auto reproduced = count("reproduced"), rounding = count("within rounding"),
+             refuted = count("refuted");
+  const auto [mark, says] = [&]() -> std::array<const char*, 2> {
+    if (all == 0) return {"none", "nothing is claimed"};
+    if (refuted == all) return {"refuted", "refuted"};
+    if (refuted > 0) return {"partly", "holds in part"};
+    if (rounding > 0) return {"rounding", "holds within rounding"};
+    return {"reproduced", "holds"};
+  }();
+  return {{"claims", all},
+          {"reproduced", reproduced},
+          {"within_rounding", rounding},
+          {"refuted", refuted},
+          {"mark", mark},
+          {"says", says},
+          {"claims_something", all > 0}};
+}
+
+}  // namespace rotor

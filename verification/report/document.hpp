@@ -1,0 +1,49 @@
+/// What the reviewer's page shows, as one JSON document: nothing stands on the page that does not
+/// stand there.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "verification/paper/claims.hpp"
+
+namespace rotor {
+
+/// Keys in the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+/// Where it comes from.
+struct Sources {
+  std::filesystem::path texts;           ///< words, with places for numbers: texts.json
+  std::filesystem::path scenes;          ///< figNN.toml
+  std::filesystem::path reference_data;  ///< claims, ensembles, assumptions, digitised points
+  std::filesystem::path report;          ///< figures in both sets, the accident's trace, the tests
+  std::filesystem::path build;           ///< what other targets have made, or have not
+  std::string commit, commit_date;
+  bool of_this_machine = true;  ///< with what differs from machine to machine
+};
+
+Json document(const Sources& sources);
+
+// Its parts.
+Json claims_json(const std::vector<Claim>& claims);
+Json values_json(const std::vector<Claim>& claims);
+Json figures_json(const Sources& sources, const Json& claims);
+Json accident_json(const Sources& sources);
+Json studies_json(const Sources& sources);
+Json tests_json(const Sources& sources);
+Json machine_json();
+Json provenance_json(const Sources& sources);
+
+/// How many of them have which verdict, and what follows for all together.
+Json verdict_json(const std::vector<const Json*>& claims);
+
+/// The whole of a file. Throws std::runtime_error, naming it, if it cannot be read.
+std::string content_of(const std::filesystem::path& file);
+
+/// The rows of a CSV as lists of cells, the first one being the header.
+Json table_json(const std::filesystem::path& csv);
+
+}  // namespace rotor

@@ -1,0 +1,126 @@
+/// What other targets have made, or have not; the tests; where all of it comes from.
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <boost/version.hpp>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <map>
+
+#include "figures/data/csv.hpp"
+#include "verification/report/document.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending) {
+  std::vector<fs::path> found;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().string().ends_with(ending)) found.push_back(entry.path());
+  std::ranges::sort(found);
+  return found;
+}
+
+/// A study whose tables and pictures stand in a folder below the page's, if they have been made.
+Json study_json(const Sources& sources, const std::string& folder) {
+  Json files = Json::array();
+  for (const auto& file : files_of(sources.report / folder, ""))
+    files.push_back(
+        {{"file", folder + '/' + file.filename().string()}, {"name", file.filename().string()}});
+  return {{"made", !files.empty()}, {"files", files}};
+}
+
+Json table_of(const fs::path& csv) {
+  if (!fs::exists(csv)) return {{"made", false}};
+  Json rows = table_json(csv), header = rows.at(0);
+  rows.erase(0);
+  Json body = Json::array();
+  for (const Json& row : rows) body.push_back({{"cells", row}});
+  return {{"made", true}, {"header", header}, {"rows", body}};
+}
+
+}  // namespace
+
+Json studies_json(const Sources& sources) {
+  Json all = {{"convergence", table_of(sources.report / "convergence.csv")},
+              {"ranking", table_of(sources.reference_data / "ranking.csv")},
+              {"maps", study_json(sources, "maps")},
+              {"explore", fs::exists(sources.report / "explore.html")}};
+  if (sources.of_this_machine) {
+    all["work_precision"] = study_json(sources, "work-precision");
+    all["stability"] = study_json(sources, "stability");
+  }
+  return all;
+}
+
+Json tests_json(const Sources& sources) {
+  struct Law {
+    double worst = 0, allowed = 0;
+    std::string test;
+  };
+  std::map<std::string, Law> laws;
+  long tests = 0, failed = 0;
+  for (const auto& file : files_of(sources.report, ".json")) {
+    if (!file.filename().string().starts_with("tests-")) continue;
+    const Json results = Json::parse(content_of(file));
+    for (const Json& suite : results.at("testsuites"))
+      for (const Json& test : suite.at("testsuite")) {
+        if (test.at("result") == "SUPPRESSED") continue;
+        ++tests;
+        failed += test.contains("failures");
+        if (!test.contains("law")) continue;
+        Law& law = laws[test.at("law").get<std::string>()];
+        law.worst = std::max(law.worst, std::stod(test.at("worst").get<std::string>()));
+        law.allowed = std::stod(test.at("allowed").get<std::string>());
+        const auto text = [&](const char* key) { return test.at(key).get<std::string>(); };
+        law.test = text("classname") + '.' + text("name");
+      }
+  }
+  Json list = Json::array();
+  for (const auto& [says, law] : laws)
+    list.push_back({{"says", says},
+                    {"worst", fmt::format("{:.1e}", law.worst)},
+                    {"allowed", fmt::format("{:.1e}", law.allowed)},
+                    {"test", law.test.substr(0, law.test.rfind("/Fig"))}});
+  return {{"made", tests > 0},
+          {"tests", tests},
+          {"failed", failed},
+          {"all_pass", failed == 0},
+          {"laws", list}};
+}
+
+Json provenance_json(const Sources& sources) {
+  Json sums = Json::array();
+  std::istringstream lines(content_of(sources.report / "SHA256SUMS"));
+  for (std::string sum, file; lines >> sum >> file;) sums.push_back({{"file", file}, {"sum", sum}});
+  return {{"version", ROTOR_VERSION},
+          {"commit", sources.commit},
+          {"commit_date", sources.commit_date},
+          {"command", "make deps report"},
+          {"sums", sums}};
+}
+
+Json machine_json() {
+  std::string processor = "unknown";
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) processor = line.substr(line.find(": ") + 2);
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  char date[32];
+  std::strftime(date, sizeof date, "%Y-%m-%d %H:%M UTC", std::gmtime(&now));
+  return {{"date", date},
+          {"processor", processor},
+          {"compiler", ROTOR_COMPILER},
+          {"flags", ROTOR_FLAGS},
+          {"libraries", fmt::format("Boost {}, Eigen {}.{}.{}, {{fmt}} {}, nlohmann-json {}.{}.{}",
+                                    BOOST_LIB_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                                    EIGEN_MINOR_VERSION, FMT_VERSION, NLOHMANN_JSON_VERSION_MAJOR,
+                                    NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
+}
+
+}  // namespace rotor

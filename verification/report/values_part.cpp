@@ -1,0 +1,96 @@
+/// The numbers that the page's words ask for.
+#include <cmath>
+
+#include "figures/scenes/names.hpp"
+#include "model/mechanics/mass_loss.hpp"
+#include "verification/report/document.hpp"
+#include "verification/support/observers.hpp"
+#include "verification/support/onset_speed.hpp"
+#include "verification/support/summary_of.hpp"
+
+namespace rotor {
+namespace {
+
+Json number_or_nothing(const std::optional<double>& value, double scale) {
+  return value ? Json(*value * scale) : Json();
+}
+
+Json run_json(const Summary& s) {
+  Json all = {{"outcome", name_of(s.outcome)},
+              {"touch_downs", s.collisions},
+              {"peak_kN", number_or_nothing(s.peak_normal_force_N, 1e-3)},
+              {"peak_s", number_or_nothing(s.peak_time_s, 1)},
+              {"onset_s", number_or_nothing(s.rolling_onset_s, 1)},
+              {"onset_Hz", number_or_nothing(s.rolling_onset_speed_Hz, 1)},
+              {"onset_kN", number_or_nothing(s.rolling_onset_force_N, 1e-3)},
+              {"speed_at_loss_Hz", number_or_nothing(s.speed_at_separation_Hz, 1)},
+              {"greatest_rho_mm", number_or_nothing(s.max_displacement_m, 1e3)},
+              {"greatest_rho_before_mm", 1e3 * s.max_displacement_before_loss_m},
+              {"final_Hz", s.final_speed_Hz}};
+  if (s.rolling_onset_s && s.first_contact_s)
+    all["to_rolling_ms"] = 1e3 * (*s.rolling_onset_s - *s.first_contact_s);
+  if (s.rolling_onset_s && s.peak_time_s)
+    all["onset_to_peak_ms"] = 1e3 * (*s.peak_time_s - *s.rolling_onset_s);
+  return all;
+}
+
+/// The runs of the paper in a set of equations.
+Json runs_json(const Equations& equations) {
+  const auto run_of = [&](Parameters parameters, double until_s) {
+    return run_json(
+        summary_of({.parameters = parameters, .equations = equations, .until = until_s}));
+  };
+  return {{"name", name_of(equations)},
+          {"mu_03", run_of({.friction = 0.3}, 29.35)},
+          {"mu_02", run_of({.friction = 0.2}, 29.35)},
+          {"mu_008", run_of({.friction = 0.08}, 29.35)},
+          {"mu_008_dies", run_of({.contact_damping = 1.2e4, .friction = 0.08}, 29.35)},
+          {"mu_008_rolls", run_of({.contact_damping = 9510, .friction = 0.08}, 29.35)},
+          {"t_19", run_of({.separation_time = 19.1}, 19.35)},
+          {"t_14", run_of({.separation_time = 14.15}, 14.4)},
+          {"t_9", run_of({.separation_time = 9.4}, 11)},
+          {"t_2", run_of({.separation_time = 2.2}, 4)},
+          {"t_2_earlier", run_of({.separation_time = 2}, 6)},
+          {"lowest_Hz", onset_speed_Hz(equations)}};
+}
+
+/// What the second jump adds to the rotor's momentum, and to the energy of rotor and piece.
+Json separation_json() {
+  Scenario scenario;
+  scenario.until = scenario.parameters.separation_time;
+  EventRecorder seen;
+  run(scenario, seen);
+  const auto before = seen.before_mass_loss().motion();
+  const MassLoss<double> loss(scenario.parameters);
+  const double jump = loss.velocity_jump(before.speed);
+  const double v = before.mass_centre_velocity().y() + jump;  // of C_1, counted once
+  return {{"jump", jump},
+          {"momentum", loss.after.mass * jump},
+          {"energy", loss.after.mass * jump * (v + jump / 2)},
+          {"off_axis_radial_um", 1e6 * std::abs(before.mass_centre().x())},
+          {"off_axis_across_um", 1e6 * std::abs(before.mass_centre().y())},
+          {"off_axis_um", 1e6 * before.mass_centre().norm()}};
+}
+
+}  // namespace
+
+Json values_json(const std::vector<Claim>& claims) {
+  Json readings, printed, shares;
+  for (const Claim& claim : claims) {
+    printed[claim.id] = claim.printed;
+    shares[claim.id] = {{"times", 100 * claim.readings.front().times.share},
+                        {"inputs", 100 * claim.readings.front().everything.share}};
+    for (const ClaimReading& reading : claim.readings) {
+      if (reading.converged) readings[reading.name] = *reading.converged;
+      if (reading.by_rk4) readings[reading.name + "_by_rk4"] = *reading.by_rk4;
+    }
+  }
+  return {{"reading", readings},
+          {"printed", printed},
+          {"holds_in_percent", shares},
+          {"published", runs_json(Equations::published)},
+          {"consistent", runs_json(Equations::consistent)},
+          {"separation", separation_json()}};
+}
+
+}  // namespace rotor
