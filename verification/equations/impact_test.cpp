@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/support/bare.hpp"
+#include "verification/support/law.hpp"
 
 namespace rotor {
 namespace {
@@ -20,8 +21,10 @@ TEST_P(Impact, OfSpringAndDashpotHasTheDurationRestitutionAndDepthOfTheClosedFor
   const double root = std::sqrt(1 - zeta * zeta);
   const double restitution = std::exp(-2 * zeta * std::acos(zeta) / root);
   EXPECT_NEAR(touch.time_s, 3e-3 / v_0, 1e-15);
-  EXPECT_NEAR((release.time_s - touch.time_s) / (2 * std::acos(zeta) / (w_0 * root)), 1, 1e-10);
-  EXPECT_NEAR(-release.state[3] / v_0 / restitution, 1, 1e-11);
+  Law("duration of an impact of spring and dashpot", 1e-10)
+      .expect_left((release.time_s - touch.time_s) / (2 * std::acos(zeta) / (w_0 * root)) - 1);
+  Law("restitution of an impact of spring and dashpot", 1e-11)
+      .expect_left(-release.state[3] / v_0 / restitution - 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Damping, Impact, testing::Values(0.01, 0.079, 0.3, 0.7, 0.95),

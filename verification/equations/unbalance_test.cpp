@@ -6,11 +6,14 @@
 #include <complex>
 
 #include "verification/support/bare.hpp"
+#include "verification/support/law.hpp"
 
 namespace rotor {
 namespace {
 
 TEST(SteadyUnbalance, HasTheAmplitudeAndThePhaseLagOfTheJeffcottRotor) {
+  // Free vibration has decayed to exp(-6 d / 2m) = 2e-16.
+  Law law("steady response to unbalance", 2e-11);
   for (const double ratio : {0.5, 0.95, 1.05, 3., 15.}) {  // of speed to eigenfrequency
     Scenario scenario = bare();
     Parameters& p = scenario.parameters;
@@ -26,10 +29,8 @@ TEST(SteadyUnbalance, HasTheAmplitudeAndThePhaseLagOfTheJeffcottRotor) {
         p.mass * p.eccentricity * w * w /
         std::complex<double>(p.support_stiffness - p.mass * w * w, p.support_damping * w);
     EXPECT_LT(std::arg(expected), 0);
-    // Free vibration has decayed to exp(-6 d / 2m) = 2e-16.
-    const double accuracy = 1e-11 * std::abs(expected) + 1e-15;
-    EXPECT_NEAR(run.last().state[0], expected.real(), accuracy) << ratio;
-    EXPECT_NEAR(run.last().state[1], expected.imag(), accuracy) << ratio;
+    law.expect_left((run.last().state[0] - expected.real()) / std::abs(expected));
+    law.expect_left((run.last().state[1] - expected.imag()) / std::abs(expected));
   }
 }
 
@@ -62,7 +63,8 @@ TEST(SuddenUnbalance, TouchesTheRingWhenTheClosedFormSaysSo) {
       gap, before, before + 1e-5, boost::math::tools::eps_tolerance<double>(50));
   // At rest at the centre: the velocity of O is zero.
   const EventRecorder run = follow_from_state(scenario, {0, 0, 0, 0, 0, w}, 0.05);
-  EXPECT_NEAR(run.first(Event::touch_down).time_s, (low + high) / 2, 1e-13);
+  Law("first contact after a sudden unbalance, s", 1e-13)
+      .expect_left(run.first(Event::touch_down).time_s - (low + high) / 2);
 }
 
 TEST(RunUp, ThroughTheCriticalSpeedIsDuhamelsIntegral) {
@@ -98,8 +100,9 @@ TEST(RunUp, ThroughTheCriticalSpeedIsDuhamelsIntegral) {
   const std::complex<double> centre = free + std::complex<double>(part(false), part(true)) - e(end);
   const auto O = in_stator_frame({run.last().state[0], run.last().state[1]}, run.last().state[2]);
   EXPECT_GT(std::abs(centre), 1e-5);
-  EXPECT_NEAR(O.x(), centre.real(), 1e-13);  // of 7e-5 m: a hundred steps of 1e-15 m
-  EXPECT_NEAR(O.y(), centre.imag(), 1e-13);
+  Law law("run-up through resonance by Duhamel's integral, m", 1e-13);
+  law.expect_left(O.x() - centre.real());  // of 7e-5 m: a hundred steps of 1e-15 m
+  law.expect_left(O.y() - centre.imag());
 }
 
 }  // namespace

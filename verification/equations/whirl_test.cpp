@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/support/bare.hpp"
+#include "verification/support/law.hpp"
 
 namespace rotor {
 namespace {
@@ -29,7 +30,8 @@ TEST(RollingInTheRing, EndsWithTheSpeedThatTheInvariantLeaves) {
   // Friction F changes I w by F r and m v_t by F: I w - m r v_t stays as it is until v_t = -r w.
   const double expected = (p.inertia * speed - p.mass * p.rotor_radius * tangential) /
                           (p.inertia + p.mass * p.rotor_radius * p.rotor_radius);
-  EXPECT_NEAR(run.last().state[5] / expected, 1, 0.02);  // Delta, and v_t Delta' while it settles
+  Law("speed that is left when slip ends in the ring", 0.02)  // Delta, and v_t Delta' at first
+      .expect_left(run.last().state[5] / expected - 1);
 }
 
 TEST(RollingInTheRing, SlowsDownWithTheSupportsDampingAtTheClosedFormsRate) {
@@ -52,7 +54,8 @@ TEST(RollingInTheRing, SlowsDownWithTheSupportsDampingAtTheClosedFormsRate) {
   const double rate = p.support_damping / (p.mass + p.inertia / (p.rotor_radius * p.rotor_radius));
   // Exact for constant rho; it changes by Delta / rho = 1e-3 over the run, and its rate is 5e-3 /
   // s.
-  EXPECT_NEAR(std::log(speed / last.state[5]) / (rate * duration), 1, 5e-3);
+  Law("rate at which the supports' damping slows rolling down", 5e-3)
+      .expect_left(std::log(speed / last.state[5]) / (rate * duration) - 1);
 }
 
 /// Dry-friction whirl: a rotor without unbalance, too heavy to turn for friction to slow it down,

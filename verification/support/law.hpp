@@ -1,0 +1,35 @@
+/// Laws and closed forms, and how well they close.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace rotor {
+
+/// What a law may leave over. The worst that a test sees of it is recorded beside what is allowed,
+/// and the report shows both.
+class Law {
+ public:
+  Law(std::string says, double allowed) : says_(std::move(says)), allowed_(allowed) {}
+  Law(const Law&) = delete;
+  Law& operator=(const Law&) = delete;
+  ~Law() {
+    testing::Test::RecordProperty("law " + says_, fmt::format("{:.1e} {:.1e}", worst_, allowed_));
+  }
+
+  void expect_left(double residual) {
+    worst_ = std::max(worst_, std::abs(residual));
+    EXPECT_LE(std::abs(residual), allowed_) << says_;
+  }
+
+ private:
+  std::string says_;
+  double allowed_, worst_ = 0;
+};
+
+}  // namespace rotor
