@@ -53,6 +53,9 @@ CLANG_PACKAGES    := clang
 PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
 # Designs and estimators of which input decides a result.
 RANKING_PACKAGES := libopenturns-dev
+# A browser that checks the reviewer's page, Node.js to drive it, and a dictionary for its words. Node.js
+# of other makers brings npm along, and does not bear Debian's.
+REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
 # Sweeps over many machines; with it a program takes 30 ms longer to start.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
@@ -69,7 +72,8 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures $(FIGURES) reference ensembles reasons verify report lint mutants deps-bench bench-programs \
+.PHONY: help deps need-deps build figures pictures $(FIGURES) reference ensembles reasons verify report \
+        check-report deps-report site lint mutants deps-bench bench-programs \
         maps map-theory bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
         deps-ranking ranking clean
 
@@ -96,6 +100,11 @@ deps-portable: deps ## install what make portable needs (optional)
 
 deps-ranking: deps ## install what make ranking needs (optional)
 	$(call install,$(RANKING_PACKAGES))
+deps-report: deps ## install what make check-report needs (optional)
+	$(call install,$(REPORT_PACKAGES))
+	@mkdir -p $(BUILD)/check-report && cp verification/report/package*.json $(BUILD)/check-report
+	@cd $(BUILD)/check-report && npm ci --ignore-scripts --no-audit --no-fund
+
 deps-mpi: deps ## install what make mpi needs (optional)
 	$(call install,$(MPI_PACKAGES))
 
@@ -117,7 +126,9 @@ build: need-deps ## build the program, build/rotor
 	$(call build-target,rotor)
 $(ROTOR): build
 
-figures: $(ASKED:%=$(OUT)/%.$(FORMAT)) ## redraw Figs. 2-17 into build/figures
+figures: pictures ## redraw Figs. 2-17 into build/figures
+	@[ $(FORMAT) != svg ] || [ ! -e $(BUILD)/report/index.html ] || verification/report/report.sh $(BUILD)
+pictures: $(ASKED:%=$(OUT)/%.$(FORMAT))
 $(FIGURES): %: $(OUT)/%.$(FORMAT)
 
 # One process computes all data, in a fraction of a second. Data that come out the same keep their
@@ -170,11 +181,16 @@ verify: build ## build, run all tests, and hold the published numbers against ou
 	$(call build-target,all)
 	@verification/verify.sh $(BUILD)
 
-# Both sets of equations, drawn by make's own rules, then what stands beside the pictures.
+# Both sets of equations are drawn, each by a make of its own.
 report: build ## the reviewer's page: build/report/index.html, one file that needs no network
 	$(call build-target,report-page report-numbers)
-	@for set in published consistent; do $(MAKE) --no-print-directory -s figures FORMAT=svg EQUATIONS=$$set; done
+	@for set in published consistent; do \
+	  $(MAKE) --no-print-directory -s pictures FORMAT=svg EQUATIONS=$$set; done
 	@verification/report/report.sh $(BUILD)
+check-report: report ## look at the page in a browser, at its links, and at its spelling
+	@verification/report/check.sh $(BUILD)
+site: verify report ## page, pictures, data and maps for a static host, and as an archive
+	@verification/report/site.sh $(BUILD)
 
 lint: build ## check the code's format, and look for mistakes with clang-tidy
 	$(call build-target,all)

@@ -13,4 +13,8 @@ verification/tests.sh "$build" || failed=1
 "$build/stress" rotors 300 "$report" | tee -a "$report/report.txt" || failed=1
 echo
 echo "This report: $report/report.txt"
+# And the reviewer's page, where its pictures have been drawn.
+if [ -e "$build/figures/fig17.svg" ] && [ -e "$build/figures/consistent/fig17.svg" ]; then
+  verification/report/report.sh "$build" || failed=1
+fi
 exit $failed

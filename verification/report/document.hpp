@@ -19,8 +19,8 @@ struct Sources {
   std::filesystem::path texts;           ///< words, with places for numbers: texts.json
   std::filesystem::path scenes;          ///< figNN.toml
   std::filesystem::path reference_data;  ///< claims, ensembles, assumptions, digitised points
-  std::filesystem::path report;          ///< figures in both sets, the accident's trace, the tests
-  std::filesystem::path build;           ///< what other targets have made, or have not
+  std::filesystem::path report;          ///< beside the page: figures in both sets, studies
+  std::filesystem::path tests;           ///< tests-*.json of GoogleTest
   std::string commit, commit_date;
   bool of_this_machine = true;  ///< with what differs from machine to machine
 };

@@ -1,6 +1,6 @@
 /// Writes the reviewer's page and the document behind it:
-///   report-page SOURCES BUILD COMMIT DATE this-machine|archive
-/// into BUILD/report: index.html, report.json, and machine.json for what the archive leaves out.
+///   report-page SOURCES BUILD OUT COMMIT DATE this-machine|archive
+/// OUT holds what stands beside the page; index.html, report.json and machine.json come to it.
 #include "figures/data/files.hpp"
 #include "verification/report/page.hpp"
 #include "verification/support/program.hpp"
@@ -9,20 +9,20 @@ namespace rotor {
 namespace {
 
 int main(const Arguments& arguments) {
-  if (arguments.size() != 5 || (arguments[4] != "this-machine" && arguments[4] != "archive"))
+  if (arguments.size() != 6 || (arguments[5] != "this-machine" && arguments[5] != "archive"))
     throw std::runtime_error(
-        "needs the folders of the sources and of what was built, the commit and its date, and "
-        "this-machine or archive");
-  const std::filesystem::path root = arguments[0], build = arguments[1],
-                              room = root / "verification/report", out = build / "report";
+        "needs the folders of the sources, of what was built and of the page, the commit and its "
+        "date, and this-machine or archive");
+  const std::filesystem::path root = arguments[0], out = arguments[2],
+                              room = root / "verification/report";
   Json page = document({.texts = room / "texts.json",
                         .scenes = root / "figures/paper",
                         .reference_data = root / "reference-data",
                         .report = out,
-                        .build = build,
-                        .commit = arguments[2],
-                        .commit_date = arguments[3],
-                        .of_this_machine = arguments[4] == "this-machine"});
+                        .tests = std::filesystem::path(arguments[1]) / "report",
+                        .commit = arguments[3],
+                        .commit_date = arguments[4],
+                        .of_this_machine = arguments[5] == "this-machine"});
   page["style"] = content_of(room / "page.css");
   page["script"] = content_of(room / "page.js");
   Partials partials;

@@ -23,7 +23,7 @@ std::string in_html(const std::string& text) {
   for (const auto& [plain, symbol] : {std::pair("\\bDelta", "\u0394"),
                                       {"\\bmu\\b", "\u03bc"},
                                       {"\\brho\\b", "\u03c1"},
-                                      {"\\b([A-Za-z]|\u0394)_([a-z0-9]+)", "$1<sub>$2</sub>"}})
+                                      {"(\\b[A-Za-z]|\u0394)_([a-z0-9]+)", "$1<sub>$2</sub>"}})
     html = std::regex_replace(html, std::regex(plain), symbol);
   return html;
 }

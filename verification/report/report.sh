@@ -1,27 +1,34 @@
 #!/usr/bin/env bash
-# What `make report` does once everything is built and drawn: gathers what stands beside the page, and
-# writes it. `report.sh BUILD archive` leaves out what differs from machine to machine.
+# What `make report` does once everything is built and drawn: gathers in a folder what stands beside the
+# page, and writes the page. `report.sh BUILD OUT archive` leaves out what differs from machine to
+# machine and from day to day; that is in machine.json alone.
 set -euo pipefail
-build=$1
-report=$build/report
-mkdir -p "$report/figures/published" "$report/figures/consistent"
-cp -p "$build"/figures/fig*.{csv,svg} "$report/figures/published"
-cp -p "$build"/figures/consistent/fig*.{csv,svg} "$report/figures/consistent"
-"$build/rotor" run --scene verification/report/accident.toml --rows 1201 --from 29.095 \
-  --trace "$report/accident.csv" >"$report/accident.txt"
-"$build/report-numbers" "$report" reference-data reference-data/assumptions.csv "$report/claims.csv" \
-  >"$report/claims.txt" || true # verdicts that are not expected: `make verify` says which, and fails
-for study in maps work-precision:bench stability:stress-results; do
-  from=$build/${study#*:} to=$report/${study%:*}
+build=$1 out=${2:-$1/report} kind=${3:-this-machine}
+mkdir -p "$out/figures/published" "$out/figures/consistent"
+cp "$build"/figures/fig*.{csv,svg} "$out/figures/published"
+cp "$build"/figures/consistent/fig*.{csv,svg} "$out/figures/consistent"
+"$build/rotor" run --scene verification/report/accident.toml --from 29.095 --rows 1201 \
+  --trace "$out/accident.csv" >/dev/null
+# Verdicts that are not the expected ones are what `make verify` fails at; the page shows them.
+"$build/report-numbers" "$build/report" reference-data reference-data/assumptions.csv "$out/claims.csv" \
+  >/dev/null || true
+# Studies that were made; times and machine-made noise are no part of an archive.
+studies=(maps)
+[ "$kind" = archive ] || studies+=(work-precision:bench stability:stress-results)
+for study in "${studies[@]}"; do
+  from=$build/${study#*:} to=$out/${study%:*}
   rm -rf "$to"
   if compgen -G "$from/*.svg" >/dev/null; then
     mkdir -p "$to"
-    cp -p "$from"/*.svg "$from"/*.csv "$to"
+    cp "$from"/*.svg "$from"/*.csv "$to"
   fi
 done
-(cd "$report" && sha256sum claims.csv accident.csv figures/*/*.csv >SHA256SUMS)
+for page in explore.html convergence.csv; do
+  [ "$out" = "$build/report" ] || [ ! -e "$build/report/$page" ] || cp "$build/report/$page" "$out"
+done
+(cd "$out" && sha256sum claims.csv accident.csv figures/*/*.csv >SHA256SUMS)
 commit=$(git rev-parse HEAD 2>/dev/null || echo unknown)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)
 [ -z "$(git status --porcelain 2>/dev/null)" ] || commit="$commit with changes"
-"$build/report-page" . "$build" "$commit" "$date" "${2:-this-machine}"
-echo "$report/index.html"
+"$build/report-page" . "$build" "$out" "$commit" "$date" "$kind"
+echo "$out/index.html"

@@ -72,7 +72,7 @@ Json tests_json(const Sources& sources) {
   };
   std::map<std::string, Law> laws;
   long tests = 0, failed = 0;
-  for (const auto& file : files_of(sources.report, ".json")) {
+  for (const auto& file : files_of(sources.tests, ".json")) {
     if (!file.filename().string().starts_with("tests-")) continue;
     const Json results = Json::parse(content_of(file));
     for (const Json& suite : results.at("testsuites"))

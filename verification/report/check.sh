@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# What `make check-report` does: the page in a browser, then the spelling of page and README.
+set -uo pipefail
+build=$1
+page=$build/report/index.html
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+failed=0
+if [ -n "$browser" ] && [ -d "$build/check-report/node_modules/playwright-core" ]; then
+  node verification/report/check.js "$page" "$browser" || failed=1
+else
+  echo "check-report: there is no Chromium, or nothing that drives it: make deps-report installs both" >&2
+  failed=1
+fi
+
+# The words that are neither code nor pictures, against English and the field's words.
+misspelt() { hunspell -l -d en_GB -p verification/report/words.txt | sort -u | tr '\n' ' '; }
+of_page=$(perl -0pe 's/<(style|script|svg|pre|code)\b.*?<\/\1>//gs; s/<[^>]*>/ /g; s/&\w+;/ /g' "$page" | misspelt)
+of_readme=$(perl -0pe 's/```.*?```//gs; s/`[^`]*`//g; s/^    .*//gm; s/\]\([^)]*\)//g; s/\w+_\w+//g' README.md | misspelt)
+[ -z "$of_page" ] || { echo "check-report: not in the dictionary, on the page: $of_page" >&2; failed=1; }
+[ -z "$of_readme" ] || { echo "check-report: not in the dictionary, in README.md: $of_readme" >&2; failed=1; }
+exit $failed

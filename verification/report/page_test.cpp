@@ -1,0 +1,174 @@
+/// The reviewer's page: its texts, its verdicts, its points, and what stands on it.
+#include "verification/report/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+
+#include "verification/report/digitised.hpp"
+#include "verification/support/in_folder.hpp"
+
+namespace rotor {
+namespace {
+
+const std::filesystem::path room = ROTOR_SOURCES "/verification/report";
+
+const Json& texts() {
+  static const Json all = Json::parse(content_of(room / "texts.json"));
+  return all;
+}
+
+/// All texts of a document, wherever they stand.
+void gather(const Json& of, std::vector<std::string>& all) {
+  if (of.is_string()) all.push_back(of.get<std::string>());
+  if (of.is_structured())
+    for (const Json& item : of) gather(item, all);
+}
+
+std::vector<std::string> all_texts() {
+  std::vector<std::string> all;
+  gather(texts(), all);
+  return all;
+}
+
+TEST(ReportTexts, StateNoResultThemselves) {
+  // What the scenarios state, places in the paper, names and units may stand there; results come in
+  // by places such as {{reading.f_q1.f0}}.
+  const std::regex may_stand(
+      "\\{\\{[^}]*\\}\\}|Eqs?\\. \\([0-9]+\\)|mu = 0\\.[0-9]+|(29\\.1|14\\.15|2\\.2|2) s\\b|"
+      "(first|over) 5 ms|clearance is 3 mm|1e-11|2 pi|\\^2|/2|[A-Za-z_]+[0-9]'?|\\w+\\.\\w+");
+  for (const std::string& text : all_texts()) {
+    const std::string rest = std::regex_replace(text, may_stand, "");
+    EXPECT_EQ(rest.find_first_of("0123456789"), std::string::npos) << text;
+  }
+}
+
+TEST(ReportTexts, NameTestsThatExist) {
+  std::vector<std::string> known;
+  const auto& all = *testing::UnitTest::GetInstance();
+  for (int s = 0; s < all.total_test_suite_count(); ++s)
+    for (int t = 0; t < all.GetTestSuite(s)->total_test_count(); ++t) {
+      const std::string name = all.GetTestSuite(s)->GetTestInfo(t)->name();
+      known.push_back(std::string(all.GetTestSuite(s)->name()) + '.' +
+                      name.substr(0, name.find('/')));
+    }
+  for (const Json& contradiction : texts().at("contradictions")) {
+    EXPECT_EQ(contradiction.at("derivation").size(), 3U) << contradiction.at("title");
+    for (const Json& test : contradiction.at("tests"))
+      EXPECT_NE(std::ranges::find(known, test.get<std::string>()), known.end()) << test;
+  }
+}
+
+TEST(ReportTexts, HaveACaptionForEachFigure) {
+  for (int number = 2; number <= 17; ++number)
+    EXPECT_TRUE(texts().at("captions").contains(std::to_string(number))) << number;
+}
+
+TEST(WithNumbers, PutsInWhatAPlaceAsksFor) {
+  const Json values = {{"peak", {{"kN", 454.836}}}, {"drop", -1.25}, {"printed", "455"}};
+  EXPECT_EQ(with_numbers(Json("{{peak.kN.f1}} kN, {{peak.kN.s2}}"), values), "454.8 kN, 4.5e+02");
+  EXPECT_EQ(with_numbers(Json("{{drop.f2}} of {{printed}}"), values), "\u22121.25 of 455");
+  EXPECT_THROW(with_numbers(Json("{{peak.MN.f1}}"), values), std::invalid_argument);
+  EXPECT_THROW(with_numbers(Json("{{peak.kN}}"), values), std::invalid_argument);
+}
+
+TEST(ReportTexts, AskForValuesThatThereAre) {
+  EXPECT_NO_THROW(with_numbers(texts(), values_json(judged_claims(ROTOR_REFERENCE_DATA))));
+}
+
+TEST(Render, EscapesAndPrintsSymbols) {
+  const auto rendered = [](const std::string& text) {
+    return render("{{text}}", {}, {{"text", text}});
+  };
+  EXPECT_EQ(rendered("mu < 0.3 & F_n, Delta_vy, rho"),
+            "\u03bc &lt; 0.3 &amp; F<sub>n</sub>, \u0394<sub>vy</sub>, \u03c1");
+  EXPECT_EQ(rendered("columns = [\n\"x_a_m\"]"), "columns = [\n&quot;x_a_m&quot;]");
+  EXPECT_EQ(render("{{#x}}{{is}}{{/x}}{{^y}}no{{/y}}", {}, {{"x", {{{"is", -2.5}}}}, {"y", ""}}),
+            "\u22122.5no");
+}
+
+TEST(VerdictOfAFigure, FollowsFromItsClaims) {
+  const auto says = [](const std::vector<const char*>& verdicts) {
+    std::vector<Json> claims;
+    for (const char* verdict : verdicts) claims.push_back({{"verdict", verdict}});
+    std::vector<const Json*> all;
+    for (const Json& claim : claims) all.push_back(&claim);
+    return verdict_json(all).at("says").get<std::string>();
+  };
+  EXPECT_EQ(says({}), "nothing is claimed");
+  EXPECT_EQ(says({"reproduced", "reproduced"}), "holds");
+  EXPECT_EQ(says({"reproduced", "within rounding"}), "holds within rounding");
+  EXPECT_EQ(says({"reproduced", "within rounding", "refuted"}), "holds in part");
+  EXPECT_EQ(says({"refuted"}), "refuted");
+}
+
+TEST(CurveInWords, SaysWhereItBeginsWhatItReachesAndWhereItEnds) {
+  const FigureCurve force{"run",
+                          "normal_force_N",
+                          "normal force",
+                          "kN",
+                          {{1, 0}, {2, 0}, {3, -20}, {4, 0}, {5, -30}, {6, -10}}};
+  EXPECT_EQ(
+      in_words(force),
+      "zero until 3.0000 s, then 2 contacts; its magnitude is greatest, 30.0 kN, at 5.0000 s, "
+      "and 10.0 kN at the end");
+  // Down, then to the right: as the rotor turns.
+  const FigureCurve path{"run", "orbit", "", "mm", {{0, 1}, {1, 0}, {0, -2}, {1, 0}}};
+  EXPECT_EQ(in_words(path),
+            "it begins 1.00 mm from the centre, reaches out to 2.00 mm and ends at 1.00 mm, after "
+            "0.5 turns with the rotation and 0.2 against it");
+}
+
+class Digitised : public InFolder {
+ protected:
+  const std::vector<FigureCurve> curves_ = {
+      {"run", "normal_force_N", "normal force", "kN", {{29.1, 0}, {29.2, -100}, {29.3, -100}}}};
+
+  void write_points(const std::string& rows) const {
+    std::filesystem::create_directories(folder_ / "digitised");
+    write("digitised/fig05_force.csv",
+          "# made up\nfigure,run,quantity,unit,x,y,x_error,y_error\n" + rows);
+  }
+  void expect_refusal(const std::string& row, const std::string& reason) const {
+    write_points(row);
+    try {
+      digitised_json(folder_, 5, curves_);
+      ADD_FAILURE() << row << " is taken";
+    } catch (const std::exception& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("fig05_force.csv"), std::string::npos)
+          << error.what();
+    }
+  }
+};
+
+TEST_F(Digitised, PointsAreCoveredWithinTheirReadingErrors) {
+  write_points(
+      "5,run,normal_force_N,kN,29.25,-102,0.001,4\n"  // half an error beside the curve
+      "5,run,normal_force_N,kN,29.25,-112,0.001,4\n"  // three
+      "5,run,normal_force_N,kN,29.305,-100,0.01,4\n"  // half, behind its end
+      "5,run,normal_force_N,kN,29.1,-3,1000,1e6\n");
+  const Json found = digitised_json(folder_, 5, curves_);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].at("points"), 4);
+  EXPECT_EQ(found[0].at("covered"), 3);
+  EXPECT_NEAR(found[0].at("farthest").get<double>(), 3, 1e-9);
+}
+
+TEST_F(Digitised, AreNotClaimedWithoutAFile) {
+  EXPECT_TRUE(digitised_json(folder_, 5, curves_).empty());
+  write_points("");
+  EXPECT_TRUE(digitised_json(folder_, 6, curves_).empty());
+}
+
+TEST_F(Digitised, ThatFitNoCurveAreRefused) {
+  expect_refusal("6,run,normal_force_N,kN,29.2,-100,1,1\n", "is not of Fig. 5");
+  expect_refusal("5,run,normal_force_N,N,29.2,-100,1,1\n", "the axis is in kN");
+  expect_refusal("5,a,normal_force_N,kN,29.2,-100,1,1\n", "it has: run, normal_force_N");
+  expect_refusal("5,run,normal_force_N,kN,29.2,-100,0,1\n", "errors must be > 0");
+  expect_refusal("5,run,normal_force_N,kN,29.2,many,1,1\n", "many");
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# What `make site` does: the page, the pictures, the data and the maps in one folder that any static
+# host can serve, and an archive of it, the same bytes from the same commit, with its checksum.
+set -euo pipefail
+build=$1
+site=$build/site
+rm -rf "$site"
+mkdir -p "$site/rotor"
+verification/report/report.sh "$build" "$site/rotor" archive >/dev/null
+mv "$site/rotor/machine.json" "$site" # of this run
+touched=$(git show -s --format=%ct HEAD 2>/dev/null || echo 0)
+tar --create --sort=name --format=ustar --mtime="@$touched" --owner=0 --group=0 --numeric-owner \
+  --mode=u=rwX,go=rX --directory "$site" rotor | gzip --no-name --best >"$site/rotor.tar.gz"
+(cd "$site" && sha256sum rotor.tar.gz >rotor.tar.gz.sha256)
+echo "$site/rotor/index.html"
+cat "$site/rotor.tar.gz.sha256"
