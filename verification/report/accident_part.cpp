@@ -63,14 +63,40 @@ Json drawn(const Frame& frame, const Parameters& p) {
           {"touches", frame.normal_N < 0}};
 }
 
-Json still(const std::vector<Frame>& frames, std::vector<Frame>::const_iterator at,
-           const std::string& title, const Parameters& p) {
-  Json all = drawn(*at, p);
-  all["title"] = title;
-  all["index"] = at - frames.begin();
-  all["after_loss_ms"] = 1e-2 * std::round(1e5 * (at->time_s - p.separation_time));
-  all["force_kN"] = fmt::format("{:.0f}", -at->normal_N / 1e3);
-  all["speed_Hz"] = fmt::format("{:.1f}", at->speed_Hz);
+/// The moments that are shown as stills.
+std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& frames,
+                                                   double loss_s) {
+  const auto touches = [](const Frame& frame) { return frame.normal_N < 0; };
+  const auto strongest = [](auto from, auto until) {
+    return *std::min_element(
+        from, until, [](const Frame& a, const Frame& b) { return a.normal_N < b.normal_N; });
+  };
+  const auto begin = frames.begin(), end = frames.end();
+  const auto loss = std::find_if(begin, end, [&](const Frame& f) { return f.time_s >= loss_s; });
+  const auto first = std::find_if(loss, end, touches), free = std::find_if_not(first, end, touches);
+  const auto rolling = std::find_if(first, end, [](const Frame& f) { return f.state == 2; });
+  if (rolling == end) throw std::runtime_error("the accident does not end in rolling");
+  const auto sliding =
+      std::find_if_not(std::make_reverse_iterator(rolling), frames.rend(), touches).base();
+  return {{"Quiet running", *begin},
+          {"The piece has left", *loss},
+          {"First impact", strongest(first, free)},
+          {"Sliding along the ring", *(sliding + (rolling - sliding) * 3 / 4)},
+          {"Slip ends", *rolling},
+          {"Greatest force", strongest(rolling, end)}};
+}
+
+Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
+  Json all = Json::array();
+  for (const auto& [title, frame] : moments(frames, p.separation_time)) {
+    Json still = drawn(frame, p);
+    still["title"] = title;
+    still["left"] = 244 * all.size();  // in a row
+    still["after_loss_ms"] = 1e-2 * std::round(1e5 * (frame.time_s - p.separation_time));
+    still["force_kN"] = fmt::format("{:.0f}", -frame.normal_N / 1e3);
+    still["speed_Hz"] = fmt::format("{:.1f}", frame.speed_Hz);
+    all.push_back(still);
+  }
   return all;
 }
 
@@ -81,23 +107,10 @@ Json accident_json(const Sources& sources) {
       read_scene(sources.texts.parent_path() / "accident.toml").runs[0].scenario;
   const Parameters& p = scenario.parameters;
   const std::vector<Frame> frames = read_frames(sources.report / "accident.csv");
-  const auto touches = [](const Frame& frame) { return frame.normal_N < 0; };
-  const auto rolls = [](const Frame& frame) { return frame.state == 2; };
-  const auto strongest = [](auto from, auto until) {
-    return std::min_element(from, until,
-                            [](const Frame& a, const Frame& b) { return a.normal_N < b.normal_N; });
-  };
-  const auto begin = frames.begin(), end = frames.end();
-  const auto loss =
-      std::find_if(begin, end, [&](const Frame& f) { return f.time_s >= p.separation_time; });
-  const auto first = std::find_if(loss, end, touches), free = std::find_if_not(first, end, touches);
-  const auto rolling = std::find_if(first, end, rolls);
-  const auto sliding =
-      std::find_if_not(std::make_reverse_iterator(rolling), frames.rend(), touches).base();
   Json data = Json::array();
   for (const Frame& f : frames)
     data.push_back({rounded(1e3 * (f.time_s - p.separation_time), 3), rounded(1e3 * f.y_a_m, 4),
-                    rounded(1e3 * f.x_a_m, 4), rounded(f.q3_rad - begin->q3_rad, 3),
+                    rounded(1e3 * f.x_a_m, 4), rounded(f.q3_rad - frames.front().q3_rad, 3),
                     rounded(f.normal_N / 1e3, 1), rounded(f.friction_N / 1e3, 1), f.state,
                     rounded(f.speed_Hz, 2)});
   const double duration_s = frames.back().time_s - frames.front().time_s;
@@ -105,15 +118,10 @@ Json accident_json(const Sources& sources) {
           {"enlarged", static_cast<long>(enlarged)},
           {"arrow_per_kN", 1e3 * arrow_per_N},
           {"lasts_s", fmt::format("{:.1f}", duration_s * slower)},
-          {"first_angle_rad", rounded(begin->q3_rad, 6)},
+          {"first_angle_rad", rounded(frames.front().q3_rad, 6)},
           {"ring_mm", 1e3 * p.stator_radius},
           {"rotor_mm", 1e3 * p.rotor_radius},
-          {"stills",
-           {still(frames, begin, "Quiet running", p), still(frames, loss, "The piece has left", p),
-            still(frames, strongest(first, free), "First impact", p),
-            still(frames, sliding + (rolling - sliding) * 3 / 4, "Sliding along the ring", p),
-            still(frames, rolling, "Slip ends", p),
-            still(frames, strongest(rolling, end), "Greatest force", p)}},
+          {"stills", stills_json(frames, p)},
           {"last", static_cast<long>(frames.size()) - 1},
           {"frames", data},
           {"frames_text", data.dump()}};

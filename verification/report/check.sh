@@ -12,10 +12,14 @@ else
   failed=1
 fi
 
+if ! command -v hunspell >/dev/null; then
+  echo "check-report: there is no hunspell: make deps-report installs it" >&2
+  exit 1
+fi
 # The words that are neither code nor pictures, against English and the field's words.
 misspelt() { hunspell -l -d en_GB -p verification/report/words.txt | sort -u | tr '\n' ' '; }
-of_page=$(perl -0pe 's/<(style|script|svg|pre|code)\b.*?<\/\1>//gs; s/<[^>]*>/ /g; s/&\w+;/ /g' "$page" | misspelt)
-of_readme=$(perl -0pe 's/```.*?```//gs; s/`[^`]*`//g; s/^    .*//gm; s/\]\([^)]*\)//g; s/\w+_\w+//g' README.md | misspelt)
+of_page=$(perl -0pe 's/<(style|script|svg|pre|code|sub)\b.*?<\/\1>//gs; s/<[^>]*>/ /g; s/&\w+;/ /g; s/\S*\d\S*//g' "$page" | misspelt)
+of_readme=$(perl -0pe 's/```.*?```//gs; s/`[^`]*`//g; s/^    .*//gm; s/\]\([^)]*\)//g; s/\S*[\d_]\S*//g' README.md | misspelt)
 [ -z "$of_page" ] || { echo "check-report: not in the dictionary, on the page: $of_page" >&2; failed=1; }
 [ -z "$of_readme" ] || { echo "check-report: not in the dictionary, in README.md: $of_readme" >&2; failed=1; }
 exit $failed

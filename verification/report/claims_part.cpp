@@ -23,10 +23,13 @@ Json spread_json(const Spread& spread) {
   return all;
 }
 
-Json reading_json(const ClaimReading& reading) {
+Json number_or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json reading_json(const ClaimReading& reading, const std::optional<double>& put_right) {
   return {{"name", reading.name},
-          {"converged", reading.converged ? Json(*reading.converged) : Json()},
-          {"published_method", reading.by_rk4 ? Json(*reading.by_rk4) : Json()},
+          {"converged", number_or_nothing(reading.converged)},
+          {"published_method", number_or_nothing(reading.by_rk4)},
+          {"put_right", number_or_nothing(put_right)},
           {"times", spread_json(reading.times)},
           {"inputs", spread_json(reading.everything)}};
 }
@@ -53,10 +56,18 @@ std::string mark_of(const std::string& verdict) {
 }  // namespace
 
 Json claims_json(const std::vector<Claim>& claims) {
+  PaperInputs put_right;
+  put_right.statement.equations = Equations::consistent;
+  PaperRuns consistent(put_right);
   Json all = Json::array();
   for (const Claim& claim : claims) {
     Json readings = Json::array();
-    for (const ClaimReading& reading : claim.readings) readings.push_back(reading_json(reading));
+    bool holds = false;
+    for (const ClaimReading& reading : claim.readings) {
+      const auto value = read_off(reading.name, consistent);
+      holds = holds || (value && claim.allowed.holds(*value));
+      readings.push_back(reading_json(reading, value));
+    }
     all.push_back({{"id", claim.id},
                    {"figures", figures_of(claim)},
                    {"place", claim.place},
@@ -70,6 +81,7 @@ Json claims_json(const std::vector<Claim>& claims) {
                    {"is_arithmetic", claim.is_arithmetic},
                    {"verdict", claim.verdict},
                    {"mark", mark_of(claim.verdict)},
+                   {"holds_put_right", holds},
                    {"reason", claim.reason},
                    {"readings", readings}});
   }
@@ -81,6 +93,8 @@ Json verdict_json(const std::vector<const Json*>& claims) {
     return std::ranges::count_if(claims,
                                  [&](const Json* claim) { return (*claim)["verdict"] == verdict; });
   };
+  const auto put_right = std::ranges::count_if(
+      claims, [](const Json* claim) { return claim->at("holds_put_right") == true; });
   const auto all = static_cast<long>(claims.size());
   const auto reproduced = count("reproduced"), rounding = count("within rounding"),
              refuted = count("refuted");
@@ -91,13 +105,9 @@ Json verdict_json(const std::vector<const Json*>& claims) {
     if (rounding > 0) return {"rounding", "holds within rounding"};
     return {"reproduced", "holds"};
   }();
-  return {{"claims", all},
-          {"reproduced", reproduced},
-          {"within_rounding", rounding},
-          {"refuted", refuted},
-          {"mark", mark},
-          {"says", says},
-          {"claims_something", all > 0}};
+  return {{"claims", all},      {"reproduced", reproduced},   {"within_rounding", rounding},
+          {"refuted", refuted}, {"put_right", put_right},     {"mark", mark},
+          {"says", says},       {"claims_something", all > 0}};
 }
 
 }  // namespace rotor

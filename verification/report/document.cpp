@@ -64,6 +64,14 @@ std::string content_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+Json read_json(const std::filesystem::path& file) {
+  try {
+    return Json::parse(content_of(file));
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
 Json table_json(const std::filesystem::path& csv) {
   std::istringstream lines(content_of(csv));
   Json rows = Json::array();
@@ -81,7 +89,7 @@ Json document(const Sources& sources) {
   const std::vector<Claim> judged = judged_claims(sources.reference_data);
   const Json claims = claims_json(judged);
   const Json values = values_json(judged);
-  const Json words = with_numbers(Json::parse(content_of(sources.texts)), values);
+  const Json words = with_numbers(read_json(sources.texts), values);
   Json all = {{"title", words.at("title")},
               {"paper", words.at("paper")},
               {"verdict", verdict_json(all_of(claims))},

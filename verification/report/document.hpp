@@ -16,12 +16,12 @@ using Json = nlohmann::ordered_json;
 
 /// Where it comes from.
 struct Sources {
-  std::filesystem::path texts;           ///< words, with places for numbers: texts.json
-  std::filesystem::path scenes;          ///< figNN.toml
-  std::filesystem::path reference_data;  ///< claims, ensembles, assumptions, digitised points
-  std::filesystem::path report;          ///< beside the page: figures in both sets, studies
-  std::filesystem::path tests;           ///< tests-*.json of GoogleTest
-  std::string commit, commit_date;
+  std::filesystem::path texts{};           ///< words, with places for numbers: texts.json
+  std::filesystem::path scenes{};          ///< figNN.toml
+  std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions, digitised points
+  std::filesystem::path report{};          ///< beside the page: figures in both sets, studies
+  std::filesystem::path tests{};           ///< tests-*.json of GoogleTest
+  std::string commit{}, commit_date{};
   bool of_this_machine = true;  ///< with what differs from machine to machine
 };
 
@@ -42,6 +42,9 @@ Json verdict_json(const std::vector<const Json*>& claims);
 
 /// The whole of a file. Throws std::runtime_error, naming it, if it cannot be read.
 std::string content_of(const std::filesystem::path& file);
+
+/// A JSON file. Throws std::runtime_error, naming it, for what is none.
+Json read_json(const std::filesystem::path& file);
 
 /// The rows of a CSV as lists of cells, the first one being the header.
 Json table_json(const std::filesystem::path& csv);

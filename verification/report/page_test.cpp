@@ -1,13 +1,14 @@
 /// The reviewer's page: its texts, its verdicts, its points, and what stands on it.
 #include "verification/report/page.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <regex>
 
 #include "verification/report/digitised.hpp"
-#include "verification/support/in_folder.hpp"
+#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
@@ -37,7 +38,8 @@ TEST(ReportTexts, StateNoResultThemselves) {
   // by places such as {{reading.f_q1.f0}}.
   const std::regex may_stand(
       "\\{\\{[^}]*\\}\\}|Eqs?\\. \\([0-9]+\\)|mu = 0\\.[0-9]+|(29\\.1|14\\.15|2\\.2|2) s\\b|"
-      "(first|over) 5 ms|clearance is 3 mm|1e-11|2 pi|\\^2|/2|[A-Za-z_]+[0-9]'?|\\w+\\.\\w+");
+      "(first|over) 5 ms|clearance is 3 mm|1e-11|2 "
+      "pi|\\^2|/2|[A-Za-z_]+[0-9]'?|[A-Za-z/]+\\.[A-Z]\\w+");
   for (const std::string& text : all_texts()) {
     const std::string rest = std::regex_replace(text, may_stand, "");
     EXPECT_EQ(rest.find_first_of("0123456789"), std::string::npos) << text;
@@ -91,7 +93,8 @@ TEST(Render, EscapesAndPrintsSymbols) {
 TEST(VerdictOfAFigure, FollowsFromItsClaims) {
   const auto says = [](const std::vector<const char*>& verdicts) {
     std::vector<Json> claims;
-    for (const char* verdict : verdicts) claims.push_back({{"verdict", verdict}});
+    for (const char* verdict : verdicts)
+      claims.push_back({{"verdict", verdict}, {"holds_put_right", false}});
     std::vector<const Json*> all;
     for (const Json& claim : claims) all.push_back(&claim);
     return verdict_json(all).at("says").get<std::string>();
@@ -101,6 +104,36 @@ TEST(VerdictOfAFigure, FollowsFromItsClaims) {
   EXPECT_EQ(says({"reproduced", "within rounding"}), "holds within rounding");
   EXPECT_EQ(says({"reproduced", "within rounding", "refuted"}), "holds in part");
   EXPECT_EQ(says({"refuted"}), "refuted");
+}
+
+TEST(VerdictOfAFigure, IsTheOneInTheReadme) {
+  const Json claims = claims_json(judged_claims(ROTOR_REFERENCE_DATA));
+  const std::string readme = content_of(ROTOR_SOURCES "/README.md");
+  for (int number = 2; number <= 17; ++number) {
+    std::vector<const Json*> its;
+    for (const Json& claim : claims)
+      for (const Json& figure : claim.at("figures"))
+        if (figure == number) its.push_back(&claim);
+    const Json verdict = verdict_json(its);
+    std::string says = verdict.at("says").get<std::string>();
+    if (!its.empty())
+      says += fmt::format(", {} of {}", verdict.at("reproduced").get<int>(), its.size());
+    EXPECT_TRUE(std::regex_search(
+        readme, std::regex(fmt::format("\\n\\| {} \\| [^|]* \\| {} \\|", number, says))))
+        << number << ": " << says;
+  }
+}
+
+class Accident : public CommandLine {};
+
+TEST_F(Accident, IsThePictureInTheReadme) {
+  EXPECT_EQ(rotor("run --scene " + (room / "accident.toml").string() +
+                  " --from 29.095 --rows 1201 --trace accident.csv")
+                .status,
+            0);
+  const Json accident = accident_json({.texts = room / "texts.json", .report = folder_});
+  EXPECT_EQ(render(content_of(room / "accident.mustache.svg"), {}, accident),
+            content_of(ROTOR_SOURCES "/figures/paper/preview/accident.svg"));
 }
 
 TEST(CurveInWords, SaysWhereItBeginsWhatItReachesAndWhereItEnds) {

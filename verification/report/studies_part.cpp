@@ -74,7 +74,7 @@ Json tests_json(const Sources& sources) {
   long tests = 0, failed = 0;
   for (const auto& file : files_of(sources.tests, ".json")) {
     if (!file.filename().string().starts_with("tests-")) continue;
-    const Json results = Json::parse(content_of(file));
+    const Json results = read_json(file);
     for (const Json& suite : results.at("testsuites"))
       for (const Json& test : suite.at("testsuite")) {
         if (test.at("result") == "SUPPRESSED") continue;
