@@ -26,7 +26,10 @@ Json spread_json(const Spread& spread) {
 Json number_or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json reading_json(const ClaimReading& reading, const std::optional<double>& put_right) {
+  std::string words = reading.name;
+  std::ranges::replace(words, '_', ' ');
   return {{"name", reading.name},
+          {"words", words},
           {"converged", number_or_nothing(reading.converged)},
           {"published_method", number_or_nothing(reading.by_rk4)},
           {"put_right", number_or_nothing(put_right)},
@@ -39,13 +42,6 @@ Json figures_of(const Claim& claim) {
   std::istringstream stream(claim.figures);
   for (int number = 0; stream >> number;) numbers.push_back(number);
   return numbers;
-}
-
-/// What is allowed, in words.
-std::string interval_of(const Allowed& allowed) {
-  if (!std::isfinite(allowed.greatest)) return fmt::format("more than {:g}", allowed.least);
-  if (allowed.least == allowed.greatest) return "";
-  return fmt::format("{:.6g} to {:.6g}", allowed.least, allowed.greatest);
 }
 
 /// As a class of the page's style.
@@ -77,7 +73,9 @@ Json claims_json(const std::vector<Claim>& claims) {
                    {"rule", claim.rule},
                    {"least", number_or_nothing(claim.allowed.least)},
                    {"greatest", number_or_nothing(claim.allowed.greatest)},
-                   {"interval", interval_of(claim.allowed)},
+                   {"is_interval", claim.allowed.least < claim.allowed.greatest &&
+                                       std::isfinite(claim.allowed.greatest)},
+                   {"is_bound", !std::isfinite(claim.allowed.greatest)},
                    {"is_arithmetic", claim.is_arithmetic},
                    {"verdict", claim.verdict},
                    {"mark", mark_of(claim.verdict)},

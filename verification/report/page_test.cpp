@@ -2,6 +2,7 @@
 #include "verification/report/page.hpp"
 
 #include <fmt/format.h>
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,6 +10,7 @@
 
 #include "verification/report/digitised.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/law.hpp"
 
 namespace rotor {
 namespace {
@@ -151,6 +153,33 @@ TEST(CurveInWords, SaysWhereItBeginsWhatItReachesAndWhereItEnds) {
   EXPECT_EQ(in_words(path),
             "it begins 1.00 mm from the centre, reaches out to 2.00 mm and ends at 1.00 mm, after "
             "0.5 turns with the rotation and 0.2 against it");
+}
+
+TEST(Laws, FailWhereMoreIsLeftThanAllowed) {
+  EXPECT_NONFATAL_FAILURE(Law("a law", 1e-3).expect_left(-2e-3), "a law");
+  EXPECT_NONFATAL_FAILURE(Law("a law", 1e-3).expect_left(std::nan("")), "a law");
+  Law("a law that holds", 1e-3).expect_left(1e-3);
+}
+
+class TestResults : public InFolder {};
+
+TEST_F(TestResults, AreCountedWithTheWorstOfEachLaw) {
+  const auto test = [](const std::string& name, const std::string& rest) {
+    return R"({"classname": "Suite", "result": "COMPLETED", "name": ")" + name + '"' + rest + '}';
+  };
+  write("tests-0.json", R"({"testsuites": [{"testsuite": [)" +
+                            test("Holds/0", R"(, "law of nature": "1e-12 1e-9")") + ',' +
+                            test("Holds/1", R"(, "law of nature": "3e-12 1e-9")") + ',' +
+                            test("Fails", R"(, "failures": [])") + "]}]}");
+  write("tests-1.json", R"({"testsuites": [{"testsuite": [)" +
+                            test("Holds/2", R"(, "law of nature": "2e-12 1e-9")") + "]}]}");
+  const Json found = tests_json({.tests = folder_});
+  EXPECT_EQ(found.at("tests"), 4);
+  EXPECT_EQ(found.at("failed"), 1);
+  EXPECT_EQ(found.at("all_pass"), false);
+  EXPECT_EQ(found.at("laws"), Json::parse(R"([{"says": "of nature", "worst": "3.0e-12",
+                                             "allowed": "1.0e-09", "test": "Suite.Holds"}])"));
+  EXPECT_EQ(tests_json({.tests = folder_ / "none"}).at("made"), false);
 }
 
 class Digitised : public InFolder {
