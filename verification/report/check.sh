@@ -18,8 +18,8 @@ if ! command -v hunspell >/dev/null; then
 fi
 # The words that are neither code nor pictures, against English and the field's words.
 misspelt() { hunspell -l -d en_GB -p verification/report/words.txt | sort -u | tr '\n' ' '; }
-of_page=$(perl -0pe 's/<(style|script|svg|pre|code|sub)\b.*?<\/\1>//gs; s/<[^>]*>/ /g; s/&\w+;/ /g; s/\S*\d\S*//g' "$page" | misspelt)
-of_readme=$(perl -0pe 's/```.*?```//gs; s/`[^`]*`//g; s/^    .*//gm; s/\]\([^)]*\)//g; s/\S*[\d_]\S*//g' README.md | misspelt)
+of_page=$(perl -0pe 's/<(style|script|svg|pre|code|sub)\b.*?<\/\1>//gs; s/&shy;//g; s/<[^>]*>/ /g; s/&\w+;/ /g; s/\bEqs?\.//g; s/\S*\d\S*//g' "$page" | misspelt)
+of_readme=$(perl -0pe 's/```.*?```//gs; s/`[^`]*`//g; s/^    .*//gm; s/\]\([^)]*\)//g; s/\bEqs?\.//g; s/\S*[\d_]\S*//g' README.md | misspelt)
 [ -z "$of_page" ] || { echo "check-report: not in the dictionary, on the page: $of_page" >&2; failed=1; }
 [ -z "$of_readme" ] || { echo "check-report: not in the dictionary, in README.md: $of_readme" >&2; failed=1; }
 exit $failed
