@@ -77,7 +77,11 @@ SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
       std::find_if(departures.begin() + 1, departures.end(), [&](const Departure& departure) {
         return in_Hz(departure.simulation.instant().state[5]) > (1 - ripple) * speed_Hz;
       });
-  return rotor::time_at_speed((faster - 1)->simulation, scenario, speed_Hz, until_s, monitor);
+  const SpeedReached found =
+      rotor::time_at_speed((faster - 1)->simulation, scenario, speed_Hz, until_s, monitor);
+  if (found.time_s) return found;
+  // The greatest speed may have been on the way there.
+  return rotor::time_at_speed(departures.front().simulation, scenario, speed_Hz, until_s, monitor);
 }
 
 }  // namespace rotor

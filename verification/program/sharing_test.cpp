@@ -109,13 +109,17 @@ TEST(RunUps, ForgetTheWayThatWasInterrupted) {
 TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
   RunUps run_ups;
   Observer null_observer;
-  for (const double speed_Hz : {75., 20., 149.9, 150., 74.99, 2., 11., 151.}) {
+  Scenario beyond{.until = 40};  // where the motor is off and the rotor slows down
+  beyond.parameters.separation_time = 38;
+  run_ups.depart(beyond, null_observer);
+  for (const double speed_Hz : {75., 20., 149.9, 150., 74.99, 2., 11., 151., 200.}) {
     Scenario scenario{.until = 30};
     scenario.parameters.separation_time = 0;
     const auto found = run_ups.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
     const auto alone = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
     EXPECT_EQ(found.time_s, alone.time_s) << speed_Hz;
     EXPECT_EQ(found.time_s.has_value(), speed_Hz < 151);
+    EXPECT_EQ(found.greatest_Hz, alone.greatest_Hz) << speed_Hz;
     scenario.parameters.separation_time = found.time_s.value_or(1);
     run_ups.depart(scenario, null_observer);  // leaves something on the way
   }
