@@ -1,6 +1,7 @@
 #include "figures/data/interruption.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace rotor {
 namespace {

@@ -84,8 +84,8 @@ Table thinned(const Table& table, double tolerance) {
     const std::vector<double>& y = curves.all.emplace_back(scaled(table, column));
     mark_gaps(table, column, needed);
     // The ends of the range are what annotations quote: they stay to the last digit.
-    needed[static_cast<std::size_t>(std::ranges::min_element(y) - y.begin())] = true;
-    needed[static_cast<std::size_t>(std::ranges::max_element(y) - y.begin())] = true;
+    needed[static_cast<std::size_t>(std::min_element(y.begin(), y.end()) - y.begin())] = true;
+    needed[static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin())] = true;
   }
   // Piece by piece, because the time that it takes grows faster than a piece's length.
   constexpr std::size_t piece_length = 512;

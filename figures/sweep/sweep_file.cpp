@@ -161,7 +161,7 @@ class SweepReader : TomlFile {
     const auto found = value<std::int64_t>(in, key, "a whole number");
     if (!found) fail(in, key, "must be stated");
     if (*found < least) fail(*in.get(key), key, fmt::format("must be {} at least", least));
-    return *found;
+    return static_cast<long>(*found);
   }
 
   Sample sample(const toml::table& in) const {
@@ -261,8 +261,9 @@ class SweepReader : TomlFile {
       if (const auto* const range = std::get_if<Range>(&axis.values))
         ends.push_back({axis.quantity, std::vector<double>{range->from, range->until}});
       else if (const auto* const numbers = std::get_if<std::vector<double>>(&axis.values))
-        ends.push_back({axis.quantity, std::vector<double>{std::ranges::min(*numbers),
-                                                           std::ranges::max(*numbers)}});
+        ends.push_back({axis.quantity,
+                        std::vector<double>{*std::min_element(numbers->begin(), numbers->end()),
+                                            *std::max_element(numbers->begin(), numbers->end())}});
     }
     for (const Draw& draw : sweep.sample.over)
       if (draw.distribution != Distribution::normal)

@@ -51,7 +51,8 @@ std::string sweep_head(const Sweep& sweep) {
   for (std::string line; std::getline(text, line);) provenance.push_back("  " + line);
   std::vector<std::string> names = sweep.quantities();
   for (std::string& name : names)  // beside a result of the same name, such as the method's
-    if (std::ranges::find(result_columns(), name) != result_columns().end()) name += "_varied";
+    if (std::find(result_columns().begin(), result_columns().end(), name) != result_columns().end())
+      name += "_varied";
   const std::vector<std::string>& columns = columns_of(sweep);
   names.insert(names.end(), columns.begin(), columns.end());
   names.emplace_back("refusal");
