@@ -133,12 +133,15 @@ void CsvRow::fail(std::string_view reason) const {
 std::vector<CsvRow> read_csv(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
+  return read_csv(stream, file.string());
+}
+
+std::vector<CsvRow> read_csv(std::istream& stream, const std::string& name) {
   CsvReader reader(stream);
   const auto headings = std::make_shared<std::vector<std::string>>(reader.next());
   std::vector<CsvRow> rows;
   for (auto cells = reader.next(); !cells.empty(); cells = reader.next())
-    rows.emplace_back(fmt::format("{}:{}", file.string(), reader.line()), headings,
-                      std::move(cells));
+    rows.emplace_back(fmt::format("{}:{}", name, reader.line()), headings, std::move(cells));
   return rows;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <memory>
 #include <span>
 #include <string>
@@ -50,5 +51,7 @@ class CsvRow {
 
 /// The rows of a CSV file below its header row. Lines that start with "#" are skipped.
 std::vector<CsvRow> read_csv(const std::filesystem::path& file);
+/// The same of a text, which messages call by that name.
+std::vector<CsvRow> read_csv(std::istream& stream, const std::string& name);
 
 }  // namespace rotor

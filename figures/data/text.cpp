@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <numeric>
 
 namespace rotor {
@@ -41,6 +43,20 @@ std::string one_line(std::string_view text) {
 std::string shown(std::string_view text) {
   constexpr std::size_t most = 60;
   return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
+}
+
+/// All of the text as a number, without anything around it. libc++ 14 has no std::from_chars for
+/// it.
+std::optional<double> number_in(const std::string& text) {
+  // Not std::from_chars, which libc++ 14 has for integers alone.
+  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
+    return std::nullopt;  // which strtod may know: blanks, nan, hexadecimal
+  char* end = nullptr;
+  errno = 0;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool vanishes = errno == ERANGE && value == 0;
+  const bool whole = end == text.c_str() + text.size();
+  return whole && !vanishes ? std::optional(value) : std::nullopt;
 }
 
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names) {

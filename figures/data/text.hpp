@@ -1,6 +1,7 @@
 /// What messages do with texts that users give.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@ std::string shown(std::string_view text);
 
 /// The same as one line, however long.
 std::string one_line(std::string_view text);
+
+/// All of the text as a number, without anything around it.
+std::optional<double> number_in(const std::string& text);
 
 /// "; did you mean NAME?" if one of the names is what was probably meant, or nothing.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <csignal>
 
 #include "figures/data/interruption.hpp"
@@ -43,21 +42,6 @@ CLI::Validator not_empty() {
   return {
       [](const std::string& text) -> std::string { return text.empty() ? "must name a file" : ""; },
       "", ""};
-}
-
-/// All of the text as a number, without anything around it.
-std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole ? std::optional(value) : std::nullopt;
-}
-
-std::string dashed(std::string_view name) {
-  std::string option = "--" + std::string(name);
-  std::replace(option.begin(), option.end(), '_', '-');
-  return option;
 }
 
 /// An option whose text names something.
@@ -135,18 +119,14 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->needs(scene);
   for (const Statable& statable : statables()) {
     const Quantity& quantity = statable.quantity;
-    const std::string option = dashed(quantity.name);
+    const std::string option = option_of(quantity.name);
     const std::string meaning = fmt::format(
         "{}{}{}{}", quantity.meaning, quantity.symbol.empty() ? "" : ", ", quantity.symbol,
-        statable.instead_of.empty() ? "" : ", instead of " + dashed(statable.instead_of));
+        statable.instead_of.empty() ? "" : ", instead of " + option_of(statable.instead_of));
     CLI::Option* const added = command.add_option_function<std::string>(
         option,
-        [&options, &quantity, option](const std::string& text) {
-          const auto value = number_in(text);
-          if (!value || !quantity.allows(*value))
-            throw InputError(
-                fmt::format("{}: must be {}, not {}", option, quantity.range(), shown(text)));
-          options.numbers.numbers.insert_or_assign(std::string(quantity.name), *value);
+        [&options, &quantity](const std::string& text) {
+          state_number(options.numbers, quantity, text);
         },
         meaning);
     added->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit));

@@ -55,13 +55,10 @@ Scene requested_scene(const RunOptions& options) {
       throw InputError("--events: only --method event locates events");
     if (options.energy && run.scenario.method == Method::rk4)
       throw InputError("--energy: only --method event knows the motion between its steps");
-    if (options.from_s && !(*options.from_s >= 0 && *options.from_s < run.scenario.until))
-      throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s",
-                                   *options.from_s, run.scenario.until));
+    if (options.from_s) result.window = window_from(*options.from_s, run.scenario);
   }
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
   if (result.columns.empty()) result.columns = every_column();
-  if (options.from_s) result.window = {.from_s = *options.from_s};
   return result;
 }
 

@@ -44,9 +44,10 @@ RunUps::Family& RunUps::family(const Scenario& scenario) {
   return families_.front();
 }
 
-Departure RunUps::depart(const Scenario& scenario, Observer& monitor) {
+Departure RunUps::depart(const Scenario& scenario, Observer& monitor, double latest_s) {
   const SummaryObserver fresh(scenario);
-  const double until_s = std::min(scenario.run_up_end(), fresh.time_of_speed_s());
+  const double until_s =
+      std::min(latest_s, std::min(scenario.run_up_end(), fresh.time_of_speed_s()));
   if (!scenario.loses_mass() || !(until_s > 0)) return Departure(scenario);
   std::vector<Departure>& departures = family(scenario).departures;
   const auto later = std::upper_bound(

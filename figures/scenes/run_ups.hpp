@@ -1,6 +1,7 @@
 /// Runs that are watched for their summary alone, and share their run-ups.
 #pragma once
 
+#include <limits>
 #include <list>
 #include <vector>
 
@@ -25,8 +26,9 @@ class RunUps {
  public:
   /// A run on its way to its mass loss, clear of the ring, to the bit as it would get there by
   /// itself. If it is to lose no mass, at its start. Throws as `run` does. Where the monitor stops
-  /// the way, the departure is of no use.
-  Departure depart(const Scenario& scenario, Observer& monitor);
+  /// the way, the departure is of no use. It goes no further than `latest_s`.
+  Departure depart(const Scenario& scenario, Observer& monitor,
+                   double latest_s = std::numeric_limits<double>::infinity());
 
   /// As the function of that name has it.
   SpeedReached time_at_speed(const Scenario& scenario, double speed_Hz,

@@ -101,6 +101,13 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   return SceneReader(file, overrides).read();
 }
 
+Window window_from(double from_s, const Scenario& scenario) {
+  if (!(from_s >= 0 && from_s < scenario.until))
+    throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", from_s,
+                                 scenario.until));
+  return {.from_s = from_s};
+}
+
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names) {
   std::vector<const Column*> columns;
   for (const std::string& name : names) {

@@ -34,6 +34,9 @@ struct Overrides {
 /// Reads a TOML scene file. Throws InputError.
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
 
+/// From the time that the option --from states, to the end of a run. Throws InputError.
+Window window_from(double from_s, const Scenario& scenario);
+
 /// The columns of those names. Throws InputError, naming all columns, for one that does not exist.
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names);
 

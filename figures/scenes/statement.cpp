@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "figures/data/text.hpp"
 #include "figures/scenes/interruptible.hpp"
 
 namespace rotor {
@@ -167,6 +168,20 @@ void state(Statement& statement, std::string_view statable, std::string_view nam
     statement.gravity_moment = parse_gravity_moment(name);
   else
     statement.method = parse_method(name);
+}
+
+std::string option_of(std::string_view name) {
+  std::string option = "--" + std::string(name);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
+
+void state_number(Statement& statement, const Quantity& quantity, const std::string& text) {
+  const auto value = number_in(text);
+  if (!value || !quantity.allows(*value))
+    throw InputError(fmt::format("{}: must be {}, not {}", option_of(quantity.name),
+                                 quantity.range(), shown(text)));
+  statement.numbers.insert_or_assign(std::string(quantity.name), *value);
 }
 
 }  // namespace rotor

@@ -50,4 +50,9 @@ std::span<const std::string_view> named_statables();
 /// States one of them. Throws InputError, saying which names there are.
 void state(Statement& statement, std::string_view statable, std::string_view name);
 
+/// How the command line calls a number or a choice: with dashes.
+std::string option_of(std::string_view name);
+/// States a number by its text, as the command line does. Throws InputError, naming its option.
+void state_number(Statement& statement, const Quantity& quantity, const std::string& text);
+
 }  // namespace rotor

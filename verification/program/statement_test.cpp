@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "figures/data/text.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/start.hpp"
@@ -60,6 +61,16 @@ TEST(Statement, EndsAQuarterOfASecondAfterTheMassLossUnlessItSaysWhen) {
   EXPECT_EQ(scenario_of(without).until, 3);
   without.numbers["separation_time"] = 2;
   EXPECT_EQ(refusal(without), "separation_time: there is no mass loss in this run");
+}
+
+TEST(Statement, ReadsNumbersThatAreNothingElse) {
+  EXPECT_EQ(number_in("0.3"), 0.3);
+  EXPECT_EQ(number_in("+3e-1"), 0.3);
+  EXPECT_EQ(number_in("-.5"), -0.5);
+  EXPECT_EQ(number_in("1e-310"), 1e-310);
+  for (const char* text :
+       {"", " 1", "1 ", "1,5", "0x10", "nan", "inf", "1e", "--1", "1e-999", "1f"})
+    EXPECT_EQ(number_in(text), std::nullopt) << text;
 }
 
 TEST(Statement, TakesTheClearanceForTheStatorsRadius) {
