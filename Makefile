@@ -56,6 +56,9 @@ RANKING_PACKAGES := libopenturns-dev
 # A browser that checks the reviewer's page, Node.js to drive it, and a dictionary for its words. Node.js
 # of other makers brings npm along, and does not bear Debian's.
 REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
+# The page with knobs: a compiler for browsers and what its optimiser parses with; npm, which some nodes
+# bring along, gets what figures/explore/package.json names; the page's check drives chromium.
+EXPLORE_PACKAGES := emscripten node-acorn chromium $(if $(shell command -v npm),,npm)
 # Sweeps over many machines; with it a program takes 30 ms longer to start.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
@@ -73,9 +76,9 @@ endef
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures pictures $(FIGURES) reference ensembles reasons verify report \
-        check-report deps-report site lint mutants deps-bench bench-programs \
-        maps map-theory bench deps-lint deps-mutants deps-clang deps-portable deps-mpi mpi stress sanitize portable \
-        deps-ranking ranking clean
+        check-report deps-report site lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
+        deps-mutants deps-clang deps-portable deps-mpi deps-explore explore check-explore explore-preview mpi stress \
+        sanitize portable deps-ranking ranking clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -107,6 +110,9 @@ deps-report: deps ## install what make check-report needs (optional)
 
 deps-mpi: deps ## install what make mpi needs (optional)
 	$(call install,$(MPI_PACKAGES))
+
+deps-explore: deps ## install what make explore and make check-explore need (optional)
+	$(call install,$(EXPLORE_PACKAGES))
 
 # On a system without dpkg, CMake and gnuplot speak for themselves.
 need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
@@ -205,6 +211,16 @@ mpi: need-deps ## build build/mpi/rotor, which mpirun spreads over machines, and
 	@cmake --preset release -B $(BUILD)/mpi -DROTOR_MPI=ON -DROTOR_VERIFICATION=OFF >/dev/null
 	@cmake --build $(BUILD)/mpi --target rotor
 	@verification/program/mpi.sh $(BUILD)/mpi/rotor
+
+explore: need-deps ## make build/report/explore.html, the engine with knobs in one page for the browser
+	@figures/explore/build.sh $(BUILD)
+
+check-explore: build explore ## turn the knobs in a browser without a screen, and compare with the program
+	@node verification/program/explore.mjs $(BUILD)/report/explore.html $(ROTOR) $(BUILD)/explore/npm "$$(command -v chromium)"
+
+explore-preview: explore ## take the README's picture of that page anew
+	@node figures/explore/preview.mjs $(BUILD)/report/explore.html $(BUILD)/explore/npm "$$(command -v chromium)" \
+	  figures/explore/preview.png
 
 portable: build ## build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)

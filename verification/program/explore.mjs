@@ -1,0 +1,357 @@
+// What `make check-explore` does: turns the knobs of the page in a browser without a screen, and holds
+// what it shows against the program: node explore.mjs PAGE ROTOR NPM CHROMIUM, where NPM has
+// node_modules.
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { cpus, loadavg, tmpdir } from "node:os";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+
+import { outcomes } from "../../figures/explore/page/outcome.js";
+
+const [page_file, rotor, npm, executablePath] = process.argv.slice(2).map((name) => path.resolve(name));
+const require = createRequire(path.join(npm, "package.json"));
+const { chromium } = require("playwright-core");
+
+let failures = 0;
+function expect(holds, what) {
+  if (holds) return;
+  ++failures;
+  console.error(`FAILED: ${what}`);
+}
+const say = (text) => console.log(text);
+
+const browser = await chromium.launch({
+  executablePath,
+  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--disable-background-networking"],
+});
+const context = await browser.newContext({ viewport: { width: 1400, height: 1000 }, reducedMotion: "reduce" });
+const page = await context.newPage();
+page.on("console", (message) => expect(message.type() !== "error", `console: ${message.text()}`));
+page.on("pageerror", (error) => expect(false, `error on the page: ${error.stack}`));
+page.on("request", (request) =>
+  expect(/^(file|blob|data):/.test(request.url()), `the page asks the network for ${request.url()}`));
+
+const address = pathToFileURL(page_file).href;
+const text = (id) => page.textContent(`#${id}`);
+/// Until the pictures are those of the setting that the address states.
+const shown = (timeout = 60_000) => page.waitForFunction(
+  () => document.body.dataset.shows === location.hash.split("/")[0].replace(/^#?/, "#"), null, { timeout });
+const summary = async () => JSON.parse(await text("summary"));
+async function set(options) {
+  const hash = "#" + new URLSearchParams(options);
+  await page.evaluate((to) => {
+    if (location.hash.replace(/^#?/, "#") === to) return;
+    delete document.body.dataset.shows;
+    location.hash = to;
+  }, hash);
+  await page.waitForFunction((to) => document.body.dataset.shows === to, hash, { timeout: 60_000 });
+}
+
+const argumentsOf = (options) =>
+  Object.entries(options).flatMap(([option, value]) => (value === "" ? [`--${option}`] : [`--${option}`, value]));
+const native = (options) => JSON.parse(execFileSync(rotor,
+  ["run", "--energy", "--json", ...argumentsOf(options)], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
+
+// ---- the numbers
+
+/// Every number of a summary by the path to it; what a run has cost is none of them.
+const costs = ["right_hand_sides", "contact_evaluations", "steps", "located_events"];
+function leaves(json, name = "") {
+  if (json === null || typeof json !== "object") return [[name, json]];
+  return Object.entries(json).filter(([key]) => !costs.includes(key))
+    .flatMap(([key, value]) => leaves(value, `${name}/${key}`));
+}
+
+/// Two programs whose sines differ in the last digit differ as much as the rounding of one of them is
+/// multiplied by the run. That is less than what a tolerance ten times as large changes, but for what does
+/// not depend on it: there, ten digits are asked for. Energies are differences of what the rotor has.
+function compare(options) {
+  const stated = native(options);
+  const looser = Object.fromEntries(leaves(native({ ...options, tolerance: "1e-10" })));
+  const energy = stated.energy_J.until_end.initial;
+  let worst = 0;
+  return (seen) => {
+    const ours = Object.fromEntries(leaves(seen));
+    for (const [name, value] of leaves(stated)) {
+      if (name === "/tolerance" || name.startsWith("/inputs/")) continue;
+      if (typeof value !== "number") {
+        expect(ours[name] === value, `${JSON.stringify(options)}: ${name} is ${ours[name]}, not ${value}`);
+        continue;
+      }
+      const scale = name.startsWith("/energy_J") ? energy : Math.abs(value);
+      const error = Math.abs(looser[name] - value) + 1e-10 * scale;
+      const off = Math.abs(ours[name] - value);
+      worst = Math.max(worst, error > 0 ? off / error : 0);
+      expect(off <= error, `${JSON.stringify(options)}: ${name} is ${ours[name]}, not ${value} within ${error}`);
+    }
+    for (const name of Object.keys(ours)) expect(name in Object.fromEntries(leaves(stated)), `${name} is new`);
+    return worst;
+  };
+}
+
+const settings = [
+  {},
+  { friction: "0.2" },
+  { friction: "0.15", "separation-time": "20" },
+  { "contact-stiffness": "16e8" },
+  { "contact-stiffness": "4e8" },
+  { "contact-damping": "2e4" },
+  { "separation-time": "19.1", until: "19.2" },
+  { "separation-speed-hz": "75" },
+  { "separation-time": "9.4", until: "11" },
+  { "separation-time": "2.2", until: "4" },
+  { "no-separation": "", until: "6.5" },
+  { clearance: "0.001", friction: "0.1", until: "29.2" },
+  { "unbalance-factor": "4", torque: "0.5" },
+  { eccentricity: "0.0002", "support-stiffness": "30000", "support-damping": "50" },
+];
+const consistent = settings.slice(0, 4).map((options) => ({ ...options, equations: "consistent" }));
+const sensitive = [{ friction: "0.08" }, { friction: "0.08", equations: "consistent" }];
+
+async function checkNumbers() {
+  const compared = [...settings, ...consistent];
+  let worst = 0;
+  for (const options of compared) {
+    await set(options);
+    worst = Math.max(worst, compare(options)(await summary()));
+  }
+  say(`${compared.length} settings: every number as rotor run --json has it, within the error of the run; ` +
+    `of which the largest difference is ${(100 * worst).toFixed(0)} %`);
+}
+
+/// One run says little where contacts multiply the smallest differences: the shares of the outcomes do.
+async function checkShares() {
+  const count = 30, native_count = 300;
+  for (const options of sensitive) {
+    await set(options);
+    await page.click("#sure");
+    await page.waitForFunction(() => document.querySelectorAll("#sureness p").length > 1, null, { timeout: 120_000 });
+    const told = await text("sureness");
+    await page.click("#sure");
+    const expected = sweepOutcomes(options, native_count);
+    const shares = Object.entries(outcomes).map(([outcome, words]) => {
+      const seen = Number(told.match(new RegExp(`In (\\d+) of ${count} draws the rotor ${words}\\.`))?.[1] ?? 0) / count;
+      return { outcome, seen, share: (expected[outcome] ?? 0) / native_count };
+    });
+    const sum = shares.reduce((all, { seen }) => all + seen, 0);
+    expect(Math.abs(sum - 1) < 1e-9, `the shares of ${JSON.stringify(options)} are ${sum} in all`);
+    for (const { outcome, seen, share } of shares) {
+      // Three standard errors of the difference; one draw where it is said that there are none.
+      const error = 3 * Math.sqrt(share * (1 - share) * (1 / count + 1 / native_count)) + 1 / count;
+      expect(Math.abs(seen - share) <= error, `${JSON.stringify(options)}: ${outcome} in ${seen} of the draws, not ${share}`);
+    }
+    say(`${JSON.stringify(options)}: ${shares.filter(({ seen, share }) => seen + share > 0)
+      .map(({ outcome, seen, share }) => `${outcome} ${seen.toFixed(2)} (${share.toFixed(2)})`).join(", ")}; ` +
+      `in brackets by rotor sweep`);
+  }
+}
+
+/// How often each outcome is what `rotor sweep` finds. It varies twelve quantities at most: those whose
+/// printed digits leave the least are left out.
+function sweepOutcomes({ friction, equations = "published" }, count) {
+  const rows = readFileSync("reference-data/printed-inputs.csv", "utf8").split("\n")
+    .filter((line) => line && !line.startsWith("#")).map((line) => line.split(","));
+  const over = rows.slice(1).map(([input, printed, , least, greatest]) => {
+    if (input.startsWith("mu_")) return printed === friction ? ["friction", least, greatest] : null;
+    if (input.startsWith("t_")) return input === "t_operating" ? ["separation_time", least, greatest] : null;
+    return ["inertia", "gravity", "motor_off_hz"].includes(input) ? null : [input, least, greatest];
+  }).filter(Boolean);
+  const sweep = [`stop_on = "end"`, "[parameters]", `equations = "${equations}"`, "tolerance = 1e-8",
+    "[sample]", `count = ${count}`, "seed = 2",
+    ...over.flatMap(([quantity, least, greatest]) =>
+      ["[[sample.over]]", `quantity = "${quantity}"`, `uniform = [${Number(least)}, ${Number(greatest)}]`])];
+  const folder = mkdtempSync(path.join(tmpdir(), "explore-"));
+  try {
+    const [toml, csv] = ["sweep.toml", "sweep.csv"].map((name) => path.join(folder, name));
+    writeFileSync(toml, sweep.join("\n"));
+    execFileSync(rotor, ["sweep", toml, "--out", csv], { stdio: ["ignore", "ignore", "inherit"] });
+    const [head, ...points] = readFileSync(csv, "utf8").split("\n")
+      .filter((line) => line && !line.startsWith("#")).map((line) => line.split(","));
+    const found = {};
+    for (const point of points) {
+      const outcome = point[head.indexOf("outcome")];
+      found[outcome] = (found[outcome] ?? 0) + 1;
+    }
+    return found;
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+// ---- knobs, address, refusals
+
+async function checkKnobs() {
+  await set({});
+  await page.focus("#friction");
+  await page.fill("#friction", "0.2");
+  await shown();
+  expect((await page.evaluate(() => location.hash)) === "#friction=0.2", "the address does not hold the friction");
+  expect((await text("command")) === "build/rotor run --friction 0.2 --energy --json", "the command is another one");
+  expect((await summary()).collisions === 12, "friction 0.2 has 12 touch-downs");
+
+  const slider = page.getByRole("slider", { name: /coefficient of Coulomb friction/ });
+  await slider.focus();
+  await page.keyboard.press("ArrowRight");
+  await shown();
+  const { inputs } = await summary();
+  expect(inputs.friction > 0.2 && inputs.friction < 0.21, `an arrow key turns the friction to ${inputs.friction}`);
+  await page.click(".knob:has(#friction) .reset");
+  await shown();
+  expect((await summary()).inputs.friction === 0.3, "one click does not bring the paper's friction back");
+
+  await page.selectOption("#figure", { label: "Fig. 12" });
+  await shown();
+  expect((await summary()).inputs.separation_time === 19.1, "Fig. 12 is not the mass loss at 19.1 s");
+  await page.fill("#separation-speed-hz", "75");
+  await shown();
+  const speed = (await summary()).speed_at_separation_Hz;
+  expect(Math.abs(speed - 75) < 1e-6, `the mass is lost at ${speed} Hz`);
+  await page.click("#paper");
+  await shown();
+
+  await page.check("#velocity-jump");
+  await page.check("#gravity-moment");
+  await shown();
+  expect((await summary()).equations === "consistent", "both corrections are not the consistent equations");
+  await page.click("#paper");
+  await shown();
+
+  await page.click("#keep");
+  await page.fill("#friction", "0.1");
+  await page.waitForFunction(() => document.querySelectorAll("#numbers tr:first-child td").length === 2);
+  await page.reload();
+  await page.waitForFunction(() => document.querySelectorAll("#numbers tr:first-child td").length === 2);
+  expect((await summary()).inputs.friction === 0.1, "the address does not keep two settings");
+  await page.click("#alone");
+  await page.click("#paper");
+  await shown();
+}
+
+async function checkRefusals() {
+  for (const [option, value] of [["friction", "-1"], ["unbalance-factor", "0.5"], ["clearance", "wide"],
+    ["eccentricity", "0.07"], ["separation-speed-hz", "200"], ["unbalance-factor", "400"]]) {
+    await set({});
+    await page.fill(`#${option}`, value);
+    await page.waitForFunction(() => document.getElementById("status").classList.contains("refusal"));
+    const { stderr } = spawnSync(rotor, ["run", `--${option}`, value], { encoding: "utf8" });
+    const refusal = await text("status");
+    expect(`rotor: ${refusal}\n` === stderr, `${option} ${value}: "${refusal}", not "${stderr}"`);
+  }
+  await set({});
+  expect((await text("status")) === "", "a refusal stays when it is over");
+}
+
+/// A rotor that takes minutes says how far it is, and leaves when the next one comes.
+async function checkLongRuns() {
+  await page.evaluate(() => (location.hash = "#torque=0.01&until=100000&from=99999&support-damping=0"));
+  await page.waitForFunction(() => /^The run has got to/.test(document.getElementById("status").textContent), null, { timeout: 60_000 });
+  const before = Date.now();
+  await set({});
+  const waited_s = (Date.now() - before) / 1e3;
+  expect(waited_s < 5, `a long run was dropped after ${waited_s} s`);
+  say(`a long run is dropped, and the next one shown, in ${waited_s.toFixed(2)} s`);
+}
+
+async function checkFiles() {
+  await set({ friction: "0.2", from: "29.1" });
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+  const ours = readFileSync(await download.path(), "utf8").split("\n");
+  const theirs = execFileSync(rotor, ["run", "--friction", "0.2", "--from", "29.1", "--trace", "-"],
+    { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }).split("\n");
+  const head = theirs.findIndex((line) => !line.startsWith("#")) + 1;
+  expect(ours.slice(0, head).join("\n") === theirs.slice(0, head).join("\n"), "the head of the CSV is another one");
+  expect(Math.abs(ours.length - theirs.length) < 0.01 * theirs.length, `the CSV has ${ours.length} rows, not ${theirs.length}`);
+}
+
+async function checkViews() {
+  const figures = ["force", "speed", "energy", "displacement"];
+  const pictures = async () => {
+    await page.waitForTimeout(300);
+    return Promise.all([...figures, "orbit"].map((id) => page.locator(`#${id}`)
+      .screenshot({ style: ".now { visibility: hidden }" }))); // where the rotor is just now
+  };
+  // Wherever a setting comes from, it looks the same.
+  await set({});
+  await page.fill("#friction", "0.15");
+  await shown();
+  const turned = await pictures();
+  await page.reload();
+  await shown();
+  (await pictures()).forEach((picture, i) =>
+    expect(picture.equals(turned[i]), `${[...figures, "orbit"][i]} is another one when the page is loaded again`));
+
+  await set({});
+  const before = await pictures();
+  await page.click("#show-rolling");
+  const after = await pictures();
+  after.forEach((picture, i) => expect(!picture.equals(before[i]), `${[...figures, "orbit"][i]} does not follow the time`));
+  await page.selectOption("#frame", "rotor");
+  await page.waitForTimeout(200);
+  expect(!(await page.locator("#orbit").screenshot()).equals(after[4]), "the orbit is the same in both frames");
+  await page.selectOption("#frame", "stator");
+  const told = await text("rotor-state");
+  await page.click("#play");
+  await page.waitForTimeout(500);
+  expect((await text("rotor-state")) !== told, "the rotor does not move");
+  await page.click("#play");
+  await page.click("#show-all");
+}
+
+// ---- how fast, how readable
+
+async function measure() {
+  await set({});
+  await page.evaluate(() => {
+    performance.clearMeasures();
+    window.frames_ms = [];
+    let last = performance.now();
+    const note = (now) => (window.frames_ms.push(now - last), (last = now), requestAnimationFrame(note));
+    requestAnimationFrame(note);
+  });
+  const slider = page.getByRole("slider", { name: /coefficient of Coulomb friction/ });
+  await slider.focus();
+  for (let n = 0; n < 60; ++n) {
+    await page.keyboard.press(n < 30 ? "ArrowRight" : "ArrowLeft");
+    await page.waitForTimeout(100);
+  }
+  const [times, frames] = await page.evaluate(() =>
+    [performance.getEntriesByName("input to picture").map(({ duration }) => duration), window.frames_ms]);
+  const median = (values) => [...values].sort((one, other) => one - other)[values.length >> 1];
+  expect(times.length > 20, `only ${times.length} of 60 inputs became pictures`);
+  say(`from input to picture: median ${median(times).toFixed(0)} ms of ${times.length} (target: 100 ms on an idle machine; ` +
+    `this one has ${loadavg()[0].toFixed(1)} jobs on ${cpus().length} cores); median time between frames ${median(frames).toFixed(0)} ms`);
+}
+
+async function checkAccess() {
+  await page.addScriptTag({ path: require.resolve("axe-core/axe.min.js") });
+  for (const [width, colorScheme] of [[1400, "light"], [1400, "dark"], [360, "light"]]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+    await page.waitForTimeout(300);
+    const { violations } = await page.evaluate(() => window.axe.run());
+    for (const { id, impact, nodes } of violations)
+      expect(!["serious", "critical"].includes(impact), `${width} px, ${colorScheme}: ${id}: ${nodes.map(({ html }) => html).join(" ")}`);
+    const over = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    expect(over <= 0, `at ${width} px the page is ${over} px too wide`);
+  }
+}
+
+try {
+  await page.goto(address);
+  await shown();
+  await checkNumbers();
+  await checkKnobs();
+  await checkRefusals();
+  await checkLongRuns();
+  await checkFiles();
+  await checkViews();
+  await checkShares();
+  await measure();
+  await checkAccess();
+} finally {
+  await browser.close();
+}
+say(failures === 0 ? "The page shows what the program says." : `${failures} failures`);
+process.exitCode = failures === 0 ? 0 : 1;
