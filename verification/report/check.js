@@ -48,6 +48,7 @@ async function check_axe(page, name) {
 
 // The film runs when it is asked to, and stops.
 async function check_film(page) {
+  if (!(await page.isVisible("#film-play"))) return faults.push("there is no film");
   const time = () => page.$eval("#film-time", (range) => Number(range.value));
   await page.click("#film-play");
   await page.waitForTimeout(500);
@@ -95,4 +96,7 @@ const looks = [
   for (const fault of faults) console.error("check-report: " + fault);
   console.log(`${page_file}: ${(bytes / 1e6).toFixed(2)} MB, ${links} links, ${looks.length} looks, ${faults.length} faults`);
   process.exit(faults.length ? 1 : 0);
-})();
+})().catch((error) => {
+  console.error("check-report: " + error.message);
+  process.exit(1);
+});
