@@ -11,8 +11,8 @@ set xrange [*:*] noextend; set yrange [*:*] noextend
 top = 0.9; bottom = 0.09; height = (top - bottom)/2
 do for [p = 0:3] {
   at_left = p % 2 == 0; at_bottom = p/2 == 1
-  set lmargin at screen at_left ? 0.1 : 0.5
-  set rmargin at screen at_left ? 0.47 : 0.87
+  set lmargin at screen at_left ? 0.1 : 0.49
+  set rmargin at screen at_left ? 0.455 : 0.845
   set tmargin at screen top - height*(p/2) - 0.03
   set bmargin at screen top - height*(p/2 + 1) + 0.02
   set title (at_left ? "published equations" : "consistent equations") offset 0,-0.6
@@ -27,7 +27,7 @@ do for [p = 0:3] {
     set cbrange [0:1]; set cblabel "share that rolls" offset -1,0
   }
   if (at_left) { unset colorbox } else {
-    set colorbox user origin screen 0.89, graph 0 size screen 0.025, graph 1
+    set colorbox user origin screen 0.86, graph 0 size screen 0.025, graph 1
   }
   first = (p % 2)*panel
   eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image", \
