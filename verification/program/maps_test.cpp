@@ -227,19 +227,31 @@ TEST_F(Maps, OfRoundingDrawWhatThePrintedDigitsAllow) {
 
 TEST_F(Maps, OfRoundingShowSharesWithTheirErrors) {
   std::string rows = "# from\nequations_varied,friction,start_speed_hz,mass,outcome,refusal\n";
-  for (const auto& [speed, rolling] : {std::pair(3, 0), {9, 3}, {3, 4}})
-    for (int n = 0; n < 4; ++n)
-      rows += fmt::format("published,0.1,{},{},{},\n", speed, n, n < rolling ? "rolling" : "freed");
+  int rolling = 0;  // of the four draws at each of eight points
+  for (const char* equations : {"published", "consistent"})
+    for (const double friction : {0.1, 0.2})
+      for (const double speed : {3., 9.}) {
+        for (int n = 0; n < 4; ++n)
+          rows += fmt::format("{},{},{},{},{},\n", equations, friction, speed, n,
+                              n < rolling ? "rolling" : "freed");
+        rolling = (rolling + 3) % 5;
+      }
   write("r.csv", rows);
   ASSERT_EQ(shell("awk -f " + maps + "shares.awk r.csv > s.csv").status, 0);
   const auto shares = read_csv(folder_ / "s.csv");
-  ASSERT_EQ(shares.size(), 3U);
+  ASSERT_EQ(shares.size(), 8U);
   for (const auto& [n, share, error] :
-       {std::tuple(0U, 0., 0.), {1U, 0.75, 0.216506}, {2U, 1., 0.}}) {
+       {std::tuple(0U, 0., 0.), {1U, 0.75, 0.216506}, {3U, 1., 0.}, {7U, 0.25, 0.216506}}) {
     EXPECT_EQ(shares[n].number("draws"), 4);
     EXPECT_EQ(shares[n].number("rolling_share"), share);
     EXPECT_NEAR(static_cast<double>(shares[n].number("standard_error")), error, 1e-6);  // as said
   }
+  const auto [status, output] = shell(fmt::format(
+      "gnuplot -e \"data='s.csv'; output='s.svg'; format='svg'\" {}/figures/paper/style.gp "
+      "{}rounding.gp",
+      ROTOR_SOURCES, maps));
+  EXPECT_EQ(output, "");
+  EXPECT_NE(content("s.svg").find("4 draws at each point"), std::string::npos);
 }
 
 }  // namespace
