@@ -7,7 +7,7 @@
 
 #include "figures/scenes/account.hpp"
 #include "model/simulation/energy.hpp"
-#include "verification/paper/place_of_loss.hpp"
+#include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
 namespace {

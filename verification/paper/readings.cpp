@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
-#include "verification/paper/place_of_loss.hpp"
+#include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
 namespace {

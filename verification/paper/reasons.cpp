@@ -15,8 +15,9 @@
 #include "figures/scenes/audience.hpp"
 #include "figures/sweep/dealer.hpp"
 #include "figures/sweep/sweep.hpp"
+#include "model/simulation/start.hpp"
 #include "verification/support/follow.hpp"
-#include "verification/support/lost_elsewhere.hpp"
+#include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
 namespace {
@@ -97,8 +98,11 @@ class Rotors {
     Audience audience;
     audience.add(summary);
     audience.add(stop);
-    follow(scenario, lost_elsewhere(scenario, statement.numbers.at("lost_mass"), angle),
-           scenario.until, audience);
+    const PlaceOfLoss loss(scenario.parameters, angle - std::numbers::pi,
+                           statement.numbers.at("lost_mass"));
+    Instant at = loss.separate(start_of(scenario), scenario.equations);
+    at.motor_on = false;
+    follow(scenario, at, scenario.until, audience);
     return End(summary.summary());
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "verification/report/document.hpp"
@@ -25,7 +26,7 @@ Json spread_json(const Spread& spread) {
 
 Json number_or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-Json reading_json(const ClaimReading& reading, const std::optional<double>& put_right) {
+Json reading_json(const Reading& reading, const std::optional<double>& put_right) {
   std::string words = reading.name;
   std::ranges::replace(words, '_', ' ');
   return {{"name", reading.name},
@@ -37,52 +38,68 @@ Json reading_json(const ClaimReading& reading, const std::optional<double>& put_
           {"inputs", spread_json(reading.everything)}};
 }
 
-Json figures_of(const Claim& claim) {
-  Json numbers = Json::array();
-  std::istringstream stream(claim.figures);
-  for (int number = 0; stream >> number;) numbers.push_back(number);
-  return numbers;
-}
-
 /// As a class of the page's style.
 std::string mark_of(const std::string& verdict) {
   return verdict == "within rounding" ? "rounding" : verdict;
 }
 
+Json number_json(const Number& number, PaperRuns& consistent) {
+  Json readings = Json::array();
+  bool holds = false;
+  for (const Reading& reading : number.readings) {
+    const auto value = read_off(reading.name, consistent);
+    holds = holds || (value && number.allowed.holds(*value));
+    readings.push_back(reading_json(reading, value));
+  }
+  return {{"id", number.id},
+          {"says", number.says},
+          {"printed", number.printed},
+          {"unit", number.unit},
+          {"rule", number.rule},
+          {"least", number_or_nothing(number.allowed.least)},
+          {"greatest", number_or_nothing(number.allowed.greatest)},
+          {"is_interval", number.allowed.least < number.allowed.greatest &&
+                              std::isfinite(number.allowed.greatest)},
+          {"is_bound", !std::isfinite(number.allowed.greatest)},
+          {"is_drawn", number.kind == Kind::simulated},
+          {"verdict", number.verdict},
+          {"mark", mark_of(number.verdict)},
+          {"holds_put_right", holds},
+          {"reason", number.reason},
+          {"readings", readings}};
+}
+
 }  // namespace
 
-Json claims_json(const std::vector<Claim>& claims) {
+Json claims_json(const std::vector<Number>& numbers) {
   PaperInputs put_right;
   put_right.statement.equations = Equations::consistent;
   PaperRuns consistent(put_right);
-  Json all = Json::array();
-  for (const Claim& claim : claims) {
-    Json readings = Json::array();
-    bool holds = false;
-    for (const ClaimReading& reading : claim.readings) {
-      const auto value = read_off(reading.name, consistent);
-      holds = holds || (value && claim.allowed.holds(*value));
-      readings.push_back(reading_json(reading, value));
+  const auto verdicts = verdicts_of_claims(numbers);
+  std::map<std::string, Json> claims;
+  std::vector<std::string> order;
+  for (const Number& number : numbers) {
+    if (!claims.contains(number.claim)) {
+      order.push_back(number.claim);
+      claims[number.claim] = {{"id", number.claim},
+                              {"figures", Json::array()},
+                              {"place", number.place},
+                              {"verdict", verdicts.at(number.claim)},
+                              {"mark", mark_of(verdicts.at(number.claim))},
+                              {"holds_put_right", true},
+                              {"numbers", Json::array()}};
     }
-    all.push_back({{"id", claim.id},
-                   {"figures", figures_of(claim)},
-                   {"place", claim.place},
-                   {"says", claim.says},
-                   {"printed", claim.printed},
-                   {"unit", claim.unit},
-                   {"rule", claim.rule},
-                   {"least", number_or_nothing(claim.allowed.least)},
-                   {"greatest", number_or_nothing(claim.allowed.greatest)},
-                   {"is_interval", claim.allowed.least < claim.allowed.greatest &&
-                                       std::isfinite(claim.allowed.greatest)},
-                   {"is_bound", !std::isfinite(claim.allowed.greatest)},
-                   {"is_arithmetic", claim.is_arithmetic},
-                   {"verdict", claim.verdict},
-                   {"mark", mark_of(claim.verdict)},
-                   {"holds_put_right", holds},
-                   {"reason", claim.reason},
-                   {"readings", readings}});
+    Json& claim = claims[number.claim];
+    std::istringstream figures(number.figures);
+    for (int figure = 0; figures >> figure;)
+      if (std::find(claim["figures"].begin(), claim["figures"].end(), figure) ==
+          claim["figures"].end())
+        claim["figures"].push_back(figure);
+    claim["numbers"].push_back(number_json(number, consistent));
+    if (claim["numbers"].back()["holds_put_right"] == false) claim["holds_put_right"] = false;
   }
+  Json all = Json::array();
+  for (const std::string& id : order) all.push_back(claims[id]);
   return all;
 }
 

@@ -86,7 +86,7 @@ Json table_json(const std::filesystem::path& csv) {
 }
 
 Json document(const Sources& sources) {
-  const std::vector<Claim> judged = judged_claims(sources.reference_data);
+  const std::vector<Number> judged = judged_numbers(sources.reference_data);
   const Json claims = claims_json(judged);
   const Json values = values_json(judged);
   const Json words = with_numbers(read_json(sources.texts), values);

@@ -28,8 +28,8 @@ struct Sources {
 Json document(const Sources& sources);
 
 // Its parts.
-Json claims_json(const std::vector<Claim>& claims);
-Json values_json(const std::vector<Claim>& claims);
+Json claims_json(const std::vector<Number>& numbers);
+Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
 Json accident_json(const Sources& sources);
 Json studies_json(const Sources& sources);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <regex>
 
+#include "verification/paper/judged.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/law.hpp"
@@ -78,7 +79,7 @@ TEST(WithNumbers, PutsInWhatAPlaceAsksFor) {
 }
 
 TEST(ReportTexts, AskForValuesThatThereAre) {
-  EXPECT_NO_THROW(with_numbers(texts(), values_json(judged_claims(ROTOR_REFERENCE_DATA))));
+  EXPECT_NO_THROW(with_numbers(texts(), values_json(judged())));
 }
 
 TEST(Render, EscapesAndPrintsSymbols) {
@@ -109,7 +110,7 @@ TEST(VerdictOfAFigure, FollowsFromItsClaims) {
 }
 
 TEST(VerdictOfAFigure, IsTheOneInTheReadme) {
-  const Json claims = claims_json(judged_claims(ROTOR_REFERENCE_DATA));
+  const Json claims = claims_json(judged());
   const std::string readme = content_of(ROTOR_SOURCES "/README.md");
   for (int number = 2; number <= 17; ++number) {
     std::vector<const Json*> its;

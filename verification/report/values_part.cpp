@@ -74,13 +74,13 @@ Json separation_json() {
 
 }  // namespace
 
-Json values_json(const std::vector<Claim>& claims) {
+Json values_json(const std::vector<Number>& numbers) {
   Json readings, printed, shares;
-  for (const Claim& claim : claims) {
-    printed[claim.id] = claim.printed;
-    shares[claim.id] = {{"times", 100 * claim.readings.front().times.share},
-                        {"inputs", 100 * claim.readings.front().everything.share}};
-    for (const ClaimReading& reading : claim.readings) {
+  for (const Number& number : numbers) {
+    printed[number.id] = number.printed;
+    shares[number.id] = {{"times", 100 * number.readings.front().times.share},
+                         {"inputs", 100 * number.readings.front().everything.share}};
+    for (const Reading& reading : number.readings) {
       if (reading.converged) readings[reading.name] = *reading.converged;
       if (reading.by_rk4) readings[reading.name + "_by_rk4"] = *reading.by_rk4;
     }

@@ -1,11 +1,14 @@
 /// The loss of a piece from any point of the rim.
-#include "verification/paper/place_of_loss.hpp"
+#include "verification/support/place_of_loss.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "model/simulation/start.hpp"
+#include "model/simulation/summary.hpp"
+#include "verification/support/follow.hpp"
 
 namespace rotor {
 namespace {
@@ -76,6 +79,60 @@ TEST(PlaceOfLoss, LeavesOWhereItWasAndGivesItTheChangeOfTheMassCentresVelocityAs
   // |CD| is r + e_x only opposite to the unbalance, and r - e_x at least.
   EXPECT_LT(gain, jump);
   EXPECT_GT(gain, jump * (0.06 - 0.15e-3) / (0.06 + 0.15e-3));
+}
+
+Scenario at_operating_speed(Equations equations) {
+  Scenario scenario{.equations = equations, .start_speed_Hz = 150, .until = 0.1};
+  scenario.parameters.separation_time = 0;
+  scenario.parameters.torque = 0;
+  return scenario;
+}
+
+double lost_mass(const Scenario& scenario) {
+  return MassLoss<double>(scenario.parameters).lost_mass;
+}
+
+/// Just after the loss of a piece at an angle from the x axis, on which the unbalance lies.
+Instant lost_at(const Scenario& scenario, double lost_mass, double angle) {
+  return PlaceOfLoss(scenario.parameters, angle - pi, lost_mass)
+      .separate(start_of(scenario), scenario.equations);
+}
+
+// Without eccentricity and gravity all points are alike but for the direction.
+TEST(PlaceOfLoss, OfABalancedRotorIsTheSameWherever) {
+  Scenario scenario = at_operating_speed(Equations::published);
+  const double m_u = lost_mass(scenario);
+  scenario.parameters.eccentricity = scenario.parameters.gravity = 0;
+  const auto peak = [&](double angle) {
+    SummaryObserver summary(scenario);
+    follow(scenario, lost_at(scenario, m_u, angle), scenario.until, summary);
+    return summary.summary().peak_normal_force_N.value();
+  };
+  const double expected = peak(pi);
+  EXPECT_GT(expected, 3e5);
+  // Roundings of 1e-16 grow by some 1e6 over the contacts until rolling.
+  for (const double angle : {0.5, 2., 5.}) EXPECT_NEAR(peak(angle) / expected, 1, 1e-8);
+}
+
+// The text's two sentences on the location. How far C moves hardly depends on it, so that whether
+// the ring is touched does not; how far C then lies from O does.
+TEST(PlaceOfLoss, MovesTheMassCentreAlikeButUnbalancesMostOpposite) {
+  const Scenario scenario = at_operating_speed(Equations::consistent);
+  const Parameters& p = scenario.parameters;
+  const double m_u = lost_mass(scenario), most = p.unbalance_factor * p.eccentricity;
+  const double opposite = m_u * (p.rotor_radius + p.eccentricity) / (p.mass - m_u);
+  double last = most;
+  for (int n = 0; n <= 16; ++n) {
+    const double from_opposite = n * pi / 16;
+    const Instant at = lost_at(scenario, m_u, pi - from_opposite);
+    EXPECT_LE(at.body.eccentricity, last * (1 + 1e-15));  // falls all the way round
+    last = at.body.eccentricity;
+    // C from where it was: |C_1 - C|, C_1 at the angle of the new axis.
+    const double shift = std::hypot(at.body.eccentricity * std::cos(at.state[2]) - p.eccentricity,
+                                    at.body.eccentricity * std::sin(at.state[2]));
+    EXPECT_NEAR(shift / opposite, 1, 2 * p.eccentricity / p.rotor_radius);
+  }
+  EXPECT_LT(last, p.eccentricity);  // on the side of the unbalance, the loss reduces it
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "verification/paper/place_of_loss.hpp"
+#include "verification/support/place_of_loss.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,10 @@
 namespace rotor {
 
 PlaceOfLoss::PlaceOfLoss(const Parameters& p, double angle)
-    : lost_mass_(MassLoss<double>(p).lost_mass),
+    : PlaceOfLoss(p, angle, MassLoss<double>(p).lost_mass) {}
+
+PlaceOfLoss::PlaceOfLoss(const Parameters& p, double angle, double lost_mass)
+    : lost_mass_(lost_mass),
       piece_(-p.rotor_radius * Vector<double>(std::cos(angle), std::sin(angle))) {
   const Vector<double> before(p.eccentricity, 0);
   after_.mass = p.mass - lost_mass_;

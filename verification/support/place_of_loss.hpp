@@ -8,8 +8,10 @@ namespace rotor {
 
 class PlaceOfLoss {
  public:
-  /// At an angle from the point opposite to the unbalance, rad.
+  /// At an angle from the point opposite to the unbalance, rad: of the mass (kg) that it takes
+  /// there to multiply the eccentricity as stated, or of another one.
   PlaceOfLoss(const Parameters& parameters, double angle);
+  PlaceOfLoss(const Parameters& parameters, double angle, double lost_mass);
 
   /// The piece is a point of the rim, and the rest of the rotor goes on as a rigid body.
   const Body<double>& after() const { return after_; }
