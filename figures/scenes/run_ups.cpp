@@ -80,7 +80,7 @@ SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
       });
   const SpeedReached found =
       rotor::time_at_speed((faster - 1)->simulation, scenario, speed_Hz, until_s, monitor);
-  if (found.time_s) return found;
+  if (found.time_s || faster - 1 == departures.begin()) return found;
   // The greatest speed may have been on the way there.
   return rotor::time_at_speed(departures.front().simulation, scenario, speed_Hz, until_s, monitor);
 }
