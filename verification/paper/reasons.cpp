@@ -200,6 +200,18 @@ std::vector<Reason> read_reasons(const std::filesystem::path& table) {
   return reasons;
 }
 
+std::map<std::pair<std::string, std::string>, std::string> read_shares_that_fail(
+    const std::filesystem::path& table) {
+  std::map<std::pair<std::string, std::string>, std::string> shares;
+  for (const CsvRow& row : read_csv(table))
+    shares[{row["reason"], row["equations"]}] =
+        row["fails"] == "0"
+            ? fmt::format("none of {}", row["rotors"])
+            : fmt::format("{:.1f} +- {:.1f} %", 100 * static_cast<double>(row.number("share")),
+                          100 * static_cast<double>(row.number("standard_error")));
+  return shares;
+}
+
 Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads) {
   const Rotors rotors(equations);
   std::vector<std::vector<Series>> all(static_cast<std::size_t>(draws));

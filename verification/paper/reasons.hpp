@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/mechanics/parameters.hpp"
@@ -29,6 +30,11 @@ struct Reason {
 
 /// The first columns of reference-data/reasons.csv.
 std::vector<Reason> read_reasons(const std::filesystem::path& table);
+
+/// Of each reason, by its id and the equations: on how many rotors it fails, in words, from
+/// reference-data/reasons-tried.csv.
+std::map<std::pair<std::string, std::string>, std::string> read_shares_that_fail(
+    const std::filesystem::path& table);
 
 /// What becomes of a statement.
 struct Trial {

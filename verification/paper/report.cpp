@@ -146,16 +146,10 @@ void print_reasons(const std::filesystem::path& folder) {
       "share on which each statement\nfails, of those on which it can (reference-data/reasons.csv; "
       "make reasons; reasons-tried.csv has an example of each)\n  {:<62}{:<18}{:>16}{:>16}\n",
       "", "along", "published", "consistent");
-  std::map<std::string, std::string> shares;
-  for (const CsvRow& row : read_csv(folder / "reasons-tried.csv"))
-    shares[row["reason"] + row["equations"]] =
-        row["fails"] == "0"
-            ? fmt::format("none of {}", row["rotors"])
-            : fmt::format("{:.1f} +- {:.1f} %", 100 * static_cast<double>(row.number("share")),
-                          100 * static_cast<double>(row.number("standard_error")));
+  const auto fail = read_shares_that_fail(folder / "reasons-tried.csv");
   for (const Reason& reason : read_reasons(folder / "reasons.csv"))
     fmt::print("  {:<62}{:<18}{:>16}{:>16}\n", reason.says, reason.quantity,
-               shares.at(reason.id + "published"), shares.at(reason.id + "consistent"));
+               fail.at({reason.id, "published"}), fail.at({reason.id, "consistent"}));
 }
 
 int main(const Arguments& arguments) {

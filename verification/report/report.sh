@@ -23,7 +23,7 @@ for study in "${studies[@]}"; do
     cp "$from"/*.svg "$from"/*.csv "$to"
   fi
 done
-for page in explore.html convergence.csv; do
+for page in explore.html; do
   [ "$out" = "$build/report" ] || [ ! -e "$build/report/$page" ] || cp "$build/report/$page" "$out"
 done
 (cd "$out" && sha256sum claims.csv accident.csv figures/*/*.csv >SHA256SUMS)

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "figures/data/csv.hpp"
+#include "verification/paper/reasons.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -51,11 +52,28 @@ Json table_of(const fs::path& csv) {
   return {{"made", true}, {"header", header}, {"rows", body}};
 }
 
+Json reasons_json(const fs::path& folder) {
+  const auto fail = read_shares_that_fail(folder / "reasons-tried.csv");
+  Json rows = Json::array();
+  for (const Reason& reason : read_reasons(folder / "reasons.csv")) {
+    std::string along = reason.quantity;
+    std::ranges::replace(along, '_', ' ');
+    rows.push_back({{"cells",
+                     {reason.says, reason.place, along, fail.at({reason.id, "published"}),
+                      fail.at({reason.id, "consistent"})}}});
+  }
+  return {{"header",
+           {"The text, in our words", "Place", "Tried along", "Fails, equations as printed",
+            "Fails, put right"}},
+          {"rows", rows}};
+}
+
 }  // namespace
 
 Json studies_json(const Sources& sources) {
   Json all = {{"convergence", table_of(sources.report / "convergence.csv")},
-              {"ranking", table_of(sources.reference_data / "ranking.csv")},
+              {"uncertainty", table_of(sources.report / "uncertainty.csv")},
+              {"reasons", reasons_json(sources.reference_data)},
               {"maps", study_json(sources, "maps")},
               {"explore", fs::exists(sources.report / "explore.html")}};
   if (sources.of_this_machine) {
