@@ -25,7 +25,7 @@ const std::map<std::string, Names>& allowed() {
   };
   static const Names scenes = with(model, {"figures/data", "figures/scenes"});
   static const Names of_verification =
-      with(scenes, {"figures/sweep", "model/theory", "verification/support"});
+      with(scenes, {"figures/explore", "figures/sweep", "model/theory", "verification/support"});
   static const std::map<std::string, Names> rooms = {
       {"model/mechanics", {}},
       {"model/integration", {}},
@@ -35,6 +35,7 @@ const std::map<std::string, Names>& allowed() {
       {"figures/data", {}},
       {"figures/scenes", with(model, {"figures/data"})},
       {"figures/sweep", scenes},
+      {"figures/explore", with(scenes, {"figures/sweep"})},
       {"figures/maps", with(scenes, {"figures/sweep", "model/theory"})},
       {"figures/program", with(scenes, {"figures/sweep"})},
       {"verification/support", scenes},

@@ -1,0 +1,204 @@
+#include "figures/explore/explorer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "figures/data/interruption.hpp"
+#include "figures/scenes/account.hpp"
+#include "figures/scenes/audience.hpp"
+#include "figures/scenes/event_log.hpp"
+#include "figures/scenes/provenance.hpp"
+#include "figures/scenes/recorder.hpp"
+
+namespace rotor {
+namespace {
+
+/// Before the mass loss a picture shows so many seconds, unless it is told where to begin.
+constexpr double shown_before_loss_s = 0.02;
+
+/// As close are curves on a screen to the motion, relative to their range: half a pixel.
+constexpr double closeness = 1e-3;
+
+/// Draws need but the digits that are printed, and less of their curves.
+constexpr double tolerance_of_draws = 1e-8, closeness_of_draws = 5e-3;
+
+constexpr std::array works = {"time_s",          "motor",    "gravity",  "support_damping",
+                              "contact_damping", "friction", "mass_loss"};
+
+/// What a page can hold.
+constexpr std::size_t most_rows = 1'000'000;
+
+/// Throws InputError where a row more would be too many.
+void require_room(std::size_t rows) {
+  if (rows == most_rows)
+    throw InputError(
+        fmt::format("--from, --until: between them the trace would have more than {} rows; show a "
+                    "shorter part",
+                    most_rows));
+}
+
+/// Lists the works after each step in the window. Belongs behind the observer of the energy.
+class WorkLog : public Observer {
+ public:
+  WorkLog(const EnergyObserver& energy, double from_s) : energy_(energy), from_s_(from_s) {}
+
+  void on_instant(const Instant& at) override { add(at.time_s); }
+  bool goes_on(const Progress& now) override { return add(now.time_s), true; }
+
+  Table table{works.size()};
+
+ private:
+  void add(double time_s) {
+    if (time_s < from_s_) return;
+    const EnergyBalance& b = energy_.balance();
+    require_room(table.rows());
+    table.add(std::array{time_s, b.motor, b.gravity, b.support_damping, b.contact_damping,
+                         b.friction, b.mass_loss});
+  }
+
+  const EnergyObserver& energy_;
+  double from_s_;
+};
+
+/// What there is to see of a run.
+const std::vector<const Column*>& columns_of_picture() {
+  static const auto all = parse_columns(
+      {"time_s", "normal_force_N", "speed_Hz", "q1_m", "q2_m", "rho_m", "x_a_m", "y_a_m", "q3_rad",
+       "contact_state", "kinetic_energy_J", "support_energy_J", "contact_energy_J"});
+  return all;
+}
+const std::vector<const Column*>& columns_of_draw() {
+  static const auto all = parse_columns({"time_s", "normal_force_N", "speed_Hz"});
+  return all;
+}
+
+/// Where the trace begins. Throws InputError.
+double beginning(const Settings& settings, const Scenario& scenario) {
+  if (settings.from_s) return window_from(*settings.from_s, scenario).from_s;
+  const double loss_s = scenario.parameters.separation_time;
+  return scenario.loses_mass() ? std::max(0., loss_s - shown_before_loss_s) : 0;
+}
+
+nlohmann::ordered_json names_of(const std::vector<const Column*>& columns) {
+  auto names = nlohmann::ordered_json::array();
+  for (const Column* column : columns) names.push_back(column->name);
+  return names;
+}
+
+}  // namespace
+
+Explorer::Explorer(std::vector<CsvRow> printed_inputs)
+    : printed_inputs_(std::move(printed_inputs)) {}
+
+Picture Explorer::picture(const Shot& shot, Observer& monitor) {
+  const Scenario& scenario = shot.scenario;
+  Picture picture{{}, Table(shot.columns.size()), Table(works.size())};
+  Recorder motion({.from_s = shot.from_s}, shot.columns, scenario, shot.closeness, [&](auto row) {
+    require_room(picture.motion.rows());
+    picture.motion.add(row);
+  });
+  auto happened = nlohmann::ordered_json::array();
+  EventLog events(scenario, [&](std::string_view event, auto row) {
+    nlohmann::ordered_json& entry = happened.emplace_back();
+    entry["event"] = event;
+    for (std::size_t i = 0; i < row.size(); ++i) entry[EventLog::columns()[i]->name] = row[i];
+  });
+  EnergyObserver energy(scenario);
+  WorkLog work_log(energy, shot.from_s);
+  const bool knows_energy = scenario.method == Method::event;  // the motion between its steps
+  Audience audience;
+  audience.add(monitor);
+  audience.add(motion);
+  audience.add(events);
+  if (knows_energy) {
+    audience.add(energy);
+    audience.add(work_log);
+  }
+
+  const Account account =
+      finish(run_ups_.depart(scenario, monitor, shot.from_s), scenario, std::nullopt, audience);
+  if (account.early.interrupted) throw Interrupted();
+  picture.works = work_log.table;
+  picture.told["summary"] = to_json(account);
+  if (knows_energy) picture.told["summary"]["energy_J"] = to_json(energy);
+  picture.told["events"] = happened;
+  picture.told["from_s"] = shot.from_s;
+  picture.told["until_s"] = scenario.until;
+  picture.told["separation_s"] = nullptr;
+  if (scenario.loses_mass()) picture.told["separation_s"] = scenario.parameters.separation_time;
+  picture.told["motion"] = names_of(shot.columns);
+  picture.told["works"] = works;
+  return picture;
+}
+
+Picture Explorer::run(const Options& options, Observer& monitor) {
+  const Settings settings = settings_of(options);
+  const Scenario scenario = scenario_of(settings.statement, run_ups_);
+  return picture({scenario, beginning(settings, scenario), closeness, columns_of_picture()},
+                 monitor);
+}
+
+Picture Explorer::draw(const Options& options, long n, long count, Observer& monitor) {
+  const Settings settings = settings_of(options);
+  const Scenario stated = scenario_of(settings.statement, run_ups_);
+  const Sweep sweep = over_printed_digits(settings.statement, printed_inputs_, count);
+  Statement drawn = SweepPoints(sweep)(n).statement;
+  drawn.numbers.emplace("tolerance", tolerance_of_draws);
+  Scenario scenario = scenario_of(drawn, run_ups_);
+  // The same part of the run, seen from its own mass loss.
+  const double later_s =
+      stated.loses_mass() ? scenario.parameters.separation_time - stated.parameters.separation_time
+                          : 0;
+  scenario.until = stated.until + later_s;
+  const double from_s = std::max(0., beginning(settings, stated) + later_s);
+  Picture result = picture({scenario, from_s, closeness_of_draws, columns_of_draw()}, monitor);
+  result.told["drawn"] = nlohmann::ordered_json::array();
+  for (const Draw& draw : sweep.sample.over)
+    result.told["drawn"].push_back({{"quantity", draw.quantity}, {"from", draw.a}, {"to", draw.b}});
+  return result;
+}
+
+std::string Explorer::trace(const Options& options, Observer& monitor) {
+  const Settings settings = settings_of(options);
+  const Scenario scenario = scenario_of(settings.statement, run_ups_);
+  const std::string name = "run";
+  const Scene scene{.title = "",
+                    .window = {.from_s = beginning(settings, scenario)},
+                    .columns = every_column(),
+                    .runs = {{name, scenario}}};
+  std::string csv = csv_head(provenance("Trace of a run", scene), headings(name, scene.columns));
+  std::size_t rows = 0;
+  Recorder recorder(scene.window, scene.columns, scenario, sampling, [&](auto row) {
+    require_room(rows++);
+    csv += csv_row(name, row);
+  });
+  Audience audience;
+  audience.add(monitor);
+  audience.add(recorder);
+  const Account account = finish(run_ups_.depart(scenario, monitor, scene.window.from_s), scenario,
+                                 std::nullopt, audience);
+  if (account.early.interrupted) throw Interrupted();
+  return csv;
+}
+
+nlohmann::ordered_json Explorer::describe_numbers() const {
+  auto all = nlohmann::ordered_json::array();
+  for (const auto& [quantity, instead_of] : statables()) {
+    nlohmann::ordered_json& entry = all.emplace_back();
+    entry["name"] = quantity.name;
+    entry["symbol"] = quantity.symbol;
+    entry["unit"] = quantity.unit;
+    entry["meaning"] = quantity.meaning;
+    entry["paper"] = nullptr;
+    if (quantity.in) entry["paper"] = quantity.of(Scenario{});
+    for (const CsvRow& row : printed_inputs_)
+      if (row["input"] == quantity.name)
+        entry["paper"] = static_cast<double>(row.number("printed"));
+  }
+  return all;
+}
+
+}  // namespace rotor

@@ -1,0 +1,108 @@
+/// The engine as a page's script sees it. Everything passes as JSON text but the tables, which are
+/// arrays of numbers, row after row.
+#include <emscripten/bind.h>
+#include <emscripten/emscripten.h>
+
+#include <sstream>
+
+#include "figures/explore/explorer.hpp"
+
+namespace rotor {
+namespace {
+
+using emscripten::val;
+
+/// Tells the page how far a run is. Nothing that the page says could reach a busy engine: a run
+/// that is not wanted any more ends with its worker.
+class PageMonitor : public Observer {
+ public:
+  explicit PageMonitor(val tell) : tell_(std::move(tell)) {}
+
+  bool goes_on(const Progress& now) override {
+    constexpr long seldom = 256;  // a clock takes as long as a small part of a step
+    if (++steps_ % seldom == 0 && emscripten_get_now() >= next_ms_) {
+      next_ms_ = emscripten_get_now() + every_ms;
+      tell_(now.time_s);
+    }
+    return true;
+  }
+
+ private:
+  static constexpr double every_ms = 250;
+
+  val tell_;
+  long steps_ = 0;
+  double next_ms_ = emscripten_get_now() + every_ms;
+};
+
+val array(const Table& table) {
+  const std::size_t size = table.rows() * table.columns();
+  if (size == 0) return val::global("Float64Array").new_(0);
+  return val(emscripten::typed_memory_view(size, table.row(0).data())).call<val>("slice");
+}
+
+class Engine {
+ public:
+  explicit Engine(const std::string& printed_inputs) : explorer_(rows(printed_inputs)) {}
+
+  val run(const std::string& options, val tell) {
+    return answer(
+        tell, [&](Observer& monitor) { return to_page(explorer_.run(read(options), monitor)); });
+  }
+  val draw(const std::string& options, int n, int count, val tell) {
+    return answer(tell, [&](Observer& monitor) {
+      return to_page(explorer_.draw(read(options), n, count, monitor));
+    });
+  }
+  val trace(const std::string& options, val tell) {
+    return answer(tell, [&](Observer& monitor) {
+      val told = val::object();
+      told.set("csv", explorer_.trace(read(options), monitor));
+      return told;
+    });
+  }
+
+  std::string describe_numbers() const { return explorer_.describe_numbers().dump(); }
+
+ private:
+  static std::vector<CsvRow> rows(const std::string& text) {
+    std::istringstream stream(text);
+    return read_csv(stream, "printed inputs");
+  }
+  static Options read(const std::string& options) {
+    return nlohmann::json::parse(options).get<Options>();
+  }
+  static val to_page(const Picture& picture) {
+    val told = val::object();
+    told.set("told", picture.told.dump());
+    told.set("motion", array(picture.motion));
+    told.set("works", array(picture.works));
+    return told;
+  }
+  /// What is refused is an answer as well.
+  template <class Action>
+  static val answer(const val& tell, const Action& action) {
+    PageMonitor monitor(tell);
+    try {
+      return action(monitor);
+    } catch (const std::exception& error) {
+      val refused = val::object();
+      refused.set("refusal", std::string(error.what()));
+      return refused;
+    }
+  }
+
+  Explorer explorer_;
+};
+
+}  // namespace
+}  // namespace rotor
+
+EMSCRIPTEN_BINDINGS(explore) {
+  emscripten::class_<rotor::Engine>("Engine")
+      .constructor<std::string>()
+      .function("run", &rotor::Engine::run)
+      .function("draw", &rotor::Engine::draw)
+      .function("trace", &rotor::Engine::trace)
+      .function("describeNumbers", &rotor::Engine::describe_numbers);
+}

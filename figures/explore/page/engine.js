@@ -1,0 +1,79 @@
+// The page's side of a worker: the newest request wins.
+import wasmBytes from "engine.wasm";
+import printedInputs from "printed-inputs.csv";
+import workerSource from "worker source";
+
+const wasm = WebAssembly.compile(wasmBytes); // once for all workers
+const workerAddress = URL.createObjectURL(new Blob([workerSource], { type: "text/javascript" }));
+
+// A run takes some 30 ms, a new worker as long, and it has to run up again: what is busy for less
+// is waited for.
+const patience_ms = 200;
+
+export class Engine {
+  #worker;
+  #started; // when the worker has its module
+  #asked = null; // what it is busy with
+  #next = null; // what comes after that
+  #patience = 0;
+  #hear;
+
+  /// Tells how far a run is that takes long, s; once what numbers there are to state; and why nothing
+  /// works, if nothing does.
+  constructor({ onProgress = () => {}, onNumbers = () => {}, onFailure = () => {} } = {}) {
+    this.#hear = { onProgress, onNumbers, onFailure };
+    this.#start();
+  }
+
+  /// An answer, or null if a newer request came before it was there.
+  ask(request) {
+    return new Promise((resolve) => {
+      this.#next?.resolve(null);
+      this.#next = { request, resolve };
+      if (!this.#asked) this.#send();
+      else this.#patience ||= setTimeout(() => this.#restart(), patience_ms);
+    });
+  }
+
+  /// Forgets what was asked.
+  drop() {
+    this.#next?.resolve(null);
+    this.#next = null;
+    if (this.#asked) this.#restart();
+  }
+
+  #start() {
+    const worker = new Worker(workerAddress);
+    worker.onmessage = ({ data }) => {
+      if (data.numbers) this.#hear.onNumbers(data.numbers);
+      else if (data.answer) this.#finish(data.answer);
+      else this.#hear.onProgress(data.progress, this.#asked?.request.options);
+    };
+    worker.onerror = ({ message }) => this.#asked && this.#finish({ refusal: message });
+    this.#worker = worker;
+    this.#started = wasm.then((module) => worker.postMessage({ wasm: module, printedInputs }));
+    this.#started.catch((error) => this.#hear.onFailure(error.message));
+  }
+
+  #restart() {
+    this.#worker.terminate();
+    this.#start();
+    this.#finish(null);
+  }
+
+  #send() {
+    this.#asked = this.#next;
+    this.#next = null;
+    const worker = this.#worker;
+    this.#started.then(() => worker.postMessage(this.#asked.request));
+  }
+
+  #finish(answer) {
+    clearTimeout(this.#patience);
+    this.#patience = 0;
+    const { resolve } = this.#asked;
+    this.#asked = null;
+    if (this.#next) this.#send();
+    resolve(answer);
+  }
+}

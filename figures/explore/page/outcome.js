@@ -1,0 +1,82 @@
+// What has become of a rotor, in words and numbers.
+
+/// What follows "The rotor", by the outcome of the summary.
+export const outcomes = {
+  rolling: "has come to roll along the ring",
+  stalled: "is stalled near its critical speed: the motor cannot raise it",
+  sliding: "slides along the ring without leaving it",
+  freed: "has touched the ring and is free of it again",
+  no_contact: "does not touch the ring",
+  bouncing: "bounces from contact to contact, and can go on",
+  undecided: "has not touched the ring so far, but can",
+};
+
+const digits = (value, count) => Number(value.toPrecision(count)).toString();
+export const inKilonewton = (force_N) => `${(force_N / 1e3).toFixed(1)} kN`;
+const inSeconds = (time_s) => `${time_s.toFixed(4)} s`;
+
+export function sentence(summary) {
+  const parts = [`The rotor ${outcomes[summary.outcome]}.`];
+  const { collisions, first_contact_s, rolling_onset_s } = summary;
+  if (collisions > 0)
+    parts.push(`It touches down ${collisions === 1 ? "once" : `${collisions} times`}, first at ` +
+      `${inSeconds(first_contact_s)}, and presses the ring with ` +
+      `${inKilonewton(summary.peak_normal_force_N)} at most.`);
+  if (rolling_onset_s !== null)
+    parts.push(`Rolling sets in at ${inSeconds(rolling_onset_s)}, ` +
+      `${digits(1e3 * (rolling_onset_s - first_contact_s), 3)} ms after the first contact.`);
+  return parts.concat(summary.remarks.map((remark) => `Remark: ${remark}.`)).join(" ");
+}
+
+/// Rows of the table of numbers: what it is, and how a summary shows it.
+const rows = [
+  ["outcome", (s) => s.outcome.replace("_", " ")],
+  ["touch-downs", (s) => String(s.collisions)],
+  ["first contact", (s) => s.first_contact_s, inSeconds],
+  ["onset of rolling", (s) => s.rolling_onset_s, inSeconds],
+  ["speed then", (s) => s.rolling_onset_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
+  ["largest |F_n|", (s) => s.peak_normal_force_N, inKilonewton],
+  ["when", (s) => s.peak_time_s, inSeconds],
+  ["largest displacement", (s) => s.max_displacement_m, (rho) => `${(1e3 * rho).toFixed(3)} mm`],
+  ["whirl in rolling", (s) => s.whirl_frequency_Hz, (f) => `${f.toFixed(1)} Hz`],
+  ["speed at the loss", (s) => s.speed_at_separation_Hz, (f) => `${f.toFixed(2)} Hz`],
+  ["speed at the end", (s) => s.final_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
+];
+
+/// Fills a table's body: a row a number, a column a run.
+export function showNumbers(body, summaries) {
+  body.replaceChildren(...rows.map(([name, of, shown = String]) => {
+    const row = document.createElement("tr");
+    const head = document.createElement("th");
+    head.scope = "row";
+    head.textContent = name;
+    row.append(head, ...summaries.map((summary) => {
+      const cell = document.createElement("td");
+      const value = of(summary);
+      cell.textContent = value === null ? "–" : shown(value);
+      return cell;
+    }));
+    return row;
+  }));
+}
+
+const names = {
+  mass_loss: "mass loss", touch_down: "touch-down", release: "release", ring_clear: "ring clear",
+  renewed_contact: "renewed contact", rolling_onset: "onset of rolling",
+  slip_reversal: "slip reversal", break_away: "break-away", motor_off: "motor off",
+};
+export const nameOfEvent = (event) => names[event];
+
+export function showEvents(body, events) {
+  body.replaceChildren(...events.map((at) => {
+    const row = document.createElement("tr");
+    for (const text of [inSeconds(at.time_s), nameOfEvent(at.event),
+      inKilonewton(-at.normal_force_N),
+      at.slip_velocity_m_per_s === null ? "–" : `${at.slip_velocity_m_per_s.toFixed(2)} m/s`]) {
+      const cell = document.createElement("td");
+      cell.textContent = text;
+      row.append(cell);
+    }
+    return row;
+  }));
+}

@@ -1,0 +1,72 @@
+// "How sure is this?": the same run over the printed digits of its inputs, in the background.
+import { Engine } from "./engine.js";
+import { inKilonewton, outcomes } from "./outcome.js";
+
+const draw_count = 30;
+
+export class Sureness {
+  #engine = null; // of its own, once it is needed
+  #told;
+  #onCurves;
+  #asked = 0; // which request the draws belong to
+
+  /// Tells in words, and shows the curves of the draws.
+  constructor(told, onCurves) {
+    this.#told = told;
+    this.#onCurves = onCurves;
+  }
+
+  async ask(options) {
+    const asked = this.forget();
+    this.#engine ??= new Engine();
+    this.#told.ariaBusy = "true"; // a screen reader waits for the sentences
+    const draws = [];
+    for (let n = 0; n < draw_count; ++n) {
+      const draw = await this.#engine.ask({ kind: "draw", options, n, count: draw_count });
+      if (asked !== this.#asked) return;
+      draws.push(draw);
+      this.#told.replaceChildren(line(`${draws.length} of ${draw_count} …`));
+    }
+    const drawn = draws.filter((draw) => !draw.refusal);
+    this.#onCurves(drawn);
+    this.#told.replaceChildren(...sentences(drawn, draws.length - drawn.length).map(line));
+    this.#told.ariaBusy = "false";
+  }
+
+  forget() {
+    this.#engine?.drop();
+    this.#onCurves([]);
+    this.#told.replaceChildren();
+    return ++this.#asked;
+  }
+}
+
+function sentences(drawn, refused) {
+  if (drawn.length === 0) return ["None of the draws is a rotor."];
+  const summaries = drawn.map(({ summary }) => summary);
+  const all = Object.keys(outcomes)
+    .map((outcome) => [outcome, summaries.filter((summary) => summary.outcome === outcome).length])
+    .filter(([, count]) => count > 0)
+    .sort(([, one], [, other]) => other - one)
+    .map(([outcome, count]) => `In ${count} of ${draw_count} draws the rotor ${outcomes[outcome]}.`);
+  const peaks = summaries.map((summary) => summary.peak_normal_force_N).filter((force) => force !== null);
+  if (peaks.length > 0) all.push(`Largest normal force: ${range(peaks, inKilonewton)}.`);
+  all.push(`Touch-downs: ${range(summaries.map((summary) => summary.collisions), String)}.`);
+  if (refused > 0) all.push(`Draws that are no rotors: ${refused}.`);
+  all.push(`Drawn is what stands at a printed value, over what its digits allow: ${drawn[0].drawn
+    .map(({ quantity, from, to }) => `${quantity} ${from} … ${to}`).join(", ") || "nothing"}. What has been set ` +
+    "to another value stays as it is. Grey curves: the draws, their mass losses put on that of this setting.");
+  return all;
+}
+
+function range(values, shown) {
+  const sorted = [...values].sort((one, other) => one - other);
+  const at = (share) => shown(sorted[Math.round(share * (sorted.length - 1))]);
+  return `${at(0)} … ${at(1)}, median ${at(0.5)}`;
+}
+
+function line(text) {
+  const paragraph = document.createElement("p");
+  paragraph.textContent = text;
+  return paragraph;
+}

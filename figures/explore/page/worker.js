@@ -1,0 +1,53 @@
+// Where runs are computed. A busy worker hears nothing: who wants it to stop ends it.
+import makeEngine from "emscripten engine";
+
+let engine;
+
+self.onmessage = async ({ data }) => {
+  if (data.wasm) {
+    engine = startEngine(data);
+    return;
+  }
+  const { explorer } = await engine;
+  const tell = (time_s) => self.postMessage({ progress: time_s });
+  const { kind, options, n, count } = data;
+  const text = JSON.stringify(options);
+  const answer =
+    kind === "draw" ? explorer.draw(text, n, count, tell)
+    : kind === "trace" ? explorer.trace(text, tell)
+    : explorer.run(text, tell);
+  const picture = answer.told ? read(answer) : answer;
+  self.postMessage({ answer: picture }, buffersOf(picture));
+};
+
+async function startEngine({ wasm, printedInputs }) {
+  const module = await makeEngine({
+    instantiateWasm(imports, done) {
+      WebAssembly.instantiate(wasm, imports).then(done);
+      return {};
+    },
+  });
+  const explorer = new module.Engine(printedInputs);
+  self.postMessage({ numbers: JSON.parse(explorer.describeNumbers()) });
+  return { explorer };
+}
+
+function read({ told, motion, works }) {
+  const picture = JSON.parse(told);
+  picture.motion = columns(picture.motion, motion);
+  picture.works = columns(picture.works, works);
+  return picture;
+}
+
+/// Rows, one after the other, as arrays by the columns' names.
+function columns(names, rows) {
+  const count = rows.length / names.length;
+  return Object.fromEntries(names.map((name, i) => {
+    const column = new Float64Array(count);
+    for (let row = 0; row < count; ++row) column[row] = rows[row * names.length + i];
+    return [name, column];
+  }));
+}
+
+const buffersOf = ({ motion = {}, works = {} }) =>
+  [...Object.values(motion), ...Object.values(works)].map((column) => column.buffer);

@@ -1,0 +1,296 @@
+/// The page with knobs, as far as it is the program's: `make check-explore` looks at it in a
+/// browser.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "figures/data/interruption.hpp"
+#include "figures/explore/explorer.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const fs::path page = fs::path(ROTOR_SOURCES) / "figures/explore";
+
+std::vector<CsvRow> printed_inputs() {
+  return read_csv(fs::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv");
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class Explore : public CommandLine {
+ protected:
+  static std::string as_arguments(const Options& options) {
+    std::string all;
+    for (const auto& [option, text] : options)
+      all += fmt::format(" --{}{}", option, text.empty() ? "" : " '" + text + "'");
+    return all;
+  }
+
+  Observer unconcerned_;
+  Explorer explorer_{printed_inputs()};
+};
+
+/// What a run has found, not what it has cost: who looks at the motion between its steps pays for
+/// that.
+Json findings(Json summary) {
+  summary.erase("right_hand_sides");
+  return summary;
+}
+
+// To the bit, though runs share what they can.
+TEST_F(Explore, SaysWhatRotorRunSays) {
+  const auto summary = [&](const Options& options) {
+    return findings(explorer_.run(options, unconcerned_).told["summary"]);
+  };
+  const auto printed = [&](const std::string& arguments) {
+    return findings(Json::parse(rotor("run --json" + arguments + " 2>/dev/null").output));
+  };
+  for (const Options& options : std::vector<Options>{
+           {},
+           {{"friction", "0.08"}},
+           {{"friction", "0.2"}, {"equations", "consistent"}},
+           {{"separation-time", "19.1"}, {"velocity-jump", "once"}},
+           {{"separation-speed-hz", "75"}, {"gravity-moment", "balanced"}},
+           {{"clearance", "1e-3"}, {"start-speed-hz", "60"}},
+           {{"no-separation", ""}, {"until", "3"}},
+           {{"separation-time", "2"}, {"until", "3"}},
+           {{"torque", "0.5"}, {"lost-mass", "+0.03"}},
+       }) {
+    const std::string arguments = as_arguments(options);
+    EXPECT_EQ(summary(options), printed(" --energy" + arguments)) << arguments;
+  }
+  const Options by_rk4 = {{"method", "rk4"}, {"start-speed-hz", "100"}};
+  EXPECT_EQ(summary(by_rk4), printed(as_arguments(by_rk4)));
+}
+
+TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
+  explorer_.run({}, unconcerned_);  // leaves a run-up
+  for (const Options& options : std::vector<Options>{
+           {{"friction", "-1"}},
+           {{"friction", "many"}},
+           {{"contact-stiffness", "0"}},
+           {{"until", "1e999"}},
+           {{"clearance", ""}},
+           {{"tolerance", " 1e-9"}},
+           {{"unbalance-factor", "0.5"}},
+           {{"unbalance-factor", "400"}},
+           {{"eccentricity", "0.07"}},
+           {{"stator-radius", "0.05"}},
+           {{"clearance", "1e-3"}, {"stator-radius", "0.07"}},
+           {{"separation-speed-hz", "200"}},
+           {{"no-separation", ""}},
+           {{"no-separation", ""}, {"until", "3"}, {"separation-time", "1"}},
+           {{"equations", "printed"}},
+           {{"velocity-jump", "thrice"}},
+       }) {
+    std::string refusal;
+    try {
+      explorer_.run(options, unconcerned_);
+    } catch (const std::exception& error) {
+      refusal = fmt::format("rotor: {}\n", error.what());
+    }
+    // Only a text can be empty, not an option.
+    const std::string arguments = options.contains("clearance") && options.at("clearance").empty()
+                                      ? " --clearance ''"
+                                      : as_arguments(options);
+    EXPECT_EQ(refusal, rotor("run" + arguments).output) << arguments;
+  }
+  for (const char* from : {"40", "-1", "soon"}) {
+    std::string refusal;
+    try {
+      explorer_.run({{"from", from}}, unconcerned_);
+    } catch (const std::exception& error) {
+      refusal = fmt::format("rotor: {}\n", error.what());
+    }
+    EXPECT_EQ(refusal, rotor(fmt::format("run --trace t.csv --from {}", from)).output);
+  }
+  EXPECT_THROW(explorer_.run({{"frction", "0.2"}}, unconcerned_), InputError);
+}
+
+// A window may begin before the way that the last one has left behind.
+TEST_F(Explore, SavesTheTraceThatRotorRunWrites) {
+  for (const char* from : {"29.1", "27.9", "29.099"}) {
+    const Options options = {{"friction", "0.2"}, {"until", "29.11"}, {"from", from}};
+    EXPECT_EQ(rotor("run --trace t.csv" + as_arguments(options)).status, 0);
+    EXPECT_TRUE(explorer_.trace(options, unconcerned_) == content("t.csv")) << from;  // megabytes
+  }
+}
+
+TEST_F(Explore, ShowsTheRunFromALittleBeforeItsMassLossUnlessItIsToldWhere) {
+  const auto shown = [&](const Options& options) {
+    const Picture picture = explorer_.run(options, unconcerned_);
+    return std::pair(picture.motion.row(0)[0], picture.motion.row(picture.motion.rows() - 1)[0]);
+  };
+  EXPECT_EQ(shown({{"separation-time", "3"}}), std::pair(2.98, 3.25));
+  EXPECT_EQ(shown({{"separation-time", "3"}, {"from", "2.5"}}), std::pair(2.5, 3.25));
+  EXPECT_EQ(shown({{"no-separation", ""}, {"until", "1"}}), std::pair(0., 1.));
+}
+
+TEST_F(Explore, RefusesPicturesThatNoPageCanHold) {
+  try {
+    explorer_.run({{"start-speed-hz", "100"}, {"no-separation", ""}, {"until", "1000"}},
+                  unconcerned_);
+    ADD_FAILURE() << "it has become a picture";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "--from, --until: between them the trace would have more than 1000000 rows; show "
+                 "a shorter part");
+  }
+}
+
+TEST_F(Explore, AsksAfterEachStepWhetherToGoOn) {
+  struct Impatient : Observer {
+    bool goes_on(const Progress& /*now*/) override { return --steps > 0; }
+    int steps = 50;
+  } impatient;
+  EXPECT_THROW(explorer_.run({}, impatient), Interrupted);
+  EXPECT_EQ(impatient.steps, 0);
+}
+
+// The works of the balance, as far as the run has got: at its end they are those of the summary.
+TEST_F(Explore, TellsHowTheWorksGrow) {
+  const Picture picture = explorer_.run({}, unconcerned_);
+  const Json& energy = picture.told["summary"]["energy_J"]["until_end"];
+  EXPECT_GE(picture.works.row(0)[0], picture.told["from_s"]);  // not from the start of the run
+  EXPECT_LE(picture.works.row(0)[0], picture.told["separation_s"]);
+  const auto last = picture.works.row(picture.works.rows() - 1);
+  for (std::size_t i = 1; i < picture.works.columns(); ++i)
+    EXPECT_EQ(last[i], energy[picture.told["works"][i].get<std::string>()]) << i;
+  double friction = 0;
+  for (std::size_t i = 0; i < picture.works.rows(); ++i) {
+    EXPECT_LE(picture.works.row(i)[5], friction);  // it only takes
+    friction = picture.works.row(i)[5];
+  }
+  EXPECT_LT(friction, -1000);
+}
+
+/// What is drawn for these settings, as "quantity least greatest".
+std::set<std::string> drawn(const Options& options) {
+  std::set<std::string> all;
+  const Sweep sweep = over_printed_digits(settings_of(options).statement, printed_inputs(), 1);
+  for (const Draw& draw : sweep.sample.over)
+    all.insert(fmt::format("{} {} {}", draw.quantity, draw.a, draw.b));
+  EXPECT_EQ(all.size(), sweep.sample.over.size());
+  return all;
+}
+
+TEST_F(Explore, DrawsThePrintedInputsThatAreInEffect) {
+  const auto all = drawn({});
+  EXPECT_EQ(all.size(), 15U);
+  EXPECT_TRUE(all.contains("mass 4.5 5.5"));
+  EXPECT_TRUE(all.contains("clearance 0.0025 0.0035"));
+  EXPECT_TRUE(all.contains("lost_mass 0.02475 0.02485"));
+  EXPECT_TRUE(all.contains("friction 0.25 0.35"));
+  EXPECT_TRUE(all.contains("separation_time 29.05 29.15"));
+  EXPECT_TRUE(drawn({{"friction", "0.08"}}).contains("friction 0.075 0.085"));
+  EXPECT_TRUE(drawn({{"separation-time", "14.15"}}).contains("separation_time 14.145 14.155"));
+  EXPECT_EQ(drawn({{"clearance", "0.003"}}), all);
+  // What has another value is meant so.
+  const std::vector<std::pair<Options, std::string>> without = {
+      {{{"friction", "0.15"}}, "friction 0.25 0.35"},
+      {{{"mass", "6"}}, "mass 4.5 5.5"},
+      {{{"stator-radius", "0.063"}}, "clearance 0.0025 0.0035"},
+      {{{"unbalance-factor", "3"}}, "lost_mass 0.02475 0.02485"},
+      {{{"separation-speed-hz", "100"}}, "separation_time 29.05 29.15"},
+      {{{"no-separation", ""}, {"until", "3"}}, "separation_time 29.05 29.15"},
+  };
+  for (const auto& [options, missing] : without) {
+    auto expected = all;
+    expected.erase(missing);
+    EXPECT_EQ(drawn(options), expected) << missing;
+  }
+}
+
+TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
+  const Options options = {{"until", "29.12"}};
+  std::set<double> losses;
+  for (long n = 0; n < 3; ++n) {
+    const Picture draw = explorer_.draw(options, n, 3, unconcerned_);
+    const double loss_s = draw.told["separation_s"];
+    losses.insert(loss_s);
+    constexpr double rounding = 1e-9;
+    EXPECT_NEAR(draw.told["from_s"].get<double>() - loss_s, -0.02, rounding);
+    EXPECT_NEAR(draw.told["until_s"].get<double>() - loss_s, 0.02, rounding);
+    EXPECT_EQ(draw.told["summary"]["inputs"]["tolerance"], 1e-8);
+    EXPECT_EQ(draw.told["drawn"].size(), 15U);
+  }
+  EXPECT_EQ(losses.size(), 3U);
+}
+
+// ---- what the page's own files say of the program
+
+TEST_F(Explore, HasKnobsForNumbersThatThereAre) {
+  const Json numbers = explorer_.describe_numbers();
+  std::set<std::string> known;
+  for (const auto& group : Json::parse(text_of(page / "knobs.json")))
+    for (const auto& knob : group["knobs"]) {
+      const std::string name = knob["name"];
+      EXPECT_TRUE(known.insert(name).second) << name;
+      if (knob.value("typed", false)) continue;
+      const Statable* statable = find_statable(name);
+      ASSERT_TRUE(statable) << name;
+      const double from = knob["from"], to = knob["to"];
+      EXPECT_LT(from, to) << name;
+      EXPECT_TRUE(statable->quantity.allows(from) && statable->quantity.allows(to)) << name;
+      EXPECT_TRUE(from > 0 || !knob.value("logarithmic", false)) << name;
+      EXPECT_EQ(knob.value("instead_of", ""),
+                name == "separation_speed_hz" ? "separation_time" : "");
+      const auto its = std::find_if(numbers.begin(), numbers.end(),
+                                    [&](const Json& number) { return number["name"] == name; });
+      if (!(*its)["paper"].is_null()) {
+        EXPECT_GT((*its)["paper"], from) << name;
+        EXPECT_LT((*its)["paper"], to) << name;
+      }
+    }
+  for (const char* name : {"friction", "unbalance_factor", "separation_time", "separation_speed_hz",
+                           "clearance", "contact_stiffness", "contact_damping", "support_stiffness",
+                           "support_damping", "eccentricity", "torque", "from", "until"})
+    EXPECT_TRUE(known.contains(name)) << name;
+}
+
+TEST_F(Explore, HasWordsForEachOutcomeAndEvent) {
+  const std::string words = text_of(page / "page/outcome.js");
+  const Json schema = Json::parse(text_of(page / "../program/summary.schema.json"));
+  for (const auto& outcome : schema["properties"]["outcome"]["enum"])
+    EXPECT_NE(words.find(fmt::format("  {}: \"", outcome.get<std::string>())), std::string::npos)
+        << outcome;
+  for (const Event event : {Event::mass_loss, Event::touch_down, Event::release, Event::ring_clear,
+                            Event::renewed_contact, Event::rolling_onset, Event::slip_reversal,
+                            Event::break_away, Event::motor_off})
+    EXPECT_NE(words.find(fmt::format(" {}: \"", name_of(event))), std::string::npos)
+        << name_of(event);
+}
+
+TEST_F(Explore, ReadsNothingOfARunThatThereIsNot) {
+  const Picture picture = explorer_.run({{"friction", "0.2"}}, unconcerned_);
+  const Json& summary = picture.told["summary"];
+  std::set<std::string> columns;
+  for (const auto& name : picture.told["motion"]) columns.insert(name);
+  for (const auto& entry : fs::directory_iterator(page / "page")) {
+    const std::string script = text_of(entry.path());
+    const auto each = [&](const char* pattern, const auto& look) {
+      const std::regex regex(pattern);
+      for (std::sregex_iterator found(script.begin(), script.end(), regex), end; found != end;
+           ++found)
+        look((*found)[1].str());
+    };
+    each(R"(\bmotion\.(?!js)(\w+))", [&](const std::string& name) {
+      EXPECT_TRUE(columns.contains(name)) << entry.path() << ": " << name;
+    });
+    each(R"(\b(?:summary|s)\.(\w+_\w+))", [&](const std::string& name) {
+      EXPECT_TRUE(summary.contains(name)) << entry.path() << ": " << name;
+    });
+  }
+}
+
+}  // namespace
+}  // namespace rotor
