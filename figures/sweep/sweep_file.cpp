@@ -57,11 +57,11 @@ class SweepReader : TomlFile {
     std::vector<std::string> all;
     for (const toml::node& item : *array) {
       const auto name = item.value_or<std::string>("");
-      if (std::ranges::find(allowed, name) == allowed.end())
+      if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
         fail(item, "columns",
              fmt::format("there is no result \"{}\"{}; there are: {}", shown(name),
                          suggestion(name, allowed), fmt::join(allowed, ", ")));
-      if (std::ranges::find(all, name) != all.end())
+      if (std::find(all.begin(), all.end(), name) != all.end())
         fail(item, "columns", fmt::format("\"{}\" stands twice", name));
       all.push_back(name);
     }
