@@ -109,10 +109,10 @@ class Pictures : public CommandLine,
 
   /// What the captions are to say, by the engine.
   std::vector<std::string> captions() const;
-  void expect_curves(const Picture& picture) const;
+  void expect_curves(const DrawnPicture& picture) const;
 };
 
-void Pictures::expect_curves(const Picture& picture) const {
+void Pictures::expect_curves(const DrawnPicture& picture) const {
   const std::vector<Curve> expected = curves(figure());
   if (expected.empty()) return;
   ASSERT_EQ(picture.curves.size(), expected.size());
@@ -252,7 +252,7 @@ TEST_P(Pictures, ShowTheDataAndSayWhatTheEngineSays) {
   const Outcome drawn = draw();
   ASSERT_EQ(drawn.status, 0) << drawn.output;
   EXPECT_EQ(drawn.output, "");
-  const Picture picture(content(name() + ".svg"));
+  const DrawnPicture picture(content(name() + ".svg"));
   expect_curves(picture);
   for (const std::string& caption : captions())
     EXPECT_TRUE(std::any_of(
@@ -266,7 +266,7 @@ TEST_P(Pictures, ShowPointsThatWereReadOffThePrintedOne) {
   const std::vector<Curve> drawn = curves(figure());
   if (drawn.empty()) return;  // a scheme
   ASSERT_EQ(draw().status, 0);
-  const Picture without(content(name() + ".svg"));
+  const DrawnPicture without(content(name() + ".svg"));
   std::string table = "run,quantity,x,y,x_error,y_error\n";
   Points places;
   for (std::size_t n = 0; n < drawn.size(); ++n) {
@@ -280,7 +280,7 @@ TEST_P(Pictures, ShowPointsThatWereReadOffThePrintedOne) {
   const Outcome with_points = draw("points.csv");
   ASSERT_EQ(with_points.status, 0) << with_points.output;
   EXPECT_EQ(with_points.output, "");
-  const Picture picture(content(name() + ".svg"));
+  const DrawnPicture picture(content(name() + ".svg"));
   // Once each, and once in the key of each panel.
   const auto keys = std::count(picture.texts.begin(), picture.texts.end(), "printed");
   EXPECT_EQ(picture.squares.size(), places.size() + static_cast<std::size_t>(keys));

@@ -35,7 +35,7 @@ TEST_F(Plot, DrawsEveryRunOfAScene) {
 // picture as in the runs' traces; the ring is drawn around the orbit.
 TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   ASSERT_EQ(rotor("plot \"it's.toml\"").status, 0);
-  const Picture picture(content("it's.svg"));
+  const DrawnPicture picture(content("it's.svg"));
   struct Panel {
     std::string column;
     double scale;

@@ -57,8 +57,8 @@ inline double number_of(std::string label) {
 
 /// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
 /// panel before its curves. All panels have the x axis of the last one.
-struct Picture {
-  explicit Picture(const std::string& svg) {
+struct DrawnPicture {
+  explicit DrawnPicture(const std::string& svg) {
     Axis y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
     bool in_curve = false, y_is_old = false;
