@@ -49,9 +49,8 @@ void SummaryObserver::on_step(const DenseOutput& step) {
 bool SummaryObserver::goes_on(const Progress& now) {
   last_progress_ = now;
   if (!rolls_) return true;
-  if (!rolls_since_) {
-    rolls_since_ = now;
-  } else {
+  if (!rolls_since_) rolls_since_ = now;
+  if (now.time_s > rolls_since_->time_s) {
     summary_.whirl_from_s = rolls_since_->time_s;
     summary_.whirl_until_s = now.time_s;
     summary_.whirl_frequency_Hz =

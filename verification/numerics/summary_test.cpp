@@ -252,5 +252,20 @@ TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
   EXPECT_EQ(later.outcome, Outcome::rolling);
 }
 
+// Rolling may begin with a step that ends where it has begun.
+TEST(Summary, HasNoFrequencyOfAWhirlOverNoTime) {
+  const Scenario scenario;
+  SummaryObserver observer(scenario);
+  observer.on_instant({.time_s = 0.1,
+                       .state = {3.01e-3, 0, 0, 0, 0, 300},
+                       .body = Body<double>::of(scenario.parameters),
+                       .contact = ContactState::rolling});
+  observer.goes_on({0.1, 300, 0});
+  observer.goes_on({0.1, 300, 0});
+  EXPECT_FALSE(observer.summary().whirl_frequency_Hz.has_value());
+  observer.goes_on({0.2, 300, -2 * std::numbers::pi});
+  EXPECT_NEAR(observer.summary().whirl_frequency_Hz.value_or(0), -10, 1e-12);
+}
+
 }  // namespace
 }  // namespace rotor
