@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
 #include "figures/data/csv.hpp"
 #include "model/simulation/simulation.hpp"
@@ -15,37 +15,15 @@
 #include "verification/paper/claims_table.hpp"
 #include "verification/paper/judged.hpp"
 #include "verification/paper/reasons.hpp"
+#include "verification/support/markdown_table.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
 namespace {
 
-using Cells = std::vector<std::string>;
-
-/// The rows of a README's table that has this heading, cells without blanks around them.
 std::vector<Cells> table(const std::string& heading, const std::string& readme = "README.md") {
   std::ifstream file(ROTOR_SOURCES "/" + readme);
-  std::vector<Cells> rows;
-  bool inside = false;
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with(heading)) {
-      inside = true;
-      std::getline(file, line);  // the line below the heading
-    } else if (inside && line.starts_with('|')) {
-      Cells cells;
-      std::istringstream stream(line.substr(1));
-      for (std::string cell; std::getline(stream, cell, '|');) {
-        const std::size_t first = cell.find_first_not_of(" `");
-        cells.push_back(first == std::string::npos
-                            ? ""
-                            : cell.substr(first, cell.find_last_not_of(" `") - first + 1));
-      }
-      rows.push_back(cells);
-    } else {
-      inside = false;
-    }
-  }
-  return rows;
+  return markdown_table({std::istreambuf_iterator<char>(file), {}}, heading);
 }
 
 class Readme : public RunSummary {

@@ -12,38 +12,17 @@
 #include "figures/data/csv.hpp"
 #include "verification/paper/judged.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/markdown_table.hpp"
 
 namespace rotor {
 namespace {
-
-using Cells = std::vector<std::string>;
 
 std::string page() {
   std::ifstream file(ROTOR_REFERENCE_DATA "/verdicts.md");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The rows of the page's table that has this heading, cells without blanks and ticks around them.
-std::vector<Cells> table(const std::string& heading) {
-  const std::string text = page();
-  std::istringstream lines(text.substr(text.find(heading)));
-  std::string line;
-  std::getline(lines, line);
-  std::getline(lines, line);
-  std::vector<Cells> rows;
-  while (std::getline(lines, line) && line.starts_with('|')) {
-    Cells cells;
-    std::istringstream stream(line.substr(1));
-    for (std::string cell; std::getline(stream, cell, '|');) {
-      const std::size_t first = cell.find_first_not_of(" `");
-      cells.push_back(first == std::string::npos
-                          ? ""
-                          : cell.substr(first, cell.find_last_not_of(" `") - first + 1));
-    }
-    rows.push_back(cells);
-  }
-  return rows;
-}
+std::vector<Cells> table(const std::string& heading) { return markdown_table(page(), heading); }
 
 /// "-a.b - c" or "a / b" of keys of a summary.
 double value_of(const std::string& expression, const nlohmann::json& summary) {
