@@ -215,6 +215,18 @@ TEST_F(Readme, SaysWhereWhirlCanLast) {
     EXPECT_FALSE(touches(set, border_Hz - 0.005));
     EXPECT_TRUE(touches(set, border_Hz + 0.005));
   }
+  // TheoryOfMaps finds it so; 120, 123 ... 180 Hz are BorderOfFriction's.
+  expect_said(
+      "above it, in these maps and away from the resonance, every contact ends in backward rolling "
+      "or in none");
+  expect_said(
+      "of 21 speeds from 120 to 180 Hz none rolls at mu = 0.08 and all do at 0.1, with d_t as "
+      "printed, but none at 0.15 where d_t is tenfold");
+  expect_said(
+      "Among these rotors speed raises the force without exception");  // as the table has it
+  const Parameters p;
+  expect_said(fmt::format("C moves alike to {:.1f} % wherever the piece was",
+                          100 * 2 * p.eccentricity / p.rotor_radius));
 }
 
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
