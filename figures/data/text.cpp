@@ -45,13 +45,11 @@ std::string shown(std::string_view text) {
   return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
 }
 
-/// All of the text as a number, without anything around it. libc++ 14 has no std::from_chars for
-/// it.
+/// All of the text as a number, without anything around it.
 std::optional<double> number_in(const std::string& text) {
-  // Not std::from_chars, which libc++ 14 has for integers alone.
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
     return std::nullopt;  // which strtod may know: blanks, nan, hexadecimal
-  char* end = nullptr;
+  char* end = nullptr;  // libc++ 14 has std::from_chars for integers alone
   errno = 0;
   const double value = std::strtod(text.c_str(), &end);
   const bool vanishes = errno == ERANGE && value == 0;
