@@ -70,7 +70,6 @@ void EventMethod<S, Stepper>::advance(const S& until_s, BasicObserver<S>& observ
 
 template <class S, class Stepper>
 void EventMethod<S, Stepper>::enter(const Transition& next) {
-  phase_is_new_ = true;
   at_.contact = next.contact;
   at_.event = next.event;
   direction_ = next.direction;

@@ -15,7 +15,6 @@ SummaryObserver SummaryObserver::with(const Scenario& scenario) const {
   SummaryObserver branch = *this;
   branch.ring_ = Ring<double>(scenario.parameters);
   branch.watch_ = OutcomeWatch(scenario);
-  branch.watch_.note(last_);
   return branch;
 }
 
