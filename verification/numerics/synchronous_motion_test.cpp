@@ -97,6 +97,29 @@ TEST_P(Run, LeavesNothingThatTurnsAboveTheTolerance) {
   }
 }
 
+// The bounds on which contact is told by hold whatever the angle, and are no wider than they must.
+TEST_P(Run, StaysWithinItsAmplitudes) {
+  for (const S speed : {S(150), S(300), S(900)}) {
+    const FlightChart<S> chart = this->chart(speed);
+    S displacement = 0, velocity = 0, ripple = 0;
+    const std::array<S, 6> none{};
+    const auto bound = chart.synchronous_amplitudes(none);
+    for (int k = 0; k < 64; ++k) {
+      const std::array<S, 6> x = {0, 0, 2 * std::numbers::pi_v<S> * k / 64, 0, 0, 0};
+      const Motion<S> m = RotatingFrame<S>::motion(rotor.body, chart.state(x));
+      displacement = std::max(displacement, m.mass_centre().norm());
+      velocity = std::max(velocity, m.mass_centre_velocity().norm());
+      ripple = std::max(ripple, std::abs(m.speed - chart.speed(x)));
+    }
+    for (const auto& [greatest, limit] : {std::pair(displacement, bound.displacement),
+                                          {velocity, bound.velocity},
+                                          {ripple, bound.speed_ripple}}) {
+      EXPECT_LE(greatest, limit * (1 + 1e-12L)) << speed;
+      EXPECT_GE(greatest, 0.9L * limit) << speed;
+    }
+  }
+}
+
 // Without the lag, the change of speed leaves a thousand times more than the tolerance.
 TEST_P(Run, LagsBehindTheSpeed) {
   const FlightChart<S> laid(rotor, {-1.5e-4L, 0, 0, 0, 0, 600}), renewed = chart(600);

@@ -1,6 +1,10 @@
 /// The program, and bad input to it.
 #include "verification/support/command_line.hpp"
 
+#include <algorithm>
+
+#include "figures/data/text.hpp"
+
 namespace rotor {
 namespace {
 
@@ -37,6 +41,12 @@ TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
   expect_refusal("run --mass " + std::string(100'000, '9') + "x",
                  "--mass: must be a finite number");
   expect_refusal("run --" + std::string(100'000, 'a'), "there is no such option");
+}
+
+// Of six letters two may be wrong.
+TEST(Suggestion, CountsLettersThatChangedPlacesAsOneMistake) {
+  EXPECT_EQ(suggestion("badcef", {"abcdef"}), "; did you mean abcdef?");
+  EXPECT_EQ(suggestion("bxdcef", {"abcdef"}), "");
 }
 
 TEST_F(CommandLine, ReadsScenesFromRegularFilesAlone) {
@@ -88,6 +98,18 @@ TEST_F(CommandLine, SaysNothingOfTheProgressOfAQuickRun) {
   EXPECT_FALSE(content("summary").empty());
 }
 
+// A long one says about once a second how it goes on.
+TEST_F(CommandLine, SaysTheProgressOfALongRunOnATerminal) {
+  const auto [status, output] = shell(
+      "script -qec \"timeout --signal=INT 5 $rotor run --until 1e6 --no-separation --tolerance "
+      "1e-14 2>&1\" /dev/null");
+  EXPECT_NE(status, 0);
+  const auto reports = std::count(output.begin(), output.end(), '\r');
+  EXPECT_NE(output.find("s of 1e+06 s after "), std::string::npos) << output;
+  EXPECT_GE(reports, 1) << output;
+  EXPECT_LE(reports, 4) << output;
+}
+
 TEST_F(CommandLine, SummarisesARunAsJsonAndTracesIt) {
   const auto [status, output] =
       rotor("run --method rk4 --until 0.01 --trace t.csv --columns time_s,rho_m --json");
@@ -108,6 +130,15 @@ TEST_F(CommandLine, TracesWhatTheSceneSays) {
   ASSERT_EQ(rows.size(), 1U + 101);  // 100 steps of 1e-4 s and the start
   EXPECT_EQ(rows[0], "run,time_s,rho_m");
   EXPECT_TRUE(rows[1].starts_with("run,0.01,")) << rows[1];
+}
+
+TEST_F(CommandLine, DrawsNoFigureOfARunThatNeverRolls) {
+  write("fig31.toml",
+        "title = \"t\"\ncolumns = [\"time_s\", \"rho_m\"]\n"
+        "window = { from = \"rolling_onset\", length_s = 0.01 }\n"
+        "[parameters]\nuntil = 0.05\n[[run]]\nname = \"at rest\"\n");
+  expect_refusal("figure 31 --scenes . --out .",
+                 "scene 31: nothing of the run \"at rest\" lies in the window");
 }
 
 TEST_F(CommandLine, LeavesAFiguresSceneItsOwnMethod) {

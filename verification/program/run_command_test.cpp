@@ -45,6 +45,13 @@ TEST_F(RunCommand, StopsAtRest) {
   EXPECT_EQ(turns_at("0.11"), false);
 }
 
+// Nothing of a run is left to be traced if it stops before the window begins.
+TEST_F(RunCommand, RefusesToTraceWhatIsOver) {
+  for (const std::string& rows : {std::string(), std::string(" --rows 10")})
+    expect_refusal("run --stop-on rolling --from 29.3 --trace t.csv" + rows,
+                   "--trace t.csv: nothing of the run lies in the window");
+}
+
 TEST_F(RunCommand, SaysWhatItHasNotReached) {
   const Json missed = summary("--until 3 --stop-on rolling");
   EXPECT_EQ(missed["mass_loss_reached"], false);
@@ -139,6 +146,7 @@ TEST_F(RunCommand, RunsAllRunsOfAScene) {
     EXPECT_EQ(run, alone);
   }
   EXPECT_NE(runs[0]["collisions"], runs[1]["collisions"]);
+  EXPECT_TRUE(rotor("run --scene two.toml --json").output.starts_with("{\n  \"runs\": [\n    {\n"));
   const std::string table = rotor("run --scene two.toml").output;
   EXPECT_NE(table.find("\na  "), std::string::npos);
   EXPECT_NE(table.find("\nb  "), std::string::npos);

@@ -240,6 +240,11 @@ TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
                      "corner: rotor_radius = 0.07: stator_radius"),
            std::pair(axis("quantity = \"rotor_radius\"\nvalues = [0.07, 0.05]\n"),
                      "corner: rotor_radius = 0.07: stator_radius"),
+           std::pair(axis("quantity = \"stator_radius\"\nfrom = 0.05\nto = 0.07\npoints = 2\n"),
+                     "corner: stator_radius = 0.05: stator_radius"),
+           std::pair(std::string("[sample]\ncount = 3\nsed = 1\n[[sample.over]]\n"
+                                 "quantity = \"friction\"\nuniform = [0.1, 0.2]\n"),
+                     "sed: unknown key; did you mean seed?"),
            std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"
                                  "normal = [0.2, 0]\n"),
                      "the deviation must be greater than 0"),
@@ -293,6 +298,26 @@ TEST(Dealer, PassesRowsOnInOrderAndWaitsForSlowOnes) {
   EXPECT_EQ(most, 40000);
   EXPECT_GT(worked_while_slow, 1000);   // the others did not wait,
   EXPECT_LT(worked_while_slow, 20000);  // but not without bound either
+}
+
+// As long as something is left to be dealt out, those who find nothing due have to wait.
+TEST(Dealer, KnowsWhenNothingIsLeftToBeDealtOut) {
+  Dealer dealer(0, 8, [](std::string_view, long) {});
+  EXPECT_FALSE(dealer.is_dealt_out());
+  const auto first = dealer.next();
+  EXPECT_FALSE(dealer.is_dealt_out());
+  const auto last = dealer.next_if_due();
+  EXPECT_TRUE(dealer.is_dealt_out());
+  EXPECT_FALSE(dealer.is_finished());
+  dealer.take(last.value(), "b");
+  dealer.take(first.value(), "a");
+  EXPECT_TRUE(dealer.is_finished());
+
+  Dealer stopped(0, 8, [](std::string_view, long) {});
+  stopped.stop(nullptr);
+  EXPECT_FALSE(stopped.is_dealt_out());
+  stopped.stop(std::make_exception_ptr(std::runtime_error("enough")));
+  EXPECT_TRUE(stopped.is_dealt_out());
 }
 
 TEST(Dealer, EndsWithWhatTheWorkThrows) {

@@ -1,6 +1,8 @@
 /// What the program writes, and what it leaves alone.
 #include <sys/stat.h>
 
+#include <sstream>
+
 #include "figures/data/csv.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -193,6 +195,19 @@ TEST_F(Writing, QuotesNamesAsRfc4180HasIt) {
   EXPECT_EQ(static_cast<double>(rows.back().number("time_s")), 0.1);
   remove("s.toml");
   remove("t.csv");
+}
+
+TEST(Csv, NamesTheLineOfARowBelowOthersThatTakeSeveral) {
+  std::istringstream text("# provenance\n\"a\nb\",c\n1,\"x\ny\"\n2,z\n# between\n3,z\n");
+  const std::vector<CsvRow> rows = read_csv(text, "t.csv");
+  ASSERT_EQ(rows.size(), 3U);
+  std::string places;
+  for (const CsvRow& row : rows) try {
+      row.fail("");
+    } catch (const std::runtime_error& error) {
+      places += error.what();
+    }
+  EXPECT_EQ(places, "t.csv:4: t.csv:6: t.csv:8: ");
 }
 
 TEST_F(Writing, TakesNoMemoryForALongTrace) {
