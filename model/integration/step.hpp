@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -151,6 +153,18 @@ class Step {
     if (!time) return std::nullopt;
     if (*time == 0) return start_;
     return polished(step(start_, *time), value, from.time, until.time);
+  }
+
+  /// Where value(x) becomes negative between two times at which it is positive and negative. If it
+  /// is noise, somewhere in it.
+  template <class Value>
+  Point zero(const Value& value, const ValueAndSlope<S>& from, const ValueAndSlope<S>& until) {
+    std::uintmax_t most = std::numeric_limits<S>::digits;
+    const auto [before, after] = boost::math::tools::toms748_solve(
+        [&](const S& time) { return S(value(dense_output()(time))); }, from.time, until.time,
+        from.value, until.value, [&](const S& a, const S& b) { return S(b - a) <= look_ahead(); },
+        most);
+    return polished(step(start_, after), value, from.time, until.time);
   }
 
  private:

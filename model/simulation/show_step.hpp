@@ -99,12 +99,10 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
         if (phase.extreme_takes_rates(i)) step.system()(x, rates, S(0));
         return phase.extremes(x, rates)[i].rate;
       };
-      if (const auto maximum =
-              step.crossing(rate, step.observe(rate, left.time), step.observe(rate, right.time))) {
-        found.push_back({kinds[i], bound, start});
-        found.back().at.time_s = min(until_s, S(start.time_s + maximum->time));
-        found.back().at.state = phase.chart.state(maximum->x);
-      }
+      const Point maximum = step.zero(rate, {left.time, l.rate}, {right.time, r.rate});
+      found.push_back({kinds[i], bound, start});
+      found.back().at.time_s = min(until_s, S(start.time_s + maximum.time));
+      found.back().at.state = phase.chart.state(maximum.x);
     }
     left = right;
   }

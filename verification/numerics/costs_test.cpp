@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "model/simulation/simulation.hpp"
+#include "model/simulation/start.hpp"
 #include "model/simulation/summary.hpp"
 #include "verification/support/sines.hpp"
 
@@ -63,6 +64,26 @@ TEST(Costs, DoNotFollowTheClockWhereNothingMoves) {
   scenario.parameters.eccentricity = scenario.parameters.gravity = scenario.parameters.torque = 0;
   SummaryObserver summary(scenario);
   EXPECT_LT(run(scenario, summary).counters.right_hand_sides, 2000);
+}
+
+// In steady response without damping and gravity O stays on a circle: its distance changes by
+// rounding alone, which has no maxima that are worth a search.
+TEST(Costs, OfASummaryAreNotThoseOfRoundingsMaxima) {
+  Scenario scenario{.start_speed_Hz = 187, .until = 0.04};
+  Parameters& p = scenario.parameters;
+  p.support_damping = p.gravity = p.torque = 0;
+  p.separates = false;
+  Observer null_observer;
+  SummaryObserver summary(scenario);
+  const auto pairs = [&](Observer& observer) {
+    const long before = sine_cosine_pairs();
+    run(scenario, observer);
+    return sine_cosine_pairs() - before;
+  };
+  const long few = pairs(null_observer);
+  EXPECT_LT(pairs(summary), 20 * few);
+  const double radius = start_of(scenario).motion().displacement.norm();
+  EXPECT_NEAR(summary.summary().max_displacement_before_loss_m / radius, 1, 1e-14);
 }
 
 TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
