@@ -1,9 +1,8 @@
 /// The rotor at one instant of a run.
 #pragma once
 
-#include <numbers>
-
 #include "model/mechanics/rotating_frame.hpp"
+#include "model/phases/rotor_system.hpp"
 #include "model/phases/transition.hpp"
 
 namespace rotor {
@@ -30,7 +29,10 @@ struct BasicInstant {
 using Instant = BasicInstant<double>;
 
 /// A speed in rad/s as turns per second.
-inline double in_Hz(double speed) { return speed / (2 * std::numbers::pi); }
+template <class S>
+S in_Hz(const S& speed) {
+  return speed / RotorSystem<S>::radians_per_turn();
+}
 
 /// At t = 0, where every run starts.
 template <class S = double>

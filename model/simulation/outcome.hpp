@@ -21,20 +21,21 @@ enum class Outcome {
 
 /// How far O can get from O_a while the rotor stays clear of the ring and its speed what it is, m:
 /// the steady response to the unbalance, and a vibration about it that can but die out.
-double reach(const Body<double>& body, const Supports<double>& supports,
-             const Motion<double>& motion);
+template <class S>
+S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion);
 
-/// Gathers what tells the outcome.
-class OutcomeWatch {
+/// Gathers what tells the outcome. Definitions: outcome.ipp.
+template <class S>
+class BasicOutcomeWatch {
  public:
-  explicit OutcomeWatch(const Scenario& scenario);
+  explicit BasicOutcomeWatch(const Scenario& scenario);
 
   /// When the speed is to be shown by note_speed, if the motor drives then, s.
-  double time_of_speed_s() const { return time_of_speed_s_; }
-  void note_speed(double speed) { early_speed_ = speed; }
+  const S& time_of_speed_s() const { return time_of_speed_s_; }
+  void note_speed(const S& speed) { early_speed_ = speed; }
 
   /// Takes all events, and the end.
-  void note(const Instant& at);
+  void note(const BasicInstant<S>& at);
 
   /// As the run stands.
   Outcome outcome() const;
@@ -43,12 +44,14 @@ class OutcomeWatch {
   bool is_stalled() const;
 
   Parameters parameters_;
-  Supports<double> supports_;
-  double time_of_speed_s_;
-  std::optional<double> early_speed_;  ///< rad/s
-  std::optional<double> contact_since_s_;
+  Supports<S> supports_;
+  S time_of_speed_s_;
+  std::optional<S> early_speed_;  ///< rad/s
+  std::optional<S> contact_since_s_;
   bool touched_ = false, rolled_ = false;
-  Instant last_;
+  BasicInstant<S> last_;
 };
+
+using OutcomeWatch = BasicOutcomeWatch<double>;
 
 }  // namespace rotor

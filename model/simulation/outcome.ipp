@@ -1,0 +1,82 @@
+/// Definitions of outcome.hpp, for those who instantiate it.
+#pragma once
+
+#include <cmath>
+
+#include "model/simulation/outcome.hpp"
+
+namespace rotor {
+namespace stalling {
+
+/// A rotor that stalls is looked at for so many natural periods of its supports,
+constexpr int periods = 10;
+/// gains less than this share of the speed that its motor would give it without resistance,
+constexpr double share = 0.1;
+/// and turns at less than this multiple of the critical speed.
+constexpr double speeds = 1.5;
+
+}  // namespace stalling
+
+template <class S>
+S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion) {
+  using std::hypot, std::sqrt;
+  const S frequency = sqrt(supports.stiffness / body.mass);
+  const Vector<S> along = motion.eccentricity / body.eccentricity;  // the rotor's axis x
+  const Vector<S> steady =
+      body.eccentricity > 0
+          ? Vector<S>(complex_product(supports.unbalance_response(body, motion.speed), along))
+          : Vector<S>(S(0), S(0));
+  const Vector<S> deviation = motion.mass_centre() - steady;
+  const Vector<S> velocity = motion.mass_centre_velocity() - motion.speed * quarter_turn(steady);
+  const S amplitude = hypot(deviation.norm(), velocity.norm() / frequency);
+  return amplitude + steady.norm() + body.eccentricity;
+}
+
+template <class S>
+BasicOutcomeWatch<S>::BasicOutcomeWatch(const Scenario& scenario)
+    : parameters_(scenario.parameters), supports_(scenario.parameters, scenario.equations) {
+  using std::sqrt;
+  const S period =
+      RotorSystem<S>::radians_per_turn() * sqrt(S(parameters_.mass) / supports_.stiffness);
+  time_of_speed_s_ = S(scenario.until) - stalling::periods * period;
+}
+
+template <class S>
+void BasicOutcomeWatch<S>::note(const BasicInstant<S>& at) {
+  touched_ = touched_ || at.touches();
+  rolled_ = rolled_ || at.contact == ContactState::rolling;
+  if (!at.touches())
+    contact_since_s_ = std::nullopt;
+  else if (!contact_since_s_)
+    contact_since_s_ = at.time_s;
+  last_ = at;
+}
+
+template <class S>
+Outcome BasicOutcomeWatch<S>::outcome() const {
+  if (rolled_) return Outcome::rolling;
+  if (is_stalled()) return Outcome::stalled;
+  using std::sqrt;
+  const Ring<S> ring(parameters_);
+  const S contact_period =
+      RotorSystem<S>::radians_per_turn() * sqrt(last_.body.mass / ring.stiffness);
+  if (contact_since_s_ && last_.time_s - *contact_since_s_ > contact_period)
+    return Outcome::sliding;
+  const bool is_free = last_.contact == ContactState::free;
+  if (is_free && reach(last_.body, supports_, last_.motion()) < ring.clearance)
+    return touched_ ? Outcome::freed : Outcome::no_contact;
+  return touched_ ? Outcome::bouncing : Outcome::undecided;
+}
+
+template <class S>
+bool BasicOutcomeWatch<S>::is_stalled() const {
+  if (!last_.motor_on || !early_speed_ || !(supports_.torque > 0)) return false;
+  using std::abs, std::sqrt;
+  const S critical = sqrt(supports_.stiffness / last_.body.mass);
+  const S unresisted = supports_.torque / last_.body.inertia * (last_.time_s - time_of_speed_s_);
+  const S speed = last_.state[5];
+  return abs(speed) < S(stalling::speeds) * critical &&
+         speed - *early_speed_ < S(stalling::share) * unresisted;
+}
+
+}  // namespace rotor
