@@ -87,6 +87,7 @@ help: ## list all targets
 	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures),"
 	@echo "         SEED=7, COUNT=100 (of make mutants: which mechanical changes, and how many)"
 	@echo "         POINTS=40 (of make maps: points along each axis, 400 if not given)"
+	@echo "         RUNS=100 (of make stress: how many, with SEED, to 3, 6, 9 and 12 digits)"
 
 deps: ## install the Debian packages that are missing
 	$(call install,$(PACKAGES))
@@ -230,8 +231,9 @@ COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
 	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --count $(COUNT)
 
-reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision (minutes)
-	$(call build-target,reference)
+reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision, and random-runs.csv (minutes)
+	$(call build-target,reference digits-reference)
+	@$(BUILD)/digits-reference reference-data/random-runs.csv
 	@$(BUILD)/reference reference-data/high-precision.csv reference-data/figure-values.csv
 
 ensembles: build ## redraw reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes)
@@ -262,14 +264,16 @@ bench: bench-programs ## run time against error of every method, with pictures, 
 	@cmake --build $(BUILD) --target micro-costs >/dev/null 2>&1 && $(BUILD)/micro-costs || \
 	  echo "Without Google Benchmark, which make deps-bench installs."
 
+RUNS ?= 1000
 stress: build ## a hundred thousand random rotors, stability, precision: numbers and pictures (minutes)
-	$(call build-target,stress precision)
+	$(call build-target,stress precision digits-reference)
 	@$(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
 	@$(BUILD)/precision reference-data/high-precision.csv $(BUILD)/stress-results
 	@gnuplot -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
 	  figures/paper/style.gp verification/robustness/stress.gp
 	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)
+	@$(BUILD)/digits-reference stress $(RUNS) $(SEED) $(BUILD)/stress-results
 
 clean: ## remove everything that was made
 	rm -rf $(BUILD)

@@ -178,6 +178,18 @@ void add_options(CLI::App& command, RunOptions& options) {
                   "write time, kind, state, normal force and slip of the located events to this "
                   "CSV file")
       ->check(not_empty());
+  auto* digits = command.add_option_function<double>(
+      "--digits", [&options](double number) { options.numbers.digits = parse_digits(number); },
+      "significant digits that every value, event and the end are to have for certain, instead of "
+      "--tolerance; --json adds errors and events");
+  command.add_option("--budget", options.budget_s, "how long to look for the digits of a run")
+      ->type_name("s")
+      ->check(CLI::PositiveNumber)
+      ->default_str("300");
+  command
+      .add_flag("--estimate-error", options.estimate_error,
+                "estimate the relative error of the summary, by another run")
+      ->excludes(digits);
   command.add_flag("--json", options.json, "print the summary as JSON");
   command.add_flag(
       "--energy", options.energy,

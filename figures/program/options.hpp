@@ -41,6 +41,8 @@ struct RunOptions : CommonOptions {
   std::optional<long> rows;
   std::optional<StopOn> stop_on;
   bool json = false;
+  std::optional<double> budget_s;  ///< of each run whose digits are asked for
+  bool estimate_error = false;
   bool energy = false;        ///< by cause, in the summary
   bool keep_partial = false;  ///< what was computed when the run is interrupted
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
@@ -12,6 +13,7 @@
 #include "figures/program/progress.hpp"
 #include "figures/scenes/account.hpp"
 #include "figures/scenes/audience.hpp"
+#include "figures/scenes/certain_account.hpp"
 #include "figures/scenes/event_log.hpp"
 #include "figures/scenes/provenance.hpp"
 #include "figures/scenes/recorder.hpp"
@@ -31,7 +33,7 @@ Scene scene_of(const RunOptions& options) {
     return {.title = "",
             .window = {},
             .columns = {},
-            .runs = {{"run", scenario_of(stated), stated.states_equations()}}};
+            .runs = {{"run", scenario_of(stated), stated.states_equations(), stated.digits}}};
   }
   Scene scene = read_scene(options.scene, {options.equations_and_method, options.numbers});
   if (options.run_name.empty()) return scene;
@@ -42,6 +44,23 @@ Scene scene_of(const RunOptions& options) {
     throw InputError(fmt::format("{}: choose one of its runs with --run: {}", options.scene,
                                  fmt::join(names, ", ")));
   return scene;
+}
+
+/// What is asked for must go with the digits that are asked for.
+void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) {
+  const auto refuse = [](bool is_asked, std::string_view what) {
+    if (is_asked) throw InputError(fmt::format("digits: {}", what));
+  };
+  if (!run.digits)
+    return refuse(options.budget_s.has_value(),
+                  "--budget is how long to look for them; state how many");
+  refuse(run.scenario.method == Method::rk4,
+         "--method rk4 is of first order at contacts; only event can have any number of them");
+  refuse(options.stop_on.has_value(), "--stop-on ends with a step, which depends on the tolerance");
+  refuse(!options.trace.empty(), "those of a --trace are not known");
+  refuse(!options.events.empty(), "the events stand in --json, not in --events");
+  refuse(options.energy, "those of --energy are not known");
+  refuse(options.estimate_error, "--estimate-error is of runs to a tolerance");
 }
 
 /// The same, with what the options state beside it.
@@ -56,6 +75,9 @@ Scene requested_scene(const RunOptions& options) {
     if (options.energy && run.scenario.method == Method::rk4)
       throw InputError("--energy: only --method event knows the motion between its steps");
     if (options.from_s) result.window = window_from(*options.from_s, run.scenario);
+    require_digits_to_be_known(options, run);
+    if (options.estimate_error && (run.scenario.method == Method::rk4 || options.stop_on))
+      throw InputError("--estimate-error: is of whole runs by --method event");
   }
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
   if (result.columns.empty()) result.columns = every_column();
@@ -67,7 +89,8 @@ void print_summary(const nlohmann::ordered_json& summary, bool as_json, std::FIL
     fmt::print(to, "{}\n", summary.dump(2));
   } else {
     for (const auto& [key, value] : summary.items())
-      fmt::print(to, "{:<24} {}\n", key, value.is_null() ? "-" : value.dump());
+      if (key != "events")
+        fmt::print(to, "{:<24} {}\n", key, text_of(value, asked_digits(summary)));
   }
 }
 
@@ -115,7 +138,33 @@ void say_which_equations() {
 struct Printed {
   nlohmann::ordered_json summary;
   std::vector<Remark> remarks;
+  std::string short_of_digits{};  ///< why, if it is
 };
+
+/// A run whose digits are made sure of.
+Printed certain_run(const RunOptions& options, const SceneRun& run) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double usual_s = 300;
+  const double budget_s = options.budget_s.value_or(usual_s);
+  const std::chrono::duration<double> budget(budget_s);
+  const Clock::time_point start = Clock::now();
+  const auto has_time = [&] { return Clock::now() - start < budget; };
+  const auto found =
+      run_to_digits(run.scenario, *run.digits, [&] { return !is_interrupted() && has_time(); });
+  if (is_interrupted()) throw Interrupted();
+  if (!found)
+    throw std::runtime_error(
+        fmt::format("--budget {} s: is not enough for a first estimate", budget_s));
+  Printed printed{to_json(*found, run.scenario, *run.digits),
+                  remarks(account_of(*found, run.scenario))};
+  if (const std::string why = complaint(*found, *run.digits); !why.empty())
+    printed.short_of_digits =
+        fmt::format("{}: {}",
+                    has_time() ? std::string("no precision is enough")
+                               : fmt::format("--budget {} s is not enough", budget_s),
+                    why);
+  return printed;
+}
 
 /// The one run of a scene, with what it writes.
 Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) {
@@ -157,7 +206,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   }
 
   // Who writes sees the whole way.
-  const Account account =
+  Account account =
       finish(outputs.empty() ? run_ups.depart(scenario, progress) : Departure(scenario), scenario,
              options.stop_on, audience);
   if (account.early.interrupted) {
@@ -169,6 +218,9 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
         fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }
   files.commit();
+  if (options.estimate_error)
+    account.estimated_relative_error =
+        estimated_relative_error(scenario, account.summary, [] { return !is_interrupted(); });
   Printed printed{to_json(account), remarks(account)};
   if (energy) printed.summary["energy_J"] = to_json(*energy);
   return printed;
@@ -189,9 +241,7 @@ void print_table(const nlohmann::ordered_json& runs, std::FILE* to) {
     for (const char* key : keys) {
       const auto& value = run.at(key);
       fmt::print(to, "{:<20} ",
-                 value.is_null()     ? "-"
-                 : value.is_string() ? value.get<std::string>()
-                                     : value.dump());
+                 value.is_string() ? value.get<std::string>() : text_of(value, asked_digits(run)));
     }
   }
   fmt::print(to, "\n");
@@ -209,15 +259,18 @@ void run_rotor(const RunOptions& options) {
     throw InputError("--columns requires --trace, or is help");
   const Scene scene = requested_scene(options);
   auto runs = nlohmann::ordered_json::array();
-  std::vector<std::string> missed;
+  std::vector<std::string> missed, short_of_digits;
   RunUps run_ups;
   for (const SceneRun& run : scene.runs) {
     Scene alone = scene;
     alone.runs = {run};
-    const Printed printed = run_one(options, alone, run_ups);
+    const Printed printed =
+        run.digits ? certain_run(options, run) : run_one(options, alone, run_ups);
     const bool one_of_many = scene.runs.size() > 1;
     for (const Remark& remark : printed.remarks)
       if (remark.missed) missed.push_back((one_of_many ? run.name + ": " : "") + remark.sentence);
+    if (!printed.short_of_digits.empty())
+      short_of_digits.push_back((one_of_many ? run.name + ": " : "") + printed.short_of_digits);
     nlohmann::ordered_json row;
     if (one_of_many) row["run"] = run.name;
     row.update(printed.summary);
@@ -234,6 +287,8 @@ void run_rotor(const RunOptions& options) {
   for (const std::string& message : missed) fmt::print(stderr, "rotor: {}\n", message);
   if (std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
     say_which_equations();
+  if (!short_of_digits.empty())
+    throw std::runtime_error(fmt::format("{}", fmt::join(short_of_digits, "\nrotor: ")));
 }
 
 }  // namespace rotor

@@ -36,7 +36,7 @@ Account finish(Departure way, const Scenario& scenario, std::optional<StopOn> st
 }
 
 nlohmann::ordered_json to_json(const Account& account) {
-  const auto& [scenario, summary, end, early] = account;
+  const auto& [scenario, summary, end, early, estimated_error] = account;
   const Parameters& p = scenario.parameters;
   nlohmann::ordered_json json;
   const auto put = [&json](const char* key, const std::optional<double>& value) {
@@ -97,6 +97,7 @@ nlohmann::ordered_json to_json(const Account& account) {
   json["method"] = name_of(scenario.method);
   put("tolerance",
       scenario.method == Method::event ? std::optional(scenario.tolerance) : std::nullopt);
+  put("estimated_relative_error", estimated_error);
   nlohmann::ordered_json inputs;
   for (const Quantity& quantity : quantities())
     inputs[std::string(quantity.name)] = quantity.of(scenario);
@@ -131,7 +132,7 @@ nlohmann::ordered_json to_json(const EnergyObserver& energy) {
 
 std::vector<Remark> remarks(const Account& account) {
   constexpr bool missed = true;
-  const auto& [scenario, summary, end, early] = account;
+  const auto& [scenario, summary, end, early, estimated_error] = account;
   const Parameters& p = scenario.parameters;
   std::vector<Remark> all;
   if (p.separates && !end.last.separated)

@@ -26,6 +26,7 @@ struct Account {
   Summary summary;
   RunEnd end;
   EarlyEnd early;
+  std::optional<double> estimated_relative_error{};  ///< of the summary, if that was asked for
 };
 
 /// A run from where it has got to its end, or to where it is to stop. Others watch, who have seen

@@ -47,7 +47,8 @@ class SceneReader : TomlFile {
   SceneRun run(const std::string& name, const Statement& stated, const toml::node& node,
                std::string_view key) const {
     const Statement all = stated.overridden_by(overrides_.of_runs);
-    return {name, at(node, key, [&] { return scenario_of(all); }), all.states_equations()};
+    return {name, at(node, key, [&] { return scenario_of(all); }), all.states_equations(),
+            all.digits};
   }
 
   std::vector<SceneRun> runs(const toml::table& root, const Statement& base) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct SceneRun {
   std::string name;
   Scenario scenario;
   bool states_equations = false;
+  std::optional<int> digits{};  ///< that are asked for
 };
 
 struct Scene {

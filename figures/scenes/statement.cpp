@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "figures/data/text.hpp"
 #include "figures/scenes/interruptible.hpp"
+#include "model/simulation/extended/digits.hpp"
 
 namespace rotor {
 namespace {
@@ -62,6 +64,17 @@ Scenario numbers_of(const Statement& statement) {
         number(statement, s.instead_of))
       throw InputError(fmt::format("{} and {}: one determines the other; state one of them",
                                    s.quantity.name, s.instead_of));
+  if (statement.digits) {
+    if (number(statement, "tolerance"))
+      throw InputError("digits and tolerance: the first determines the second; state one of them");
+    for (const Statable& s : statables())
+      if (!s.instead_of.empty() && number(statement, s.quantity.name))
+        throw InputError(
+            fmt::format("digits and {}: a {} that follows from it is rounded, and digits are of "
+                        "what is stated; "
+                        "state {}",
+                        s.quantity.name, s.instead_of, s.instead_of));
+  }
   Scenario scenario;
   for (const Quantity& quantity : quantities())
     if (const auto value = number(statement, quantity.name)) quantity.in(scenario) = *value;
@@ -104,6 +117,8 @@ const Statable* find_statable(std::string_view name) {
 
 Statement Statement::overridden_by(const Statement& other) const {
   Statement result = *this;
+  if (other.digits) result.numbers.erase("tolerance");
+  if (number(other, "tolerance")) result.digits = std::nullopt;
   const auto determines = [](std::string_view name) {
     const Statable* const statable = find_statable(name);
     return statable->instead_of.empty() ? name : statable->instead_of;
@@ -114,6 +129,7 @@ Statement Statement::overridden_by(const Statement& other) const {
     });
   result.numbers.insert(other.numbers.begin(), other.numbers.end());
   if (other.loses_mass) result.loses_mass = other.loses_mass;
+  if (other.digits) result.digits = other.digits;
   if (other.equations) {
     result.equations = other.equations;
     result.velocity_jump = std::nullopt;
@@ -157,6 +173,13 @@ std::span<const std::string_view> named_statables() {
   static constexpr std::array<std::string_view, 4> all = {"equations", "velocity_jump",
                                                           "gravity_moment", "method"};
   return all;
+}
+
+int parse_digits(double number) {
+  if (!(number >= 1 && number <= most_digits && number == std::floor(number)))
+    throw InputError(
+        fmt::format("digits = {}: must be a whole number from 1 to {}", number, most_digits));
+  return static_cast<int>(number);
 }
 
 void state(Statement& statement, std::string_view statable, std::string_view name) {

@@ -29,6 +29,7 @@ struct Statement {
   std::optional<VelocityJump> velocity_jump;
   std::optional<GravityMoment> gravity_moment;
   std::optional<Method> method;
+  std::optional<int> digits;  ///< that a run is to make sure of
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
 
@@ -44,6 +45,9 @@ Scenario scenario_of(const Statement& statement);
 
 /// Throws InputError where no run-up could help: scenario_of will, too.
 void check_numbers(const Statement& statement);
+
+/// The number of digits that a number states. Throws InputError, saying what is allowed.
+int parse_digits(double number);
 
 /// What is stated by a name: equations, velocity_jump, gravity_moment, method.
 std::span<const std::string_view> named_statables();

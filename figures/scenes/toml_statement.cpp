@@ -9,6 +9,7 @@ Statement stated_in(const TomlFile& file, const toml::table& table, TomlFile::Ke
   for (const Statable& s : statables()) allowed.push_back(s.quantity.name);
   const auto named = named_statables();
   allowed.push_back("no_separation");
+  allowed.push_back("digits");
   allowed.insert(allowed.end(), named.begin(), named.end());
   file.expect_keys(table, allowed);
 
@@ -22,6 +23,8 @@ Statement stated_in(const TomlFile& file, const toml::table& table, TomlFile::Ke
     }
   if (const auto none = file.value<bool>(table, "no_separation", "true or false"))
     stated.loses_mass = !*none;
+  if (const auto digits = file.value<double>(table, "digits", "a number"))
+    stated.digits = file.at(*table.get("digits"), "digits", [&] { return parse_digits(*digits); });
   for (const std::string_view key : named)
     if (const auto name = file.text(table, key))
       file.at(*table.get(key), key, [&] { state(stated, key, *name); });

@@ -31,6 +31,9 @@ class SweepReader : TomlFile {
       sweep.stop_on = at(*root().get("stop_on"), "stop_on", [&] { return parse_stop(*stop); });
     if (root().contains("columns")) sweep.columns = columns();
     sweep.base = stated_in(*this, table(root(), "parameters"), {});
+    if (sweep.base.digits && sweep.stop_on)
+      fail(*table(root(), "parameters").get("digits"), "digits",
+           "needs stop_on = \"end\": where a run stops before depends on its steps");
     for (const toml::table* in : tables(root(), "axis")) sweep.axes.push_back(axis(*in));
     if (root().contains("sample")) sweep.sample = sample(table(root(), "sample"));
     require_points(sweep);

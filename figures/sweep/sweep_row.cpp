@@ -6,6 +6,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
+#include "figures/scenes/certain_account.hpp"
 #include "figures/scenes/interruptible.hpp"
 
 namespace rotor {
@@ -24,15 +25,19 @@ const std::vector<std::string>& columns_of(const Sweep& sweep) {
   return sweep.columns.empty() ? result_columns() : sweep.columns;
 }
 
-std::string field(const nlohmann::ordered_json& value) {
+std::string field(const nlohmann::ordered_json& value, int digits) {
   if (value.is_null()) return "";
+  if (value.is_object()) {
+    const std::string sure = text_of(value, digits);
+    return sure == no_sure_digit ? "" : sure;
+  }
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
-std::string cells(const Account& account, const std::vector<std::string>& columns) {
-  const nlohmann::ordered_json summary = to_json(account);
+std::string cells(const nlohmann::ordered_json& summary, const std::vector<std::string>& columns) {
+  const int digits = asked_digits(summary);
   std::string row;
-  for (const std::string& key : columns) row += field(summary.at(key)) + ',';
+  for (const std::string& key : columns) row += field(summary.at(key), digits) + ',';
   return row;
 }
 
@@ -66,10 +71,16 @@ std::string SweepRows::operator()(long n) {
   Interruptible monitor;
   try {
     const Scenario scenario = scenario_of(point.statement, run_ups_);
+    if (const auto digits = point.statement.digits) {
+      const auto found = run_to_digits(scenario, *digits, [] { return !is_interrupted(); });
+      if (!found || is_interrupted()) throw Interrupted();
+      return row + cells(to_json(*found, scenario, *digits), columns_of(sweep_)) +
+             csv_field(complaint(*found, *digits)) + '\n';
+    }
     const Account account =
         finish(run_ups_.depart(scenario, monitor), scenario, sweep_.stop_on, monitor);
     if (account.early.interrupted) throw Interrupted();
-    return row + cells(account, columns_of(sweep_)) + '\n';
+    return row + cells(to_json(account), columns_of(sweep_)) + '\n';
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "model/phases/flight.hpp"
 #include "model/simulation/event_method.hpp"
@@ -16,7 +17,12 @@ namespace rotor {
 template <class S, class Stepper>
 EventMethod<S, Stepper>::EventMethod(const Scenario& scenario, const S& tolerance,
                                      const BasicInstant<S>& from)
-    : control_(tolerance), rotor_(scenario.parameters, scenario.equations) {
+    : EventMethod(RotorSystem<S>(scenario.parameters, scenario.equations), tolerance, from) {}
+
+template <class S, class Stepper>
+EventMethod<S, Stepper>::EventMethod(const RotorSystem<S>& rotor, const S& tolerance,
+                                     const BasicInstant<S>& from)
+    : control_(tolerance), rotor_(rotor) {
   restart(from);
   flight_step_ = S(0.01) / rotor_.flight_frequency(at_.state[5]);
 }
@@ -38,6 +44,12 @@ EventMethod<S, Stepper> EventMethod<S, Stepper>::with(const Scenario& scenario) 
   EventMethod branch = *this;
   branch.rotor_.ring = Ring<S>(scenario.parameters);
   return branch;
+}
+
+template <class S, class Stepper>
+void EventMethod<S, Stepper>::shorten_first_steps(const S& share) {
+  first_steps_ = share;
+  flight_step_ *= share;
 }
 
 template <class S, class Stepper>
@@ -86,6 +98,7 @@ Chart& EventMethod<S, Stepper>::chart() {
   if (!std::holds_alternative<Chart>(chart_)) {
     chart_.template emplace<Chart>(rotor_, at_.state);
     start_.x = std::get<Chart>(chart_).unknowns(at_.state);
+    if constexpr (std::is_same_v<Chart, ContactChart<S>>) start_.x[4] *= 1 + slip_disturbance_;
   }
   return std::get<Chart>(chart_);
 }
@@ -100,7 +113,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
     return follow(phase, chart, step, until_s, observer, extent);
   };
   if (at_.contact != ContactState::free && contact_step_ == 0)
-    contact_step_ = S(0.1) / rotor_.contact_frequency(at_.state[5]);
+    contact_step_ = first_steps_ * S(0.1) / rotor_.contact_frequency(at_.state[5]);
   switch (at_.contact) {
     case ContactState::free: {
       auto& chart = this->chart<FlightChart<S>>();

@@ -53,7 +53,10 @@ void Simulation::run_up(double until_s, Observer& observer) {
 }
 
 void Simulation::pass_mass_loss(Observer& observer) {
-  state_->visit([&](auto& method) { rotor::pass_mass_loss(method, state_->scenario, observer); });
+  state_->visit([&](auto& method) {
+    rotor::pass_mass_loss(method, state_->scenario, MassLoss<double>(state_->scenario.parameters),
+                          observer);
+  });
 }
 
 void Simulation::approach(double until_s, Observer& observer) {
@@ -61,7 +64,10 @@ void Simulation::approach(double until_s, Observer& observer) {
 }
 
 void Simulation::finish(Observer& observer) {
-  state_->visit([&](auto& method) { rotor::finish(method, state_->scenario, observer); });
+  state_->visit([&](auto& method) {
+    rotor::finish(method, state_->scenario, MassLoss<double>(state_->scenario.parameters),
+                  observer);
+  });
 }
 
 Simulation Simulation::with(const Scenario& scenario) const {

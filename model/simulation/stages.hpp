@@ -10,14 +10,14 @@ namespace rotor {
 
 /// Through the mass loss that a scenario states, if it is still to come.
 template <class Method, class S>
-void pass_mass_loss(Method& method, const Scenario& scenario, BasicObserver<S>& observer) {
+void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
+                    BasicObserver<S>& observer) {
   if (method.instant().separated || !scenario.loses_mass()) return;
   const S separation_s(scenario.parameters.separation_time);
   method.run_up(separation_s, observer);
   method.advance(separation_s, observer);
   if (method.stopped()) return;
   observer.on_instant(method.instant());
-  const MassLoss<S> loss(scenario.parameters);
   BasicInstant<S> at = method.instant();
   at.state = loss.separate(at.state, scenario.equations);
   at.body = loss.after;
@@ -30,9 +30,10 @@ void pass_mass_loss(Method& method, const Scenario& scenario, BasicObserver<S>& 
 
 /// To the end of a scenario, through its mass loss and all contacts.
 template <class Method, class S>
-void finish(Method& method, const Scenario& scenario, BasicObserver<S>& observer) {
+void finish(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
+            BasicObserver<S>& observer) {
   const S end(scenario.until);
-  pass_mass_loss(method, scenario, observer);
+  pass_mass_loss(method, scenario, loss, observer);
   if (!method.stopped()) {
     if (!method.instant().separated) method.run_up(end, observer);
     method.advance(end, observer);

@@ -7,9 +7,9 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <numbers>
 
+#include "model/integration/fehlberg.hpp"
 #include "model/simulation/event_method.ipp"
 #include "model/simulation/published_method.hpp"
 #include "verification/benchmark/peers/peer.hpp"
@@ -28,8 +28,7 @@ namespace odeint = boost::numeric::odeint;
 template <class S>
 using Verner = Verner87<std::array<S, 6>, S>;
 template <class S>
-using Fehlberg78 =
-    odeint::runge_kutta_fehlberg78<std::array<S, 6>, S, std::array<S, 6>, S, odeint::array_algebra>;
+using Fehlberg = Fehlberg78<std::array<S, 6>, S>;
 template <class S>
 using CashKarp54 = odeint::runge_kutta_cash_karp54<std::array<S, 6>, S, std::array<S, 6>, S,
                                                    odeint::array_algebra>;
@@ -102,7 +101,7 @@ Outcome by_stepper(const Problem& problem, const S& tolerance) {
 }  // namespace
 
 Outcome by_reference(const Problem& problem) {
-  return by_stepper<Extended, Fehlberg78<Extended>>(problem, 1e-15L);
+  return by_stepper<Extended, Fehlberg<Extended>>(problem, 1e-15L);
 }
 Outcome by_other_reference(const Problem& problem) {
   return by_stepper<Extended, Verner<Extended>>(problem, 1e-16L);
@@ -111,7 +110,7 @@ Outcome by_events(const Problem& problem, double tolerance) {
   return by_stepper<double, Verner<double>>(problem, tolerance);
 }
 Outcome by_events_fehlberg78(const Problem& problem, double tolerance) {
-  return by_stepper<double, Fehlberg78<double>>(problem, tolerance);
+  return by_stepper<double, Fehlberg<double>>(problem, tolerance);
 }
 Outcome by_events_cash_karp54(const Problem& problem, double tolerance) {
   return by_stepper<double, CashKarp54<double>>(problem, tolerance);

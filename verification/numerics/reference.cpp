@@ -4,10 +4,9 @@
 /// few values of each figure's curves, in reference-data/figure-values.csv.
 #include <fmt/format.h>
 
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-
 #include "figures/data/files.hpp"
 #include "figures/scenes/scene.hpp"
+#include "model/integration/fehlberg.hpp"
 #include "model/simulation/event_method.ipp"
 #include "model/simulation/extended/quad.hpp"
 #include "model/simulation/stages.hpp"
@@ -19,9 +18,7 @@ namespace {
 
 using Unknowns = std::array<Quad, 6>;
 using Verner = Verner87<Unknowns, Quad>;
-using Fehlberg =
-    boost::numeric::odeint::runge_kutta_fehlberg78<Unknowns, Quad, Unknowns, Quad,
-                                                   boost::numeric::odeint::array_algebra>;
+using Fehlberg = Fehlberg78<Unknowns, Quad>;
 
 struct NamedRun {
   std::string name;
@@ -68,7 +65,7 @@ std::vector<NamedRun> landmarks(std::vector<NamedRun> runs, const Quad& toleranc
     ProbedRun own = on_the_way;
     own.look_at(run.probes);
     auto branch = trunk.with(run.scenario);
-    finish(branch, run.scenario, own);
+    finish(branch, run.scenario, MassLoss<Quad>(run.scenario.parameters), own);
     run.landmarks = own.events();
     run.landmarks.push_back(branch.instant());
     run.landmarks.back().event = Event::none;

@@ -149,6 +149,20 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
   }
 }
 
+TEST_F(Options, StateTheDigitsOfARun) {
+  const std::string start = as_options(short_run()), keys = as_keys(short_run());
+  const auto digits = [&](const std::string& arguments) {
+    return summary(arguments)["digits"]["asked"];
+  };
+  write("a.toml", "[parameters]\n" + keys + "digits = 4\n");
+  write("b.toml", "[parameters]\n" + keys + "digits = 5\n[[run]]\nname = \"b\"\ndigits = 4\n");
+  EXPECT_EQ(digits(start + " --digits 4"), 4);
+  EXPECT_EQ(digits("--scene a.toml"), 4);
+  EXPECT_EQ(digits("--scene b.toml"), 4);
+  EXPECT_EQ(digits("--scene b.toml --digits 3 --budget 100"), 3);
+  EXPECT_FALSE(summary(start).contains("digits"));
+}
+
 // They are not only shown: the run is the one that they state.
 TEST_F(Options, AreThoseOfTheRun) {
   const auto steps = [&](const std::string& arguments) {

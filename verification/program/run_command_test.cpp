@@ -86,7 +86,8 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
   std::set<std::string> seen_null, seen_value;
   for (const char* arguments :
        {"", "--until 0.5 --no-separation", "--method rk4 --until 0.01", "--stop-on rolling",
-        "--until 31 --tolerance 1e-8", "--support-stiffness 1.2e5 --separation-time 10"}) {
+        "--until 31 --tolerance 1e-8", "--estimate-error",
+        "--support-stiffness 1.2e5 --separation-time 10"}) {
     const Json printed = summary(arguments);
     std::set<std::string> keys;
     for (const auto& [key, value] : printed.items()) {
@@ -110,8 +111,9 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
     EXPECT_EQ(printed["inputs"].size(), quantities().size() + 1);
   }
   for (const auto& [key, property] : schema["properties"].items()) {
-    if (key == "cut_short_at_s" || key == "energy_J") continue;
-    const bool nullable = property["type"].is_array();
+    if (key == "cut_short_at_s" || key == "energy_J" || key == "digits" || key == "events")
+      continue;
+    const bool nullable = property["type"].dump().find("null") != std::string::npos;
     EXPECT_TRUE(seen_value.contains(key)) << key;
     EXPECT_EQ(seen_null.contains(key), nullable) << key;
   }
@@ -151,6 +153,82 @@ TEST_F(RunCommand, RunsAllRunsOfAScene) {
   EXPECT_NE(table.find("\na  "), std::string::npos);
   EXPECT_NE(table.find("\nb  "), std::string::npos);
   expect_refusal("run --scene two.toml --trace t.csv", "choose it with --run");
+}
+
+// The case whose q2 has five digits at the default tolerance, which prints sixteen.
+TEST_F(RunCommand, PrintsTheDigitsThatAreAskedForAndSure) {
+  const std::string chaotic = "--friction 0.05 --until 29.23 ";
+  const std::string text = rotor("run " + chaotic + "--digits 6").output;
+  EXPECT_NE(text.find("final_q2_m               0.00156615\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("final_time_s             29.23\n"), std::string::npos);
+  const Json json = summary(chaotic + "--digits 6");
+  EXPECT_LT(json["final_q2_m"]["error"], 0.5e-8);
+  EXPECT_TRUE(json["digits"]["course_is_sure"]);
+  EXPECT_EQ(json["events"].size(), json["located_events"].get<std::size_t>() + 2);  // loss, end
+  EXPECT_LT(json["estimated_relative_error"], 0.5e-6);
+  // Another run tells the error of the usual one.
+  const Json usual = summary(chaotic + "--estimate-error");
+  const double off = usual["final_q2_m"].get<double>() / json["final_q2_m"]["value"].get<double>();
+  EXPECT_GT(usual["estimated_relative_error"], std::abs(off - 1));
+  EXPECT_LT(usual["estimated_relative_error"], 1e-3);
+}
+
+TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {
+  // There is time for double and extended precision, but not for quadruple.
+  const Outcome hasty =
+      rotor("run --friction 0.05 --until 29.23 --digits 12 --budget 4 >summary 2>messages");
+  EXPECT_NE(hasty.status, 0);
+  const std::string messages = content("messages"), printed = content("summary");
+  EXPECT_NE(messages.find("--budget 4 s is not enough: "), std::string::npos) << messages;
+  EXPECT_NE(messages.find(" of 12 digits"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("a disturbance is multiplied by "), std::string::npos) << messages;
+  EXPECT_NE(printed.find("\ncollisions               14\n"), std::string::npos) << printed;
+  EXPECT_EQ(printed.find("final_q2_m               0.00156615194306"), std::string::npos);
+}
+
+// In JSON each number of the run has its error; everything else is as without.
+TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
+  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
+  const Json schema = Json::parse(file);
+  const Json plain = summary("--start-speed-hz 150 --until 0.02"),
+             sure = summary("--start-speed-hz 150 --until 0.02 --digits 6");
+  for (const auto& [key, value] : plain.items()) {
+    const Json& property = schema["properties"][key];
+    const bool has_error = property.contains("$ref") && !value.is_null();
+    EXPECT_EQ(sure[key].is_object() && key != "inputs", has_error) << key;
+    if (!has_error) continue;
+    EXPECT_NEAR(sure[key]["value"].get<double>(), value.get<double>(),
+                1e-6 * std::abs(value.get<double>()))
+        << key;
+    EXPECT_EQ(sure[key]["error"] == 0, key == "final_time_s" || value == 0) << key;
+  }
+  for (const auto& key : schema["properties"]["digits"]["required"])
+    EXPECT_TRUE(sure["digits"].contains(key)) << key;
+  EXPECT_EQ(sure.size(), plain.size() + 2);
+}
+
+TEST_F(RunCommand, TakesDigitsFromASceneAndRefusesWhatHasNone) {
+  write("sure.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\ndigits = 6\n");
+  EXPECT_EQ(summary("--scene sure.toml")["digits"]["asked"], 6);
+  EXPECT_EQ(summary("--scene sure.toml --digits 3")["digits"]["asked"], 3);
+  EXPECT_FALSE(summary("--scene sure.toml --tolerance 1e-8").contains("digits"));
+  write("loose.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\ntolerance = 1e-5\n");
+  EXPECT_EQ(summary("--scene loose.toml --digits 3")["digits"]["asked"], 3);
+  expect_refusal("run --digits 16", "must be a whole number from 1 to 15");
+  expect_refusal("run --digits 2.5", "must be a whole number from 1 to 15");
+  expect_refusal("run --digits 6 --tolerance 1e-9", "digits and tolerance");
+  expect_refusal("run --digits 6 --clearance 2e-3", "digits and clearance: a stator_radius that");
+  expect_refusal("run --digits 6 --lost-mass 0.02", "state unbalance_factor");
+  expect_refusal("run --digits 6 --separation-speed-hz 75", "state separation_time");
+  expect_refusal("run --digits 6 --method rk4", "only event can have any number of them");
+  expect_refusal("run --digits 6 --stop-on rolling", "ends with a step");
+  expect_refusal("run --digits 6 --trace t.csv", "those of a --trace are not known");
+  expect_refusal("run --digits 6 --events e.csv", "the events stand in --json");
+  expect_refusal("run --digits 6 --energy", "those of --energy are not known");
+  expect_refusal("run --budget 6", "--budget is how long to look for them");
+  expect_refusal("run --estimate-error --method rk4", "is of whole runs by --method event");
+  write("bad.toml", "[parameters]\ndigits = 0\n");
+  expect_refusal("run --scene bad.toml", "must be a whole number from 1 to 15");
 }
 
 TEST_F(RunCommand, NamesItsInputs) {

@@ -177,6 +177,7 @@ TEST_F(SummaryKeys, SayWhatTheRunShows) {
     expected["stop_on"] = nullptr;
     expected["stop_reached"] = false;
     expected["tolerance"] = scenario.tolerance;
+    expected["estimated_relative_error"] = nullptr;  // not asked for
     expected["version"] = ROTOR_VERSION;
     expected["schema"] = 2;
     for (const auto& [key, value] : expected.items()) expect_equal(printed, value, key);

@@ -207,6 +207,27 @@ TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
   EXPECT_NEAR(all_s / (each_ms / 1000 * 50 / 3), 1, 0.01);
 }
 
+// Each row has the digits that a run of its own prints; where a run ends must not hang on steps.
+TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
+  const std::string text =
+      "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\ndigits = 6\n"
+      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n";
+  EXPECT_NE(refusal(text).find("needs stop_on = \"end\""), std::string::npos) << refusal(text);
+  write("d.toml", "stop_on = \"end\"\n" + text);
+  ASSERT_EQ(rotor("sweep d.toml --out d.csv").status, 0);
+  const auto rows = read_csv(folder_ / "d.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  for (const CsvRow& row : rows) {
+    EXPECT_EQ(row["refusal"], "");
+    const std::string run = rotor("run --start-speed-hz 150 --until 0.01 --digits 6 --friction " +
+                                  row["friction"] + " 2>messages")
+                                .output;
+    for (const char* key : {"first_contact_s", "peak_normal_force_N", "final_q2_m"})
+      EXPECT_NE(run.find(fmt::format("{:<24} {}\n", key, row[key])), std::string::npos)
+          << key << ' ' << row[key];
+  }
+}
+
 TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
   const auto axis = [](const std::string& lines) { return "[[axis]]\n" + lines; };
   const std::string friction = "quantity = \"friction\"\n";

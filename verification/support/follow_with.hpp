@@ -25,7 +25,7 @@ template <class S>
 BasicInstant<S> after_mass_loss_with(const Scenario& scenario, const S& tolerance) {
   EventMethod<S> method(scenario, tolerance, at_rest<S>(scenario.parameters));
   BasicObserver<S> null_observer;
-  pass_mass_loss(method, scenario, null_observer);
+  pass_mass_loss(method, scenario, MassLoss<S>(scenario.parameters), null_observer);
   return method.instant();
 }
 

@@ -1,0 +1,226 @@
+/// `digits-reference FILE` writes random runs in quadruple precision: inputs, summaries and ends.
+/// `digits-reference stress COUNT SEED FOLDER` holds so many others against `rotor run --digits`,
+/// and the errors that `--estimate-error` tells against the true ones.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "figures/data/csv.hpp"
+#include "figures/data/files.hpp"
+#include "figures/scenes/certain_account.hpp"
+#include "figures/scenes/names.hpp"
+#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/journal.hpp"
+#include "model/integration/fehlberg.hpp"
+#include "model/simulation/extended/quad.hpp"
+#include "model/simulation/extended/values.hpp"
+#include "verification/support/certain_digits.hpp"
+#include "verification/support/program.hpp"
+#include "verification/support/random_runs.hpp"
+
+namespace rotor {
+namespace {
+
+using Unknowns = std::array<Quad, 6>;
+using Verner = Verner87<Unknowns, Quad>;
+using Fehlberg = Fehlberg78<Unknowns, Quad>;
+using Numbers = std::vector<std::pair<std::string, Quad>>;
+
+const GoesOn always = [] { return true; };
+const Quad best_tolerance("1e-24");
+
+/// All values, with the names of for_each_named.
+template <class Stepper>
+Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
+  const auto computed = compute<Quad, Stepper>(scenario, {tolerance}, always);
+  Numbers all = {{"outcome", static_cast<int>(computed.summary.outcome)},
+                 {"collisions", computed.summary.collisions},
+                 {"events", computed.events.size()}};
+  const auto add = [&](const std::string& where, const auto& values) {
+    for (const NamedValue<Quad>& value : values)
+      if (value.value) all.emplace_back(where + std::string(value.name), *value.value);
+  };
+  add("", values_of(computed, scenario));
+  for (std::size_t i = 0; i < computed.events.size(); ++i)
+    add(fmt::format("event{}.", i), values_of(computed.events[i], Quad(1)));
+  add("end.", values_of(computed.end, Quad(1)));
+  return all;
+}
+
+/// What stands in a table, event by event being too much.
+bool is_tabled(const std::string& name) { return !name.starts_with("event") || name == "events"; }
+
+/// The largest relative distance of what is tabled.
+double distance(const Numbers& a, const Numbers& b) {
+  if (a.size() != b.size()) return 1;
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (is_tabled(a[i].first) && a[i].second != b[i].second)
+      largest = std::max(largest, static_cast<double>(Quad(abs(b[i].second / a[i].second - 1))));
+  return largest;
+}
+
+/// Runs of a stress on which rules have failed that were tried before: steps that all computations
+/// share, a touch-down just before the end, a velocity that is what the rim's leaves of it.
+struct HardRun {
+  unsigned seed;
+  long number;
+
+  Scenario scenario() const {
+    RandomRuns runs(seed);
+    for (long n = 0; n < number; ++n) runs.scenario();
+    return runs.scenario();
+  }
+};
+constexpr std::array hard_runs = {HardRun{777001, 109}, HardRun{777001, 144}, HardRun{777001, 414},
+                                  HardRun{777001, 835}, HardRun{424201, 287}, HardRun{424201, 327}};
+
+/// Thirty runs of which the steppers agree on more than twelve digits, and the hard ones.
+void write(const std::string& file) {
+  constexpr std::size_t count = 30;
+  constexpr double enough = 1e-13;
+  std::vector<std::string> names;
+  std::vector<std::map<std::string, std::string>> rows;
+  const auto put = [&](const std::string& name, const std::string& text) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    rows.back()[name] = text;
+  };
+  const auto add = [&](const Scenario& scenario) {
+    const Numbers best = numbers<Verner>(scenario, best_tolerance);
+    if (distance(best, numbers<Fehlberg>(scenario, best_tolerance)) > enough) return;
+    rows.emplace_back();
+    fmt::print(stderr, "{}\n", rows.size());
+    for (const Quantity& quantity : quantities())
+      put(std::string(quantity.name), fmt::format("{}", quantity.of(scenario)));
+    put("equations", std::string(name_of(scenario.equations)));
+    for (const auto& [name, value] : best)
+      if (is_tabled(name)) put(name, value.str(20, std::ios_base::fmtflags{}));
+  };
+  RandomRuns runs(17);
+  while (rows.size() < count) add(runs.scenario());
+  for (const HardRun& hard : hard_runs) add(hard.scenario());
+  std::string table = fmt::format(
+      "# Random runs, a row each, from `make reference`: what is stated, and what it leads to.\n"
+      "# rotor " ROTOR_VERSION
+      ", method event in quadruple precision (113 bits), Verner 8(7) at tolerance 1e-24\n"
+      "# No value is further than {:.0e} of itself from what Fehlberg 7(8) gives.\n",
+      enough);
+  for (const std::string& name : names) table += name + (name == names.back() ? '\n' : ',');
+  for (auto& row : rows)
+    for (const std::string& name : names) table += row[name] + (name == names.back() ? '\n' : ',');
+  FileTransaction files;
+  files.write(file, table);
+  files.commit();
+}
+
+/// The largest relative error of a summary, in truth.
+double true_error(const Summary& summary, const Parameters& p, const KnownValues& known) {
+  double largest = 0;
+  for (const NamedValue<double>& value : values_of(summary, p)) {
+    const auto exact = known.find(std::string(value.name));
+    if (value.value.has_value() != (exact != known.end())) return 1;
+    if (value.value && *value.value != exact->second)
+      largest = std::max(largest, std::abs(*value.value - exact->second) /
+                                      std::max(std::abs(exact->second), value.size));
+  }
+  return std::min(1., largest);
+}
+
+/// A run to 3, 6, 9 and 12 digits against quadruple precision, as a row of a table.
+std::string row_of(long n, const Scenario& scenario) {
+  constexpr std::chrono::seconds patience(10);
+  KnownValues exact;
+  for (const auto& [name, value] : numbers<Verner>(scenario, best_tolerance))
+    exact[name] = static_cast<double>(value);
+  std::string precisions, short_of, falsehoods;
+  double worst = 0;
+  for (const int digits : {3, 6, 9, 12}) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto found =
+        run_to_digits(scenario, digits, [&] { return Clock::now() - start < patience; });
+    if (!found) {
+      short_of += fmt::format("{} digits: no time; ", digits);
+      continue;
+    }
+    precisions += name_of(found->precision).front();
+    if (!has_digits(*found, digits))
+      short_of += fmt::format("{} digits: {}; ", digits, complaint(*found, digits));
+    if (const std::string what = falsehood(*found, digits, exact, worst); !what.empty())
+      falsehoods += fmt::format("{} digits: {}", digits, what);
+  }
+  const Summary summary = summary_of(scenario);
+  const bool is_less = estimated_relative_error(scenario, summary, always) <
+                       true_error(summary, scenario.parameters, exact);
+  return fmt::format("{},{},{:.3g},{},{},{}\n", n, precisions, worst, is_less ? 1 : 0,
+                     csv_field(short_of), csv_field(falsehoods));
+}
+
+/// A stress that was stopped is taken up where it was.
+int stress(long count, unsigned seed, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "digits.csv";
+  std::filesystem::create_directories(folder);
+  RandomRuns runs(seed);
+  std::vector<Scenario> scenarios;
+  for (long n = 0; n < count; ++n) scenarios.push_back(runs.scenario());
+  Journal journal(
+      file, csv_head({fmt::format("{} random runs of seed {} to 3, 6, 9 and 12 digits, against "
+                                  "quadruple precision.",
+                                  count, seed),
+                      "rotor " ROTOR_VERSION
+                      "; precisions: double, extended, quadruple; worst: the largest error "
+                      "relative to the stated one;",
+                      "estimate_is_less: whether --estimate-error is below the largest error"},
+                     {"run", "precisions", "worst", "estimate_is_less", "short", "false"}));
+  Dealer dealer(journal.rows(), count, [&](std::string_view rows, long done) {
+    journal.write(rows);
+    fmt::print(stderr, "\r{} of {} runs", done, count);
+  });
+  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  work(
+      dealer, threads,
+      [&]() -> Work {
+        return [&](long n) { return row_of(n, scenarios[static_cast<std::size_t>(n)]); };
+      },
+      [] {});
+  journal.finish();
+  fmt::print(stderr, "\n");
+
+  long false_runs = 0, short_runs = 0, underestimated = 0;
+  std::map<char, long> precisions;
+  double worst = 0;
+  for (const CsvRow& row : read_csv(file)) {
+    for (const char precision : row["precisions"]) ++precisions[precision];
+    worst = std::max(worst, static_cast<double>(row.number("worst")));
+    underestimated += row["estimate_is_less"] == "1";
+    short_runs += !row["short"].empty();
+    if (row["false"].empty()) continue;
+    ++false_runs;
+    fmt::print("run {}: FALSE: {}\n", row["run"], row["false"]);
+  }
+  fmt::print(
+      "{} random runs of seed {} to 3, 6, 9 and 12 digits: {} false, {} short of digits; in "
+      "double, extended, quadruple precision: {}, {}, {}\n"
+      "largest error relative to the stated one: {:.2f}\n"
+      "--estimate-error was below the largest error in {} of {}; {}\n",
+      count, seed, false_runs, short_runs, precisions['d'], precisions['e'], precisions['q'], worst,
+      underestimated, count, file.string());
+  return false_runs > 0 || underestimated * 20 > count;  // which is one in twenty at most
+}
+
+int main(const Arguments& arguments) {
+  if (arguments.size() == 4 && arguments[0] == "stress")
+    return stress(std::stol(arguments[1]), static_cast<unsigned>(std::stoul(arguments[2])),
+                  arguments[3]);
+  if (arguments.size() != 1) throw std::runtime_error("needs: FILE, or: stress COUNT SEED FOLDER");
+  write(arguments[0]);
+  return 0;
+}
+
+}  // namespace
+}  // namespace rotor
+
+int main(int argc, char** argv) {
+  return rotor::run_program("digits-reference", rotor::main, argc, argv);
+}

@@ -1,0 +1,152 @@
+/// Runs to a number of significant digits: not one may be false.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "figures/scenes/certain_account.hpp"
+#include "figures/scenes/names.hpp"
+#include "verification/support/certain_digits.hpp"
+#include "verification/support/reference_tables.hpp"
+#include "verification/support/summary_of.hpp"
+
+namespace rotor {
+namespace {
+
+const GoesOn always = [] { return true; };
+
+/// For so many steps, of which quadruple precision takes some thousands a second.
+GoesOn for_steps(long most) {
+  return [most, n = 0L]() mutable { return ++n < most; };
+}
+
+struct KnownRun {
+  Scenario scenario;
+  KnownValues values;
+};
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+/// Thirty random runs for which the rule was not made, and six that earlier rules got wrong.
+std::vector<KnownRun> known_runs() {
+  std::ifstream file(ROTOR_REFERENCE_DATA "/random-runs.csv");
+  std::vector<std::string> names;
+  std::vector<KnownRun> runs;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('#')) continue;
+    const std::vector<std::string> cells = cells_of(line);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    KnownRun& run = runs.emplace_back();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto quantity = std::ranges::find(quantities(), names[i], &Quantity::name);
+      if (quantity != quantities().end())
+        quantity->in(run.scenario) = std::stod(cells[i]);
+      else if (names[i] == "equations")
+        run.scenario.equations = parse_equations(cells[i]);
+      else if (!cells[i].empty())
+        run.values[names[i]] = std::stod(cells[i]);
+    }
+  }
+  return runs;
+}
+
+class Digits : public testing::TestWithParam<int> {};
+
+TEST_P(Digits, OfRandomAndOfHardRunsAreAllTrue) {
+  const int digits = GetParam();
+  const std::vector<KnownRun> runs = known_runs();
+  ASSERT_EQ(runs.size(), 36U);
+  double worst = 0;
+  long had = 0;
+  for (std::size_t n = 0; n < runs.size(); ++n) {
+    const auto found = run_to_digits(runs[n].scenario, digits, for_steps(3'000));
+    if (!found) continue;
+    EXPECT_EQ(falsehood(*found, digits, runs[n].values, worst), "") << n;
+    had += has_digits(*found, digits);
+  }
+  // Some take more steps than a test can wait for.
+  EXPECT_GE(had, digits == 12 ? 15 : digits == 9 ? 24 : 28);
+  EXPECT_GT(worst, 1e-4) << "the errors say nothing";
+}
+
+INSTANTIATE_TEST_SUITE_P(Numbers, Digits, testing::Values(3, 6, 9, 12));
+
+// The default tolerance leaves five or six digits of q2 there: contacts multiply rounding by 1e6.
+TEST(ManyDigits, AreHadWhereContactsMultiplyRounding) {
+  const double exact = 1.5661519430597e-3;  // in quadruple precision at a tolerance of 1e-19
+  Scenario scenario{.parameters = {.friction = 0.05}};
+  scenario.until = 29.23;
+  EXPECT_LT(std::abs(summary_of(scenario).final_q2_m / exact - 1), 1e-5);
+  EXPECT_GT(std::abs(summary_of(scenario).final_q2_m / exact - 1), 1e-8);
+  const auto found = run_to_digits(scenario, 6, always);
+  ASSERT_TRUE(found && has_digits(*found, 6));
+  EXPECT_NE(found->precision, Precision::double_);
+  EXPECT_GT(found->amplification.value_or(0), 1e5);
+  for (const NamedEstimate& value : found->summary)
+    if (value.name == "final_q2_m") {
+      EXPECT_NEAR(value.estimate->value, exact, value.estimate->error + 1e-16);
+    }
+}
+
+// Every event of one of the paper's runs, against the landmarks in quadruple precision.
+TEST(ManyDigits, AreThoseOfEveryEvent) {
+  const auto exact = reference_run(ROTOR_REFERENCE_DATA "/high-precision.csv", "fig03: mu = 0.2");
+  const auto found = run_to_digits({.parameters = {.friction = 0.2}}, 6, always);
+  ASSERT_TRUE(found && has_digits(*found, 6));
+  ASSERT_EQ(found->events.size(), exact.size());
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    for (std::size_t k = 0; k < 7; ++k) {
+      const NamedEstimate& value = found->events[i].values[k];
+      const auto truth = static_cast<double>(k == 0 ? exact[i].time_s : exact[i].state[k - 1]);
+      EXPECT_NEAR(value.estimate->value, truth, value.estimate->error + 2.3e-16 * std::abs(truth))
+          << exact[i].kind << ' ' << value.name;
+      EXPECT_LE(value.estimate->error, 0.5e-6 * value.size) << exact[i].kind << ' ' << value.name;
+    }
+}
+
+// The largest displacement of a flight is the clearance, to ten digits: it touches, or it does not.
+TEST(ManyDigits, DecideWhetherAGlancingContactOccurs) {
+  Scenario wide{.start_speed_Hz = 100, .until = 0.03};
+  wide.parameters.separation_time = 0.001;
+  wide.parameters.stator_radius = 0.1;
+  const auto free = run_to_digits(wide, 14, always);
+  ASSERT_TRUE(free);
+  const auto furthest =
+      std::ranges::find(free->summary, "max_displacement_m", &NamedEstimate::name)->estimate;
+  ASSERT_LT(furthest->error, 1e-16);
+  for (const double off : {1e-10, -1e-10}) {
+    Scenario scenario = wide;
+    scenario.parameters.stator_radius =
+        scenario.parameters.rotor_radius + furthest->value * (1 + off);
+    const auto found = run_to_digits(scenario, 3, always);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->is_course_sure());
+    EXPECT_EQ(found->values.collisions > 0, off < 0);
+  }
+  // At a tolerance of 1e-6 nobody can tell, and it says so.
+  wide.parameters.stator_radius = wide.parameters.rotor_radius + furthest->value * (1 + 1e-10);
+  const auto hasty = compare<double>(wide, 1e-6, always);
+  ASSERT_TRUE(hasty);
+  EXPECT_FALSE(hasty->is_course_sure());
+}
+
+TEST(ManyDigits, ArePrintedAsFarAsTheyAreSure) {
+  EXPECT_EQ(certain_text(0.123456789, 1e-9, 6), "0.123457");
+  EXPECT_EQ(certain_text(0.123456789, 1e-6, 6), "0.12346");
+  EXPECT_EQ(certain_text(0.12345, 5e-7, 4), "0.123");  // 0.1234 or 0.1235
+  EXPECT_EQ(certain_text(-41.0000, 1e-9, 4), "-41.00");
+  EXPECT_EQ(certain_text(454828.1, 0.01, 4), "4.548e+05");
+  EXPECT_EQ(certain_text(1e-9, 2e-9, 6), "?");
+  EXPECT_EQ(certain_text(29.23, 0, 6), "29.23");  // as stated
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,48 @@
+#include "verification/support/certain_digits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "figures/scenes/certain_account.hpp"
+
+namespace rotor {
+
+std::string falsehood(const Comparison& found, int digits, const KnownValues& known,
+                      double& worst) {
+  std::string text;
+  const bool has_all = has_digits(found, digits), is_course_sure = found.is_course_sure();
+  const auto is_count = [&](const char* name, double value) {
+    if (is_course_sure && known.at(name) != value) text += fmt::format("{}; ", name);
+  };
+  is_count("collisions", static_cast<double>(found.values.collisions));
+  is_count("outcome", static_cast<double>(found.values.outcome));
+  is_count("events", static_cast<double>(found.events.size() - 1));
+  for_each_named(found, [&](const std::string& name, const NamedEstimate& value) {
+    const auto exact = known.find(name);
+    if (exact == known.end() || !value.estimate) {
+      if (name.starts_with("event")) return;  // which a table may leave out
+      if (is_course_sure && value.estimate.has_value() != (exact != known.end()))
+        text += name + " exists or not; ";
+      return;
+    }
+    const auto& [number, error] = *value.estimate;
+    if (std::isinf(error)) return;
+    const double truth = exact->second, doubt = 2.3e-16 * std::abs(truth);  // of a double
+    const double off = std::max(0., std::abs(number - truth) - doubt);
+    if (error > 0) worst = std::max(worst, off / error);
+    if (off > error) text += fmt::format("{} is {:.2e} off, not {:.2e}; ", name, off, error);
+    if (has_all && off > 0.5 * std::pow(10, -digits) * value.size)
+      text += name + " has not the digits; ";
+    const std::string printed = certain_text(number, error, digits);
+    if (error == 0 || printed == "?") return;
+    bool is_true = false;
+    for (int n = digits; n > 0; --n)
+      for (const double sign : {-1, 1})
+        is_true = is_true || rounded_to(truth + sign * doubt, n) == printed;
+    if (!is_true) text += fmt::format("{} is printed as {}; ", name, printed);
+  });
+  return text;
+}
+
+}  // namespace rotor

@@ -1,0 +1,31 @@
+/// What `rotor run --digits` says of a run, held against what is known better.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/simulation/extended/digits.hpp"
+
+namespace rotor {
+
+/// By the names of for_each_named, and the counts among them.
+using KnownValues = std::map<std::string, double>;
+
+/// What is false in a run to so many digits: an error that is too small, or a digit that is printed
+/// and wrong. Empty if nothing is. `worst` is raised to the largest true error relative to the
+/// claimed one.
+std::string falsehood(const Comparison& found, int digits, const KnownValues& known, double& worst);
+
+/// The values of a summary, of each event, and of the end, with names of their own.
+template <class Action>
+void for_each_named(const Comparison& found, const Action& action) {
+  for (const NamedEstimate& value : found.summary) action(std::string(value.name), value);
+  for (std::size_t i = 0; i < found.events.size(); ++i) {
+    const bool is_end = found.events[i].event == Event::none;
+    const std::string where = is_end ? "end." : "event" + std::to_string(i) + ".";
+    for (const NamedEstimate& value : found.events[i].values)
+      action(where + std::string(value.name), value);
+  }
+}
+
+}  // namespace rotor
