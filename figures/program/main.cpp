@@ -184,7 +184,6 @@ void add_options(CLI::App& command, RunOptions& options) {
       "--tolerance; --json adds errors and events");
   command.add_option("--budget", options.budget_s, "how long to look for the digits of a run")
       ->type_name("s")
-      ->check(CLI::PositiveNumber)
       ->default_str("300");
   command
       .add_flag("--estimate-error", options.estimate_error,

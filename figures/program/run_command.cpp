@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
@@ -146,6 +147,9 @@ Printed certain_run(const RunOptions& options, const SceneRun& run) {
   using Clock = std::chrono::steady_clock;
   constexpr double usual_s = 300;
   const double budget_s = options.budget_s.value_or(usual_s);
+  if (!(budget_s > 0 && std::isfinite(budget_s)))
+    throw InputError(
+        fmt::format("--budget {}: must be a finite number greater than 0 s", budget_s));
   const std::chrono::duration<double> budget(budget_s);
   const Clock::time_point start = Clock::now();
   const auto has_time = [&] { return Clock::now() - start < budget; };

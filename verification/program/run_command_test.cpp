@@ -225,6 +225,9 @@ TEST_F(RunCommand, TakesDigitsFromASceneAndRefusesWhatHasNone) {
   expect_refusal("run --digits 6 --trace t.csv", "those of a --trace are not known");
   expect_refusal("run --digits 6 --events e.csv", "the events stand in --json");
   expect_refusal("run --digits 6 --energy", "those of --energy are not known");
+  for (const char* budget : {"0", "-1", "nan", "inf"})
+    expect_refusal(std::string("run --digits 6 --budget ") + budget,
+                   "must be a finite number greater than 0 s");
   expect_refusal("run --budget 6", "--budget is how long to look for them");
   expect_refusal("run --estimate-error --method rk4", "is of whole runs by --method event");
   write("bad.toml", "[parameters]\ndigits = 0\n");
