@@ -49,7 +49,7 @@ std::string shown(std::string_view text) {
 std::optional<double> number_in(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
     return std::nullopt;  // which strtod may know: blanks, nan, hexadecimal
-  char* end = nullptr;  // libc++ 14 has std::from_chars for integers alone
+  char* end = nullptr;    // libc++ 14 has std::from_chars for integers alone
   errno = 0;
   const double value = std::strtod(text.c_str(), &end);
   const bool vanishes = errno == ERANGE && value == 0;
