@@ -1,10 +1,12 @@
-/// Quadruple precision: gcc's own where there is libquadmath, and Boost's elsewhere.
+/// Quadruple precision: gcc's own where there is libquadmath, the processor's long double where
+/// that has it, and Boost's elsewhere.
 #pragma once
 
 #include <boost/multiprecision/eigen.hpp>
+#include <cfloat>
 #ifdef ROTOR_QUADMATH
 #include <boost/multiprecision/float128.hpp>
-#else
+#elif LDBL_MANT_DIG < 113
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #endif
 
@@ -12,6 +14,8 @@ namespace rotor {
 
 #ifdef ROTOR_QUADMATH
 using Quad = boost::multiprecision::float128;
+#elif LDBL_MANT_DIG >= 113
+using Quad = long double;
 #else
 using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
                                            boost::multiprecision::et_off>;
