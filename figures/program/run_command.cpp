@@ -55,6 +55,9 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
   if (!run.digits)
     return refuse(options.budget_s.has_value(),
                   "--budget is how long to look for them; state how many");
+  if (options.budget_s && !(*options.budget_s > 0 && std::isfinite(*options.budget_s)))
+    throw InputError(
+        fmt::format("--budget {}: must be a finite number greater than 0 s", *options.budget_s));
   refuse(run.scenario.method == Method::rk4,
          "--method rk4 is of first order at contacts; only event can have any number of them");
   refuse(options.stop_on.has_value(), "--stop-on ends with a step, which depends on the tolerance");
@@ -147,9 +150,6 @@ Printed certain_run(const RunOptions& options, const SceneRun& run) {
   using Clock = std::chrono::steady_clock;
   constexpr double usual_s = 300;
   const double budget_s = options.budget_s.value_or(usual_s);
-  if (!(budget_s > 0 && std::isfinite(budget_s)))
-    throw InputError(
-        fmt::format("--budget {}: must be a finite number greater than 0 s", budget_s));
   const std::chrono::duration<double> budget(budget_s);
   const Clock::time_point start = Clock::now();
   const auto has_time = [&] { return Clock::now() - start < budget; };
@@ -221,10 +221,15 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     throw InputError(
         fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }
-  files.commit();
-  if (options.estimate_error)
-    account.estimated_relative_error =
+  if (options.estimate_error && !account.early.interrupted) {
+    const double error =
         estimated_relative_error(scenario, account.summary, [] { return !is_interrupted(); });
+    if (!is_interrupted())
+      account.estimated_relative_error = error;
+    else if (!options.keep_partial)
+      throw Interrupted();
+  }
+  files.commit();
   Printed printed{to_json(account), remarks(account)};
   if (energy) printed.summary["energy_J"] = to_json(*energy);
   return printed;
