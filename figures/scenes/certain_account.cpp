@@ -55,8 +55,8 @@ std::string complaint(const Comparison& comparison, int digits) {
         comparison.events.size() - 1);
   } else if (!comparison.is_course_sure()) {
     text =
-        "counts and outcome hang on digits that are not there: a glancing contact is closer "
-        "than its error";
+        "counts and outcome hang on digits that are not there: a glancing contact, or what comes "
+        "next at the mass loss or in the end, is closer than its error";
   } else if (const auto all = short_of_digits(comparison, digits); !all.empty()) {
     text = fmt::format("{} has {} of {} digits", all.front().value, all.front().digits, digits);
     if (all.size() > 1) text += fmt::format(", and {} more have too few", all.size() - 1);

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "figures/data/csv.hpp"
 #include "model/simulation/simulation.hpp"
@@ -117,6 +118,16 @@ TEST_F(Readme, ShowsBothSetsOfEquationsBesideThePaper) {
     EXPECT_FALSE(touches(lowest_Hz - digit_Hz)) << equations;
     EXPECT_TRUE(touches(lowest_Hz + digit_Hz)) << equations;
   }
+}
+
+TEST_F(Readme, ShowsTheDigitsThatItsExampleGives) {
+  const std::string example = "--friction 0.05 --until 29.23 --digits 6";
+  const std::string printed = rotor("run " + example + " 2>messages").output;
+  const std::string key = "final_q2_m";
+  std::istringstream line(printed.substr(printed.find(key) + key.size()));
+  std::string digits;
+  line >> digits;
+  expect_said("build/rotor run " + example + " # " + key + ' ' + digits + ' ');
 }
 
 TEST_F(Readme, ShowsWhatItsThreeCasesGive) {
