@@ -51,6 +51,16 @@ bool RunProgress::goes_on(const Progress& now) {
   return Interruptible::goes_on(now);
 }
 
+DigitsProgress::~DigitsProgress() { times_.end_line(); }
+
+void DigitsProgress::report(double time_s) {
+  if (time_s < last_s_) ++computation_;
+  last_s_ = time_s;
+  if (const auto elapsed_s = times_.due())
+    times_.print(fmt::format("computation {} for {} digits is at {:.6g} s of {:.6g} s after {}",
+                             computation_, digits_, time_s, until_s_, duration(*elapsed_s)));
+}
+
 SweepProgress::~SweepProgress() { times_.end_line(); }
 
 void SweepProgress::report(long done) {

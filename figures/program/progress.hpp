@@ -42,6 +42,24 @@ class RunProgress : public Interruptible {
   long steps_ = 0;
 };
 
+/// The same for the computations of a run to a number of digits, one after the other.
+class DigitsProgress {
+ public:
+  DigitsProgress(int digits, double until_s) : digits_(digits), until_s_(until_s) {}
+  ~DigitsProgress();
+  DigitsProgress(const DigitsProgress&) = delete;
+  DigitsProgress& operator=(const DigitsProgress&) = delete;
+
+  /// To be called after each step.
+  void report(double time_s);
+
+ private:
+  ReportTimes times_;
+  int digits_;
+  double until_s_, last_s_ = 0;
+  int computation_ = 1;
+};
+
 /// The same for a sweep.
 class SweepProgress {
  public:

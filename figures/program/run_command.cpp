@@ -88,13 +88,25 @@ Scene requested_scene(const RunOptions& options) {
   return result;
 }
 
+/// Names and values, those of a part under its name.
+void print_values(const nlohmann::ordered_json& object, int digits, const std::string& indent,
+                  std::FILE* to) {
+  for (const auto& [key, value] : object.items()) {
+    const std::string name = indent + key;
+    if (value.is_object() && !value.contains("error")) {
+      fmt::print(to, "{}\n", name);
+      print_values(value, digits, indent + "  ", to);
+    } else if (key != "events") {
+      fmt::print(to, "{:<24} {}\n", name, text_of(value, digits));
+    }
+  }
+}
+
 void print_summary(const nlohmann::ordered_json& summary, bool as_json, std::FILE* to) {
   if (as_json) {
     fmt::print(to, "{}\n", summary.dump(2));
   } else {
-    for (const auto& [key, value] : summary.items())
-      if (key != "events")
-        fmt::print(to, "{:<24} {}\n", key, text_of(value, asked_digits(summary)));
+    print_values(summary, asked_digits(summary), "", to);
   }
 }
 
@@ -153,8 +165,13 @@ Printed certain_run(const RunOptions& options, const SceneRun& run) {
   const std::chrono::duration<double> budget(budget_s);
   const Clock::time_point start = Clock::now();
   const auto has_time = [&] { return Clock::now() - start < budget; };
-  const auto found =
-      run_to_digits(run.scenario, *run.digits, [&] { return !is_interrupted() && has_time(); });
+  const auto found = [&] {
+    DigitsProgress progress(*run.digits, run.scenario.until);
+    return run_to_digits(run.scenario, *run.digits, [&](double time_s) {
+      progress.report(time_s);
+      return !is_interrupted() && has_time();
+    });
+  }();
   if (is_interrupted()) throw Interrupted();
   if (!found)
     throw std::runtime_error(
@@ -222,8 +239,10 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
         fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
   }
   if (options.estimate_error && !account.early.interrupted) {
-    const double error =
-        estimated_relative_error(scenario, account.summary, [] { return !is_interrupted(); });
+    RunProgress other_progress(scenario.until);
+    const double error = estimated_relative_error(scenario, account.summary, [&](double time_s) {
+      return other_progress.goes_on({time_s, 0, 0});
+    });
     if (!is_interrupted())
       account.estimated_relative_error = error;
     else if (!options.keep_partial)

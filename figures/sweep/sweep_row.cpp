@@ -72,7 +72,8 @@ std::string SweepRows::operator()(long n) {
   try {
     const Scenario scenario = scenario_of(point.statement, run_ups_);
     if (const auto digits = point.statement.digits) {
-      const auto found = run_to_digits(scenario, *digits, [] { return !is_interrupted(); });
+      const auto found =
+          run_to_digits(scenario, *digits, [](double /*time_s*/) { return !is_interrupted(); });
       if (!found || is_interrupted()) throw Interrupted();
       return row + cells(to_json(*found, scenario, *digits), columns_of(sweep_)) +
              csv_field(complaint(*found, *digits)) + '\n';

@@ -27,7 +27,7 @@ using Verner = Verner87<Unknowns, Quad>;
 using Fehlberg = Fehlberg78<Unknowns, Quad>;
 using Numbers = std::vector<std::pair<std::string, Quad>>;
 
-const GoesOn always = [] { return true; };
+const GoesOn always = [](double /*time_s*/) { return true; };
 const Quad best_tolerance("1e-24");
 
 /// All values, with the names of for_each_named.
@@ -138,8 +138,8 @@ std::string row_of(long n, const Scenario& scenario) {
   for (const int digits : {3, 6, 9, 12}) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const auto found =
-        run_to_digits(scenario, digits, [&] { return Clock::now() - start < patience; });
+    const auto found = run_to_digits(
+        scenario, digits, [&](double /*time_s*/) { return Clock::now() - start < patience; });
     if (!found) {
       short_of += fmt::format("{} digits: no time; ", digits);
       continue;

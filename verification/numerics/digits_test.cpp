@@ -17,11 +17,11 @@
 namespace rotor {
 namespace {
 
-const GoesOn always = [] { return true; };
+const GoesOn always = [](double /*time_s*/) { return true; };
 
 /// For so many steps, of which quadruple precision takes some thousands a second.
 GoesOn for_steps(long most) {
-  return [most, n = 0L]() mutable { return ++n < most; };
+  return [most, n = 0L](double /*time_s*/) mutable { return ++n < most; };
 }
 
 struct KnownRun {

@@ -161,6 +161,7 @@ TEST_F(RunCommand, PrintsTheDigitsThatAreAskedForAndSure) {
   const std::string text = rotor("run " + chaotic + "--digits 6").output;
   EXPECT_NE(text.find("final_q2_m               0.00156615\n"), std::string::npos) << text;
   EXPECT_NE(text.find("final_time_s             29.23\n"), std::string::npos);
+  EXPECT_NE(text.find("\ndigits\n  asked                  6\n"), std::string::npos) << text;
   const Json json = summary(chaotic + "--digits 6");
   EXPECT_LT(json["final_q2_m"]["error"], 0.5e-8);
   EXPECT_TRUE(json["digits"]["course_is_sure"]);
@@ -181,6 +182,8 @@ TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {
   const std::string messages = content("messages"), printed = content("summary");
   EXPECT_NE(messages.find("--budget 4 s is not enough: "), std::string::npos) << messages;
   EXPECT_NE(messages.find(" of 12 digits"), std::string::npos) << messages;
+  EXPECT_NE(messages.find("rotor: computation "), std::string::npos) << messages;
+  EXPECT_NE(messages.find(" for 12 digits is at "), std::string::npos) << messages;
   EXPECT_NE(messages.find("a disturbance is multiplied by "), std::string::npos) << messages;
   EXPECT_NE(printed.find("\ncollisions               14\n"), std::string::npos) << printed;
   EXPECT_EQ(printed.find("final_q2_m               0.00156615194306"), std::string::npos);

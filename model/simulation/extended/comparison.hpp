@@ -59,8 +59,8 @@ struct Comparison {
   void forget_what_hangs_on_the_course();
 };
 
-/// Asked after every step whether to go on.
-using GoesOn = std::function<bool()>;
+/// Asked after every step whether to go on, at that time of the run.
+using GoesOn = std::function<bool(double time_s)>;
 
 /// The finest computation, with a hundredth of the tolerance, and those that tell its errors: one
 /// with the tolerance; the same one disturbed, every number being changed by more than rounding (in

@@ -70,7 +70,7 @@ class CourseObserver : public BasicSummaryObserver<S> {
     if (at.event != Event::none) course.events.push_back(at);
   }
   bool goes_on(const BasicProgress<S>& now) override {
-    return BasicSummaryObserver<S>::goes_on(now) && goes_on_();
+    return BasicSummaryObserver<S>::goes_on(now) && goes_on_(static_cast<double>(now.time_s));
   }
   S threshold(Extreme of, const S& from_s, const S& until_s) const override {
     const S usual = BasicSummaryObserver<S>::threshold(of, from_s, until_s);
