@@ -93,6 +93,45 @@ TEST(RollingBounds, TakeTheRotorsTurnIntoWhatCurvesSwingByInAStep) {
   EXPECT_NEAR(rolling.phase.swing(rolling.unknowns(), h), h * (ring + 300), 1e-12);
 }
 
+// A rotor that turns faster than it vibrates on the ring: what is seen from the stator swings so,
+// too.
+TEST(RollingScale, IsThatOfTheFasterOfVibrationAndRotation) {
+  const RollingRotor rolling(0);
+  Unknowns x = rolling.unknowns();
+  const double ring = std::sqrt(8e8 / 5);
+  for (const double speed : {300.0, -300.0, 5 * ring, -5 * ring}) {
+    x[5] = speed;
+    const Unknowns scale = rolling.phase.scale(x);
+    EXPECT_NEAR(scale[3] / scale[0], std::max(ring, std::abs(speed)), 1e-9 * ring) << speed;
+  }
+}
+
+// In free flight without damping, eccentricity or load, O moves to and fro on a line. Over a step
+// from one side of its greatest displacement to the other, the bound is that, or little more.
+TEST(FlightBounds, AreSharpAboutTheTurningPointOfAnUndampedOscillation) {
+  const double frequency = 2000, amplitude = 2.5e-3;  // so that it moves at metres per second
+  Parameters p;
+  p.eccentricity = p.support_damping = p.torque = p.gravity = 0;
+  p.support_stiffness = p.mass * frequency * frequency;
+  const RotorSystem<double> rotor(p, Equations::consistent);
+  for (const double phase_angle : {0.1, 0.3, 0.5}) {
+    const auto end = [&](double angle) {
+      const State<double> q = {
+          amplitude * std::cos(angle), 0, 0, -amplitude * frequency * std::sin(angle), 0, 0};
+      const FlightChart<double> chart(rotor, q);
+      Point<double, FlightChart<double>::Unknowns> at{angle / frequency, chart.unknowns(q), {}};
+      FreeFlight<double>(rotor, chart)(at.x, at.rates, 0);
+      return at;
+    };
+    const FlightChart<double> chart(rotor, State<double>{});
+    const auto reach = FreeFlight<double>(rotor, chart).reach(end(-phase_angle), end(phase_angle));
+    ASSERT_TRUE(reach);
+    EXPECT_GE((*reach)[0], amplitude) << phase_angle;
+    EXPECT_LE((*reach)[0], amplitude * 1.01) << phase_angle;
+    EXPECT_GE((*reach)[1], amplitude * p.support_stiffness) << phase_angle;
+  }
+}
+
 // Over steps in which a strong motor drives a rotor that mostly turns slowly at first, and damping
 // takes up to half of its speed, no bound is less than what is reached in between.
 TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
