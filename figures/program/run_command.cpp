@@ -12,6 +12,7 @@
 #include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
+#include "figures/program/summaries.hpp"
 #include "figures/scenes/account.hpp"
 #include "figures/scenes/audience.hpp"
 #include "figures/scenes/certain_account.hpp"
@@ -86,28 +87,6 @@ Scene requested_scene(const RunOptions& options) {
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
   if (result.columns.empty()) result.columns = every_column();
   return result;
-}
-
-/// Names and values, those of a part under its name.
-void print_values(const nlohmann::ordered_json& object, int digits, const std::string& indent,
-                  std::FILE* to) {
-  for (const auto& [key, value] : object.items()) {
-    const std::string name = indent + key;
-    if (value.is_object() && !value.contains("error")) {
-      fmt::print(to, "{}\n", name);
-      print_values(value, digits, indent + "  ", to);
-    } else if (key != "events") {
-      fmt::print(to, "{:<24} {}\n", name, text_of(value, digits));
-    }
-  }
-}
-
-void print_summary(const nlohmann::ordered_json& summary, bool as_json, std::FILE* to) {
-  if (as_json) {
-    fmt::print(to, "{}\n", summary.dump(2));
-  } else {
-    print_values(summary, asked_digits(summary), "", to);
-  }
 }
 
 double end_of(const Scene& scene) {
@@ -254,27 +233,6 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   return printed;
 }
 
-/// Several runs, a row each.
-void print_table(const nlohmann::ordered_json& runs, std::FILE* to) {
-  const std::array keys = {"run",
-                           "outcome",
-                           "collisions",
-                           "first_contact_s",
-                           "rolling_onset_s",
-                           "peak_normal_force_N",
-                           "final_speed_Hz"};
-  for (const char* key : keys) fmt::print(to, "{:<20} ", key);
-  for (const auto& run : runs) {
-    fmt::print(to, "\n");
-    for (const char* key : keys) {
-      const auto& value = run.at(key);
-      fmt::print(to, "{:<20} ",
-                 value.is_string() ? value.get<std::string>() : text_of(value, asked_digits(run)));
-    }
-  }
-  fmt::print(to, "\n");
-}
-
 }  // namespace
 
 void run_rotor(const RunOptions& options) {
@@ -306,12 +264,7 @@ void run_rotor(const RunOptions& options) {
   }
   const bool standard_output_is_taken = options.trace == "-" || options.events == "-";
   std::FILE* const to = standard_output_is_taken ? stderr : stdout;
-  if (runs.size() == 1)
-    print_summary(runs.front(), options.json, to);
-  else if (options.json)
-    fmt::print(to, "{}\n", nlohmann::ordered_json{{"runs", runs}}.dump(2));
-  else
-    print_table(runs, to);
+  print_summaries(runs, options.json, to);
   for (const std::string& message : missed) fmt::print(stderr, "rotor: {}\n", message);
   if (std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
     say_which_equations();

@@ -153,6 +153,11 @@ TEST(ManyDigits, DecideWhetherAGlancingContactOccurs) {
   const auto hasty = compare<double>(wide, 1e-6, always);
   ASSERT_TRUE(hasty);
   EXPECT_FALSE(hasty->is_course_sure());
+  for (const NamedEstimate& value : hasty->summary) {
+    if (value.estimate && value.name != "final_time_s") {
+      EXPECT_EQ(sure_digits(value), 0) << value.name;
+    }
+  }
 }
 
 TEST(ManyDigits, ArePrintedAsFarAsTheyAreSure) {

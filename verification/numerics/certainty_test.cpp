@@ -1,0 +1,216 @@
+/// What the digits of a run are told by: that nothing is the same in all computations, of what the
+/// digits of a value are counted, and what would change the course if it were a little different.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "model/simulation/extended/computation.hpp"
+#include "model/simulation/extended/digits.hpp"
+#include "model/simulation/extended/values.hpp"
+#include "verification/support/observers.hpp"
+
+namespace rotor {
+namespace {
+
+const GoesOn always = [](double /*time_s*/) { return true; };
+
+/// From steady motion through the mass loss into contact, and out of it.
+Scenario short_run(double until_s) {
+  Scenario scenario{.equations = Equations::published, .start_speed_Hz = 150.5, .until = until_s};
+  scenario.parameters.separation_time = 1e-3;
+  scenario.parameters.motor_off_Hz = 151;
+  return scenario;
+}
+
+// A number that is not disturbed is rounded alike in all computations.
+TEST(DisturbedComputation, HasEachNumberOffByTheShareAndNotAllInOneDirection) {
+  const Scenario scenario = short_run(0.01);
+  const double share = 1e-3;
+  const RotorSystem<double> rotor(scenario.parameters, scenario.equations);
+  const Instant start = start_of<double>(scenario);
+  const MassLoss<double> loss(scenario.parameters);
+  RotorSystem<double> off_rotor = rotor;
+  Instant off_start = start;
+  MassLoss<double> off_loss = loss;
+  Disturbance<double>{share, 0x135a8f}.disturb(off_rotor, off_start, off_loss);
+  const std::pair<double, double> numbers[] = {
+      {rotor.supports.stiffness, off_rotor.supports.stiffness},
+      {rotor.supports.damping, off_rotor.supports.damping},
+      {rotor.supports.gravity, off_rotor.supports.gravity},
+      {rotor.supports.torque, off_rotor.supports.torque},
+      {rotor.ring.clearance, off_rotor.ring.clearance},
+      {rotor.ring.rotor_radius, off_rotor.ring.rotor_radius},
+      {rotor.ring.stiffness, off_rotor.ring.stiffness},
+      {rotor.ring.damping, off_rotor.ring.damping},
+      {rotor.ring.friction, off_rotor.ring.friction},
+      {rotor.motor_off, off_rotor.motor_off},
+      {start.state[0], off_start.state[0]},
+      {start.state[1], off_start.state[1]},
+      {start.state[5], off_start.state[5]},
+      {start.body.mass, off_start.body.mass},
+      {start.body.inertia, off_start.body.inertia},
+      {start.body.eccentricity, off_start.body.eccentricity},
+      {loss.lost_mass, off_loss.lost_mass},
+      {loss.piece_distance, off_loss.piece_distance},
+      {loss.after.mass, off_loss.after.mass},
+      {loss.after.inertia, off_loss.after.inertia},
+      {loss.after.eccentricity, off_loss.after.eccentricity}};
+  int raised = 0;
+  for (const auto& [number, off] : numbers) {
+    EXPECT_NEAR(std::abs(off / number - 1), share, 1e-12) << &number - &numbers[0].first;
+    raised += std::abs(off) > std::abs(number);
+  }
+  EXPECT_GT(raised, 5);
+  EXPECT_LT(raised, 16);
+}
+
+TEST(DisturbedComputation, BeginsWithTheShareOfAStepThatItIsTold) {
+  // So short a run is one step, unless that begins with less.
+  const Scenario scenario = short_run(1e-3);
+  const auto usual = compute<double>(scenario, {.tolerance = 1e-6}, always);
+  const auto shorter = compute<double>(scenario, {.tolerance = 1e-6, .first_steps = 1e-2}, always);
+  EXPECT_GT(shorter.counters.steps, usual.counters.steps);
+}
+
+// Small differences and components are as uncertain as what they are made of.
+TEST(SizesOfValues, AreThoseOfWhatTheyAreMadeOf) {
+  const Scenario scenario = short_run(0.02);
+  auto run = compute<double>(scenario, {.tolerance = 1e-9}, always);
+  run.summary.contact_time_s = 1e-3;
+  run.summary.whirl_frequency_Hz = -700;
+  run.summary.whirl_from_s = 0.01;
+  run.summary.whirl_until_s = 0.0101;
+  const auto all = values_of(run, scenario);
+  const auto named = [&](std::string_view name) {
+    return *std::ranges::find(all, name, &NamedValue<double>::name);
+  };
+  EXPECT_DOUBLE_EQ(named("contact_time_s").made_of, 0.02);
+  EXPECT_NEAR(named("whirl_frequency_Hz").made_of, 700 * 0.0101 / 1e-4, 1e-6);
+  const double rho = std::hypot(run.end.state[0], run.end.state[1]);
+  const double negligible = 1e-6 * 3e-3;  // a millionth of the clearance
+  for (const char* component : {"final_q1_m", "final_q2_m"}) {
+    EXPECT_DOUBLE_EQ(named(component).made_of, rho) << component;
+    EXPECT_NEAR(named(component).size, negligible, 1e-15) << component;
+  }
+  EXPECT_NEAR(named("peak_bearing_force_N").size, 2e4 * negligible, 1e-9);
+  EXPECT_EQ(named("final_speed_Hz").size, 0);
+  EXPECT_TRUE(named("final_time_s").is_exact);
+  EXPECT_FALSE(named("critical_speed_Hz").is_exact);
+}
+
+TEST(SizesOfValues, OfAVelocityAreThoseInTheStator) {
+  const auto run = compute<double>(short_run(0.02), {.tolerance = 1e-9}, always);
+  const auto all = values_of(run.end, 3e-3);
+  ASSERT_EQ(all[4].name, "q1_rate_m_per_s");
+  EXPECT_DOUBLE_EQ(all[4].size, run.end.motion().velocity.norm());
+  EXPECT_DOUBLE_EQ(all[1].size, run.end.motion().displacement.norm());
+  EXPECT_TRUE(all[0].is_exact);  // the end is stated
+  for (const Instant& event : run.events)
+    EXPECT_EQ(values_of(event, 3e-3)[0].is_exact, event.event == Event::mass_loss);
+}
+
+/// The margins of a name, which come in the order of the run.
+std::vector<double> margins_of(const Comparison& found, std::string_view name) {
+  std::vector<double> all;
+  for (const NamedEstimate& margin : found.margins)
+    if (margin.name == name && margin.estimate) all.push_back(margin.estimate->value);
+  return all;
+}
+
+TEST(Margins, AreTakenWhereTheCourseCouldHaveBeenAnother) {
+  const Scenario scenario = short_run(0.02);
+  const auto found = compare<double>(scenario, 1e-10, always);
+  ASSERT_TRUE(found && found->same_course);
+  EventRecorder recorder;
+  const RunEnd end = run(scenario, recorder);
+  const Ring<double> ring(scenario.parameters);
+  const double clearance = 3e-3;
+  const Instant loss = recorder.first(Event::mass_loss);
+  const auto touches = recorder.events(Event::touch_down);
+  ASSERT_GE(touches.size(), 1U);
+  // How hard it touches down,
+  const auto hits = margins_of(*found, "touch");
+  ASSERT_EQ(hits.size(), touches.size());
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    EXPECT_NEAR(hits[i], ring.rim_point(touches[i].motion()).normal_velocity, 1e-6 * hits[i]);
+  // and at the mass loss and in the end, how far it is from the ring, and from the motor's limit.
+  const auto gap = [&](const Instant& at) {
+    return std::abs(clearance - at.motion().displacement.norm());
+  };
+  const auto gaps = margins_of(*found, "gap");
+  ASSERT_EQ(gaps.size(), 2U);
+  EXPECT_NEAR(gaps[0], gap(loss), 1e-9 * clearance);
+  EXPECT_NEAR(gaps[1], gap(end.last), 1e-6 * clearance);
+  const auto speeds = margins_of(*found, "speed");
+  ASSERT_EQ(speeds.size(), end.last.motor_on ? 2U : 1U);
+  EXPECT_NEAR(speeds[0], 2 * std::numbers::pi * 151 - loss.motion().speed, 1e-6);
+}
+
+TEST(Margins, AreThoseOfFlightsThatNearlyTouch) {
+  // As wide as what it reaches, and a little more.
+  Scenario scenario = short_run(0.03);
+  scenario.parameters.stator_radius = 0.1;
+  const auto wide = compare<double>(scenario, 1e-10, always);
+  const double reached = wide->values.max_displacement_m.value();
+  scenario.parameters.stator_radius = scenario.parameters.rotor_radius + 1.01 * reached;
+  const auto found = compare<double>(scenario, 1e-10, always);
+  ASSERT_TRUE(found && found->same_course);
+  ASSERT_EQ(found->values.collisions, 0);
+  const auto misses = margins_of(*found, "miss");
+  ASSERT_EQ(misses.size(), 1U);
+  EXPECT_NEAR(misses[0], 0.01 * reached, 1e-6 * reached);
+  EXPECT_EQ(margins_of(*found, "reach").size(), 1U);
+}
+
+// In sliding, at the end: how fast the rim slips.
+TEST(Margins, AreThoseOfSlipInTheEnd) {
+  Scenario scenario = short_run(0.02);
+  EventRecorder recorder;
+  run(scenario, recorder);
+  scenario.until = recorder.first(Event::touch_down).time_s + 1e-5;
+  const auto found = compare<double>(scenario, 1e-10, always);
+  ASSERT_TRUE(found && found->end.last.contact == ContactState::sliding);
+  const auto slips = margins_of(*found, "slip");
+  ASSERT_EQ(slips.size(), 1U);
+  const Ring<double> ring(scenario.parameters);
+  const double slip = ring.rim_point(found->end.last.motion()).slip_velocity;
+  EXPECT_NEAR(slips[0], std::abs(slip), 1e-6 * std::abs(slip));
+}
+
+// A course hangs on a margin that may be none; one that only some computations take for near is
+// none.
+TEST(Margins, MakeACourseUnsureOnceTheirErrorReachesThem) {
+  Comparison comparison;
+  comparison.same_course = true;
+  EXPECT_TRUE(comparison.is_course_sure());
+  const auto is_sure = [&](double value, double error) {
+    comparison.margins = {{.name = "miss", .estimate = Estimate{value, error}}, {.name = "gap"}};
+    return comparison.is_course_sure();
+  };
+  EXPECT_TRUE(is_sure(1e-6, 0.9e-6));
+  EXPECT_FALSE(is_sure(1e-6, 1e-6));
+  EXPECT_FALSE(is_sure(-1e-6, 1e-9));
+  EXPECT_TRUE(is_sure(1e-6, std::numeric_limits<double>::infinity()));
+  comparison.margins.clear();
+  comparison.same_course = false;
+  EXPECT_FALSE(comparison.is_course_sure());
+}
+
+TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
+  const Scenario scenario = short_run(0.02);
+  auto found = compare<double>(scenario, 1e-10, always);
+  ASSERT_TRUE(found && has_digits(*found, 3));
+  found->margins.front() = {.name = "miss", .estimate = Estimate{1, 2}};
+  EXPECT_FALSE(has_digits(*found, 3));
+  found->forget_what_hangs_on_the_course();
+  for (const NamedEstimate& value : found->summary) {
+    if (!value.estimate) continue;
+    EXPECT_EQ(sure_digits(value) == 0, value.name != "final_time_s") << value.name;
+  }
+}
+
+}  // namespace
+}  // namespace rotor
