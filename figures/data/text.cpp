@@ -71,4 +71,11 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
   return is_near ? fmt::format("; did you mean {}?", *nearest) : "";
 }
 
+std::string duration(double seconds) {
+  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 172'800) return fmt::format("{:.0f} h", seconds / 3600);
+  return fmt::format("{:.3g} days", seconds / 86'400);
+}
+
 }  // namespace rotor

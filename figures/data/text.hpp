@@ -1,4 +1,4 @@
-/// What messages do with texts that users give.
+/// What messages make of texts that users give, and of times.
 #pragma once
 
 #include <optional>
@@ -20,5 +20,8 @@ std::optional<double> number_in(const std::string& text);
 
 /// "; did you mean NAME?" if one of the names is what was probably meant, or nothing.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
+
+/// A time, in the unit in which one would say it.
+std::string duration(double seconds);
 
 }  // namespace rotor

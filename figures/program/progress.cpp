@@ -3,18 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "figures/data/text.hpp"
+
 namespace rotor {
 namespace {
 
 constexpr double first_report_s = 3, patience_elsewhere = 4;
-
-/// As one would say it.
-std::string duration(double seconds) {
-  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
-  if (seconds < 172'800) return fmt::format("{:.0f} h", seconds / 3600);
-  return fmt::format("{:.3g} days", seconds / 86'400);
-}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "model/simulation/extended/comparison.ipp"
 #include "model/simulation/extended/computation.hpp"
 #include "model/simulation/extended/digits.hpp"
 #include "model/simulation/extended/values.hpp"
@@ -110,6 +111,28 @@ TEST(SizesOfValues, OfAVelocityAreThoseInTheStator) {
   EXPECT_TRUE(all[0].is_exact);  // the end is stated
   for (const Instant& event : run.events)
     EXPECT_EQ(values_of(event, 3e-3)[0].is_exact, event.event == Event::mass_loss);
+}
+
+TEST(SureDigits, AreThoseThatTheErrorIsLessThanHalfOf) {
+  const auto of = [](double value, double error) {
+    return sure_digits({.name = "", .estimate = Estimate{value, error}, .size = std::abs(value)});
+  };
+  EXPECT_EQ(of(2, 0.9e-3), 3);
+  EXPECT_EQ(of(2, 1.1e-3), 2);
+  EXPECT_EQ(of(2, 1.2), 0);
+  EXPECT_EQ(of(-5, 0), most_digits);
+}
+
+// Relative to the clearance, and to the velocity that the rotation makes of it.
+TEST(Distance, OfTwoInstantsIsThatOfPlacesAndOfVelocities) {
+  const double clearance = 3e-3, speed = 99;
+  Instant here, apart, faster;
+  here.state = apart.state = faster.state = {0, 0, 0, 0, 0, speed};
+  apart.state[0] = clearance;
+  apart.state[4] = -speed * clearance;  // it stands still, too
+  faster.state[3] = 100 * clearance;
+  EXPECT_NEAR(distance(here, apart, clearance), 1, 1e-12);
+  EXPECT_NEAR(distance(here, faster, clearance), 1, 1e-12);
 }
 
 /// The margins of a name, which come in the order of the run.

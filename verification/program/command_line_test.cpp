@@ -1,6 +1,8 @@
 /// The program, and bad input to it.
 #include "verification/support/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "figures/data/text.hpp"
@@ -69,6 +71,11 @@ TEST_F(CommandLine, RefusesScenesThatNoParserStands) {
   expect_refusal("run --scene deep.toml", "deep.toml:2: is nested deeper than any scene needs");
   write("arrays.toml", "columns = " + std::string(50'000, '[') + "\n");
   expect_refusal("run --scene arrays.toml", "arrays.toml:1: is nested deeper");
+  // Brackets that are closed again are not nested.
+  std::string runs;
+  for (int i = 0; i < 150; ++i) runs += fmt::format("[[run]]\nname = \"{}\"\n", i);
+  write("wide.toml", "[parameters]\nuntil = 1e-3\n" + runs);
+  EXPECT_EQ(rotor("run --scene wide.toml").status, 0);
   write("large.toml", "title = \"" + std::string(2'000'000, 'a') + "\"\n");
   expect_refusal("run --scene large.toml", "large.toml: cannot be read: it is larger than");
 }
@@ -86,6 +93,23 @@ TEST_F(CommandLine, ListsTheEventsOfARun) {
   std::string kinds;
   for (const std::string& row : rows_of("e.csv")) kinds += row.substr(0, row.find(',')) + ' ';
   EXPECT_EQ(kinds, "event motor_off mass_loss touch_down release ring_clear ");
+}
+
+TEST_F(CommandLine, TellsTheDefaultsOfItsOptions) {
+  const std::string help = rotor("run --help").output;
+  for (const char* option : {"--mass kg=5 ", "--until s=0.25 s after the mass loss"}) {
+    const auto at = help.find(option);
+    EXPECT_NE(at, std::string::npos) << option << help;
+    EXPECT_EQ(help.find(option, at + 1), std::string::npos) << option;
+  }
+  EXPECT_EQ(help.find("--clearance m="), std::string::npos) << help;
+}
+
+TEST(Duration, IsSaidInAUnitThatSuitsIt) {
+  EXPECT_EQ(duration(99), "99 s");
+  EXPECT_EQ(duration(120), "2 min");
+  EXPECT_EQ(duration(7200), "2 h");
+  EXPECT_EQ(duration(259'200), "3 days");
 }
 
 // Progress is for those who wait: on a terminal, a run that is over at once leaves no line.

@@ -45,7 +45,14 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
       {"normal_force_N", 1e-3, 0}, {"speed_Hz", 1, 0}, {"rho_m", 1e3, 1}, {"x_a_m", 1e3, 1}};
   std::size_t curve = 0;
   for (const Panel& panel : panels) {
-    curve += panel.before;
+    for (std::size_t n = 0; n < panel.before; ++n) {  // the clearance of 3 mm, downwards
+      const DrawnCurve& drawn = picture.curves[curve++];
+      const auto furthest = std::ranges::max_element(drawn.points, {}, [&](const auto& point) {
+        return std::abs(point.second - pixel(drawn.y, 0));
+      });
+      EXPECT_NEAR(std::abs(furthest->second - pixel(drawn.y, 0)),
+                  std::abs(pixel(drawn.y, 3) - pixel(drawn.y, 0)), 0.5);
+    }
     for (const std::string run : {"high_mu", "mu's 0.1"}) {
       ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,
                 0);

@@ -70,6 +70,11 @@ TEST_F(RunCommand, RemarksOnContactBeforeTheLossAndOnDeepIndentation) {
   };
   EXPECT_NE(remarks("").find("indented by 0.19 of the clearance"), std::string::npos);
   EXPECT_EQ(remarks("--separation-time 9.4"), "[]");
+  // A tenth is the limit: 0.103 and 0.089.
+  const std::string stiff = "--start-speed-hz 150 --separation-time 1e-3 --until 0.05 ";
+  EXPECT_NE(remarks(stiff + "--contact-stiffness 1.7e9").find("indented by 0.1 of the clearance"),
+            std::string::npos);
+  EXPECT_EQ(remarks(stiff + "--contact-stiffness 2e9"), "[]");
   EXPECT_NE(remarks("--support-stiffness 1.2e5 --separation-time 10").find("before the mass loss"),
             std::string::npos);
 }
@@ -165,6 +170,7 @@ TEST_F(RunCommand, PrintsTheDigitsThatAreAskedForAndSure) {
   const Json json = summary(chaotic + "--digits 6");
   EXPECT_LT(json["final_q2_m"]["error"], 0.5e-8);
   EXPECT_TRUE(json["digits"]["course_is_sure"]);
+  EXPECT_GT(json["digits"]["amplification_from_first_contact"], 1e5);
   EXPECT_EQ(json["events"].size(), json["located_events"].get<std::size_t>() + 2);  // loss, end
   EXPECT_LT(json["estimated_relative_error"], 0.5e-6);
   // Another run tells the error of the usual one.
@@ -193,8 +199,9 @@ TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {
 TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
   std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
   const Json schema = Json::parse(file);
-  const Json plain = summary("--start-speed-hz 150 --until 0.02"),
-             sure = summary("--start-speed-hz 150 --until 0.02 --digits 6");
+  const std::string rolls = "--start-speed-hz 150 --separation-time 1e-3 --until 0.03 ";
+  const Json plain = summary(rolls), sure = summary(rolls + "--digits 6");
+  EXPECT_TRUE(plain["whirl_frequency_Hz"].is_number());
   for (const auto& [key, value] : plain.items()) {
     const Json& property = schema["properties"][key];
     const bool has_error = property.contains("$ref") && !value.is_null();

@@ -57,6 +57,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"columns = [\"time_s\", \"rho\"]",
                  ":1: columns: there is no column \"rho\"; did you mean rho_m?"},
         BadScene{"columns = []", ":1: columns: must be a list"},
+        BadScene{"columns = [\"time_s\"]",
+                 ":1: columns: must begin with \"time_s\" and have another"},
         BadScene{"columns = [\"rho_m\"]", ":1: columns: must begin with \"time_s\""},
         BadScene{"window = { from_s = 3, until_s = 30 }", ":1: window: must lie inside the run"},
         BadScene{"window = { from_s = 3, until_s = 2 }", ":1: window: must lie inside the run"},

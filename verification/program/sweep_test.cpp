@@ -191,6 +191,29 @@ TEST_F(SweepCommand, LeavesAJournalWhenItIsInterrupted) {
   EXPECT_TRUE(fs::exists(folder_ / "r.csv.journal"));
 }
 
+TEST_F(SweepCommand, SaysInItsHeadWhatItIs) {
+  const std::string axis = "[[axis]]\nquantity = \"until\"\nvalues = [1e-3]\n";
+  write("s.toml", axis);
+  ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
+  EXPECT_TRUE(content("r.csv").starts_with("# Sweep\n# rotor ")) << content("r.csv");
+  write("s.toml", "title = \"How short\"\n" + axis);
+  ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
+  EXPECT_TRUE(content("r.csv").starts_with("# Sweep: How short\n# rotor ")) << content("r.csv");
+}
+
+// On a terminal, what comes next stands in a line of its own.
+TEST_F(SweepCommand, EndsTheLineOfItsProgress) {
+  write("s.toml",
+        "[parameters]\ntolerance = 1e-13\n[[axis]]\nquantity = \"friction\"\n"
+        "from = 0.1\nto = 0.3\npoints = 100000\n");
+  const auto [status, output] = shell(
+      "script -qec \"timeout --signal=INT 5 $rotor sweep s.toml --out r.csv 2>&1\" /dev/null");
+  EXPECT_NE(status, 0);
+  const auto report = output.rfind(" to go (Ctrl-C stops)");
+  ASSERT_NE(report, std::string::npos) << output;
+  EXPECT_EQ(output.compare(output.find_first_not_of(' ', report + 21), 2, "\r\n"), 0) << output;
+}
+
 TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
   write("s.toml", "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 50\n");
   const auto [status, output] = rotor("sweep s.toml --dry-run");
@@ -260,6 +283,9 @@ TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
            std::pair(axis("quantity = \"rotor_radius\"\nvalues = [0.07, 0.05]\n"),
                      "corner: rotor_radius = 0.07: stator_radius"),
            std::pair(axis("quantity = \"stator_radius\"\nfrom = 0.05\nto = 0.07\npoints = 2\n"),
+                     "corner: stator_radius = 0.05: stator_radius"),
+           std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = "
+                                 "\"stator_radius\"\nuniform = [0.05, 0.07]\n"),
                      "corner: stator_radius = 0.05: stator_radius"),
            std::pair(std::string("[sample]\ncount = 3\nsed = 1\n[[sample.over]]\n"
                                  "quantity = \"friction\"\nuniform = [0.1, 0.2]\n"),

@@ -113,6 +113,11 @@ TEST_F(Writing, TouchesNobodysOwnDrafts) {
   EXPECT_EQ(rotor(short_run + " --trace t.csv").status, 0);
   EXPECT_EQ(content("t.csv.part"), "precious");
   EXPECT_EQ(content(".t.csv.part"), "precious");
+  // No process has this number; but drafts are named otherwise.
+  write(".t.csv.4194305.part", "precious");
+  rotor("run --until 0.01 --trace t.csv");
+  EXPECT_EQ(content(".t.csv.4194305.part"), "precious");
+  remove(".t.csv.4194305.part");
   remove("t.csv.part");
   remove(".t.csv.part");
   remove("t.csv");

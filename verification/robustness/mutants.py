@@ -37,7 +37,7 @@ WORK = ROOT / 'build' / 'mutants'
 TREE, BUILD = WORK / 'tree', WORK / 'build'
 WORKERS = os.cpu_count() or 1
 SOURCES = {'.hpp', '.ipp', '.cpp'}
-ONLY_IN_BROWSERS = 'figures/explore/main.cpp'  # where the tests do not meet it
+NOT_MET = {'figures/explore/main.cpp', 'figures/sweep/ranks.cpp'}  # only in a browser, or under mpirun
 RANDOM_ROTORS = 'RandomRotors.KeepTheirBalances'  # what make verify runs beside the tests
 MORE = 1.5  # times as many mechanical changes are tried as are asked for: some do not compile
 
@@ -121,7 +121,7 @@ def sample(seed, count):
     for folder in ('model', 'figures'):
         for path in sorted((ROOT / folder).rglob('*')):
             file = str(path.relative_to(ROOT))
-            if path.suffix in SOURCES and file != ONLY_IN_BROWSERS:
+            if path.suffix in SOURCES and file not in NOT_MET:
                 is_outer = file.startswith(('figures/', 'model/simulation/'))
                 (outer if is_outer else inner).extend(Source(file, path.read_text()).mechanical())
     chance = random.Random(seed)

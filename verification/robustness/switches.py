@@ -305,7 +305,10 @@ class Source:
         if re.fullmatch(r'\d+', token.text):  # an index stays one
             value = int(token.text)
             return self._replaced(i, str(1 if value == 0 else value - 1 if value < 10 else value // 2), 'constant')
-        return self._replaced(i, f'(1.5 * {token.text})', 'constant') if '.' in token.text or 'e' in token.text else None
+        if '.' not in token.text and 'e' not in token.text:
+            return None
+        is_zero = not re.search('[1-9]', token.text.split('e')[0])
+        return self._replaced(i, '1.' if is_zero else f'(1.5 * {token.text})', 'constant')
 
     def _deleted_statement(self, i, token):
         starts = i > 0 and self._in_block(i) and (self._text(i - 1) == ';' or self.tokens[i - 1].is_block)
