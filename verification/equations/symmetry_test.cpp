@@ -110,18 +110,26 @@ TEST_F(Symmetry, AChangeOfUnitsChangesNothing) {
   EXPECT_EQ(after(rub_s * second, other).state, in_other_units(last.state));
 }
 
-// Nor where a slip that friction cannot hold leaves zero, from rolling or through it.
+// Nor where a slip that friction cannot hold leaves zero, from rolling or through it, in the sense
+// of the motor's torque or in that of the springs' moment about C, on either side.
 TEST_F(Symmetry, AChangeOfUnitsChangesNoSlip) {
-  Parameters& p = scenario_.parameters;
-  p.torque = 3000;
-  p.friction = 0.001;
-  for (const double slip : {0., -0.01}) {
+  struct Start {
+    double torque, friction, slip;
+    int side;  ///< of the rim's point that touches, from the eccentricity
+  };
+  for (const auto& [torque, friction, slip, side] :
+       {Start{3000, 1e-3, 0, 0}, {3000, 1e-3, -0.01, 0}, {0, 1e-6, 0, 1}, {0, 1e-6, 0, -1}}) {
+    Parameters& p = scenario_.parameters;
+    p.torque = torque;
+    p.friction = friction;
     Instant from = at_rest(p);
     from.contact = slip == 0 ? ContactState::rolling : ContactState::sliding;
-    from.state = {3.05e-3, 0, 0, 0, slip - (p.rotor_radius + 3.05e-3) * 100, 100};
+    const double rho = 3.05e-3, rate = slip - (p.rotor_radius + rho) * 100;  // along the rim
+    from.state = side == 0 ? State<double>{rho, 0, 0, 0, rate, 100}
+                           : State<double>{0, side * rho, 0, -side * rate, 0, 100};
     EventRecorder events;
     follow(scenario_, from, 1e-4, events);
-    EXPECT_EQ(events.count(slip == 0 ? Event::break_away : Event::slip_reversal), 1);
+    EXPECT_EQ(events.count(slip == 0 ? Event::break_away : Event::slip_reversal), 1) << side;
     Scenario scaled = scenario_;
     scaled.parameters = in_other_units(p);
     Instant other = at_rest(scaled.parameters);
@@ -129,7 +137,7 @@ TEST_F(Symmetry, AChangeOfUnitsChangesNoSlip) {
     other.state = in_other_units(from.state);
     EventRecorder same;
     follow(scaled, other, 1e-4 * second, same);
-    EXPECT_EQ(same.last().state, in_other_units(events.last().state)) << slip;
+    EXPECT_EQ(same.last().state, in_other_units(events.last().state)) << slip << ' ' << side;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
@@ -221,13 +222,16 @@ TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
   EXPECT_TRUE(output.starts_with("50 points; 50 of them took ")) << output;
   EXPECT_EQ(files(), 1);
   // Said with three digits: what each takes, times the points, over the jobs.
+  const auto start = std::chrono::steady_clock::now();
   const auto [status_of_3, said] = rotor("sweep s.toml --dry-run --jobs 3");
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   double each_ms = 0, all_s = 0;
   ASSERT_EQ(std::sscanf(said.c_str(), "50 points; 50 of them took %lf ms each: about %lf s with 3",
                         &each_ms, &all_s),
             2)
       << said;
   EXPECT_NEAR(all_s / (each_ms / 1000 * 50 / 3), 1, 0.01);
+  EXPECT_LT(each_ms / 1000 * 50, took.count() * 1.01);  // which is what they took, one by one
 }
 
 // Each row has the digits that a run of its own prints; where a run ends must not hang on steps.
@@ -293,6 +297,9 @@ TEST_F(SweepCommand, RefusesFilesThatMeanNothing) {
            std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"
                                  "normal = [0.2, 0]\n"),
                      "the deviation must be greater than 0"),
+           std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"
+                                 "uniform = [0.1, 0.2]\nnormal_ = [0.2, 1]\n"),
+                     "normal_: unknown key; did you mean normal?"),
            std::pair(std::string("[sample]\ncount = 3\n"), "needs a [[sample.over]]"),
            std::pair(std::string("[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\n"),
                      "needs one of"),
