@@ -185,7 +185,10 @@ TEST(Margins, AreThoseOfFlightsThatNearlyTouch) {
   const auto misses = margins_of(*found, "miss");
   ASSERT_EQ(misses.size(), 1U);
   EXPECT_NEAR(misses[0], 0.01 * reached, 1e-6 * reached);
-  EXPECT_EQ(margins_of(*found, "reach").size(), 1U);
+  // In the end it is still free, and reaches less than the clearance.
+  const auto reaches = margins_of(*found, "reach");
+  ASSERT_EQ(reaches.size(), 1U);
+  EXPECT_LT(reaches[0], 1.01 * reached);
 }
 
 // In sliding, at the end: how fast the rim slips.

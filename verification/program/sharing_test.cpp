@@ -166,5 +166,32 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
   }
 }
 
+// What matters after the mass loss alone, its time and the end, parts no run-ups.
+TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
+  class Steps : public Observer {
+   public:
+    bool goes_on(const Progress& /*now*/) override { return ++count, true; }
+    long count = 0;
+  };
+  RunUps run_ups;
+  const auto steps = [&](const Scenario& scenario) {
+    Steps monitor;
+    run_ups.depart(scenario, monitor);
+    return monitor.count;
+  };
+  Scenario scenario{.tolerance = 1e-8};
+  const long all = steps(scenario);
+  EXPECT_GT(all, 200);
+  scenario.until += 0.1;
+  EXPECT_LT(steps(scenario), all / 20);
+  scenario.parameters.friction = 0.1;
+  scenario.parameters.unbalance_factor = 2;
+  EXPECT_LT(steps(scenario), all / 20);
+  scenario.parameters.separation_time = 28.4;
+  EXPECT_LT(steps(scenario), all / 20);
+  scenario.parameters.torque = 0.29;
+  EXPECT_GT(steps(scenario), all / 3);
+}
+
 }  // namespace
 }  // namespace rotor
