@@ -9,6 +9,7 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { outcomes } from "../../figures/explore/page/outcome.js";
+import { checkDrawing, noteDrawing } from "./drawn.mjs";
 
 const [page_file, rotor, npm, executablePath] = process.argv.slice(2).map((name) => path.resolve(name));
 const require = createRequire(path.join(npm, "package.json"));
@@ -339,9 +340,11 @@ async function checkAccess() {
 }
 
 try {
+  await noteDrawing(page);
   await page.goto(address);
   await shown();
   await checkNumbers();
+  await checkDrawing({ page, rotor, set, summary, expect });
   await checkKnobs();
   await checkRefusals();
   await checkLongRuns();
