@@ -5,10 +5,12 @@
 
 #include <cmath>
 
+#include "figures/scenes/audience.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/start.hpp"
 #include "verification/support/law.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -37,6 +39,22 @@ TEST(EnergyByCause, AddsUpInEveryRub) {
       EXPECT_EQ(energy.balance().motor, 0);  // off by then
       EXPECT_EQ(energy.balance().friction == 0, friction == 0);
     }
+}
+
+// That until rolling stops where it sets in, whatever comes later.
+TEST(EnergyByCause, UntilRollingIsThatAtItsOnset) {
+  const Scenario scenario;
+  EnergyObserver energy(scenario);
+  EventRecorder events;
+  Audience both;
+  both.add(energy);
+  both.add(events);
+  run(scenario, both);
+  const Instant onset = events.first(Event::rolling_onset);
+  ASSERT_EQ(events.last().contact, ContactState::rolling);
+  ASSERT_TRUE(energy.until_rolling());
+  EXPECT_DOUBLE_EQ(energy.until_rolling()->kinetic, kinetic_energy(onset.body, onset.motion()));
+  EXPECT_LT(energy.balance().kinetic, 0.5 * energy.until_rolling()->kinetic);
 }
 
 // At a loose tolerance steps are of many radians: the quadrature takes parts of them.

@@ -67,6 +67,22 @@ TEST_F(BackwardRolling, NeedsTheFrictionOfTheClosedForm) {
   EXPECT_GT(rolled(1e-3).count(Event::break_away), 0);
 }
 
+// So slow that the springs pull the rim off the ring, or nearly.
+TEST_F(BackwardRolling, IsHeldAgainstTheSpringsByTheCentrifugalForceAlone) {
+  const Parameters& p = scenario.parameters;
+  const Body<double> body = MassLoss<double>(p).after;
+  const Whirl whirl(p);
+  const double clearance = p.stator_radius - p.rotor_radius;
+  const double natural = std::sqrt(p.support_stiffness / body.mass);
+  EXPECT_TRUE(std::isinf(whirl.rolling_friction(0.99 * natural * clearance / p.rotor_radius)));
+  const double slow = 1.02 * natural * clearance / p.rotor_radius, rate = whirl.rolling_rate(slow);
+  const double pressure = body.mass * rate * rate - p.support_stiffness;
+  const double rim = body.mass * p.rotor_radius * p.rotor_radius;
+  EXPECT_NEAR(whirl.rolling_friction(slow) /
+                  (body.inertia / (body.inertia + rim) * p.support_damping * rate / pressure),
+              1, 1e-12);
+}
+
 /// Forward rub, with C where friction can be greatest.
 struct SynchronousRub : testing::Test {
   static constexpr double speed = 900, duration_s = 0.1;  // beyond the limit O falls behind in less

@@ -252,6 +252,24 @@ TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
   EXPECT_EQ(later.outcome, Outcome::rolling);
 }
 
+// If it comes to roll again, it is the end of that rolling, and none yet.
+TEST(Summary, HasTheEndOfTheLastRollingAlone) {
+  const Scenario scenario;
+  SummaryObserver observer(scenario);
+  const auto show = [&](double time_s, ContactState contact) {
+    observer.on_instant({.time_s = time_s,
+                         .state = {3.01e-3, 0, 0, 0, 0, 300},
+                         .body = Body<double>::of(scenario.parameters),
+                         .contact = contact});
+    return observer.summary().rolling_until_s;
+  };
+  EXPECT_EQ(show(0.1, ContactState::rolling), std::nullopt);
+  EXPECT_EQ(show(0.2, ContactState::sliding), 0.2);
+  EXPECT_EQ(show(0.3, ContactState::sliding), 0.2);
+  EXPECT_EQ(show(0.4, ContactState::rolling), std::nullopt);
+  EXPECT_EQ(show(0.5, ContactState::free), 0.5);
+}
+
 // Rolling may begin with a step that ends where it has begun.
 TEST(Summary, HasNoFrequencyOfAWhirlOverNoTime) {
   const Scenario scenario;

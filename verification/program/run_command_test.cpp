@@ -33,6 +33,11 @@ TEST_F(RunCommand, StopsAsSoonAsItIsClearThatThereIsNoContact) {
 }
 
 TEST_F(RunCommand, StopsAtRest) {
+  // So weak a motor that the speed stays below 0.1 Hz: a rotor at its start has not come to rest.
+  const Json slow =
+      summary("--stop-on rest --torque 8e-4 --gravity 0 --separation-time 5 --until 60");
+  EXPECT_TRUE(slow["mass_loss_reached"]);
+  EXPECT_NEAR(slow["final_time_s"], 6, 0.5);  // a second later, and the rest of a step
   const std::string still = "--stop-on rest --until 60 --torque 0 --gravity 0 --no-separation ";
   const Json stopped = summary(still);
   EXPECT_EQ(stopped["stop_reached"], true);
@@ -212,6 +217,9 @@ TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
         << key;
     EXPECT_EQ(sure[key]["error"] == 0, key == "final_time_s" || value == 0) << key;
   }
+  for (const char* key : {"outcome", "collisions", "collisions_before_loss", "mass_loss_reached",
+                          "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
+    EXPECT_EQ(sure[key], plain[key]) << key;
   for (const auto& key : schema["properties"]["digits"]["required"])
     EXPECT_TRUE(sure["digits"].contains(key)) << key;
   EXPECT_EQ(sure.size(), plain.size() + 2);

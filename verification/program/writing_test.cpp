@@ -97,6 +97,10 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
 
 TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
   expect_refusal(short_run + " --trace /dev/full", "/dev/full: cannot be written: No space left");
+  write("t.csv", "old");
+  expect_refusal(short_run + " --trace t.csv --events /dev/full", "/dev/full: cannot be written");
+  EXPECT_EQ(content("t.csv"), "old");
+  remove("t.csv");
   expect_refusal(short_run + " --trace - > /dev/full", "standard output: cannot be written: No");
   expect_refusal("run --no-separation --until 0.1 --json > /dev/full",
                  "standard output cannot be written: No space");
@@ -200,6 +204,10 @@ TEST_F(Writing, QuotesNamesAsRfc4180HasIt) {
   EXPECT_EQ(static_cast<double>(rows.back().number("time_s")), 0.1);
   remove("s.toml");
   remove("t.csv");
+}
+
+TEST(Csv, LeavesACellEmptyWhereThereIsNoNumber) {
+  EXPECT_EQ(csv_row("a,b", std::vector{1.5, std::nan(""), -2e-9}), "\"a,b\",1.5,,-2e-09\n");
 }
 
 TEST(Csv, NamesTheLineOfARowBelowOthersThatTakeSeveral) {
