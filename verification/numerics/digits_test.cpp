@@ -94,6 +94,8 @@ TEST(ManyDigits, AreHadWhereContactsMultiplyRounding) {
   ASSERT_TRUE(found && has_digits(*found, 6));
   EXPECT_NE(found->precision, Precision::double_);
   EXPECT_GT(found->amplification.value_or(0), 1e5);
+  // Said is the tolerance of the computation whose values are.
+  EXPECT_EQ(to_json(*found, scenario, 6)["tolerance"], found->tolerance / Comparison::finest);
   for (const NamedEstimate& value : found->summary)
     if (value.name == "final_q2_m") {
       EXPECT_NEAR(value.estimate->value, exact, value.estimate->error + 1e-16);

@@ -193,5 +193,20 @@ TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   EXPECT_GT(steps(scenario), all / 3);
 }
 
+// Where one has seen enough, the others are told of that step nevertheless.
+TEST(Audience, IsToldOfEachStepAltogether) {
+  struct Listener : Observer {
+    explicit Listener(bool goes) : goes_on_with_it(goes) {}
+    bool goes_on(const Progress& /*now*/) override { return ++steps, goes_on_with_it; }
+    bool goes_on_with_it;
+    int steps = 0;
+  } first(true), bored(false), last(true);
+  Audience audience;
+  for (Listener* listener : {&first, &bored, &last}) audience.add(*listener);
+  EXPECT_FALSE(audience.goes_on({}));
+  EXPECT_FALSE(audience.goes_on({}));
+  for (const Listener* listener : {&first, &bored, &last}) EXPECT_EQ(listener->steps, 2);
+}
+
 }  // namespace
 }  // namespace rotor

@@ -189,24 +189,42 @@ TEST_F(SweepCommand, SaysInItsHeadWhatItIs) {
   write("s.toml", axis);
   ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
   EXPECT_TRUE(content("r.csv").starts_with("# Sweep\n# rotor ")) << content("r.csv");
+  for (const char* line :
+       {"\n# 1 points,", "\n#   [[axis]]\n#   quantity = \"until\"\n#   values = [1e-3]\n"})
+    EXPECT_NE(content("r.csv").find(line), std::string::npos) << content("r.csv");
   write("s.toml", "title = \"How short\"\n" + axis);
   ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
   EXPECT_TRUE(content("r.csv").starts_with("# Sweep: How short\n# rotor ")) << content("r.csv");
 }
 
-// On a terminal, what comes next stands in a line of its own.
-TEST_F(SweepCommand, EndsTheLineOfItsProgress) {
+// On a terminal, what comes next stands in a line of its own; how many a second there are is told
+// of those that were done since the start.
+TEST_F(SweepCommand, SaysHowItGoesOnATerminal) {
   write("s.toml",
         "[parameters]\ntolerance = 1e-13\n[[axis]]\nquantity = \"friction\"\n"
         "from = 0.1\nto = 0.3\npoints = 100000\n");
-  const std::string output = shell(
-                                 "script -qec \"timeout --foreground --signal=INT 5 $rotor sweep "
-                                 "s.toml --out r.csv 2>&1; sleep 0.5\" "
-                                 "/dev/null")
-                                 .output;
-  const auto report = output.rfind(" to go (Ctrl-C stops)");
-  ASSERT_NE(report, std::string::npos) << output;
-  EXPECT_NE(output.find("stops)  \r\n", report), std::string::npos) << output;
+  for (const bool is_resumed : {false, true}) {
+    const std::string journal = is_resumed ? content("r.csv.journal") : "";
+    double begun = 0;
+    std::istringstream lines(journal);
+    for (std::string line; std::getline(lines, line);) begun += std::isdigit(line[0]) != 0;
+    const std::string output =
+        shell(
+            "script -qec \"timeout --foreground --signal=INT 5 $rotor sweep s.toml --out r.csv "
+            "2>&1; sleep 0.5\" /dev/null")
+            .output;
+    const auto report = output.rfind(" to go (Ctrl-C stops)");
+    ASSERT_NE(report, std::string::npos) << output;
+    EXPECT_NE(output.find("stops)  \r\n", report), std::string::npos) << output;
+    double done = 0, elapsed_s = 0, rate = 0;
+    const auto said = output.rfind('\r', output.find(" of 100000 points in "));
+    ASSERT_EQ(std::sscanf(output.c_str() + said, "\r%lf of 100000 points in %lf s, %lf a second",
+                          &done, &elapsed_s, &rate),
+              3)
+        << output;
+    EXPECT_EQ(begun > 0, is_resumed);
+    EXPECT_NEAR(rate * elapsed_s / (done - begun), 1, 0.17) << output;  // of whole seconds
+  }
 }
 
 TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {

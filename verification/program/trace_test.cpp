@@ -96,7 +96,8 @@ TEST_F(Trace, RefusesDistancesThatMeanNothing) {
   expect_refusal(trace + "--every 0", "--every 0: must be above 0 s");
   expect_refusal(trace + "--every 1e-12", "must be above 0 s, and leave less than");
   expect_refusal(trace + "--rows 1", "--rows 1: must be from 2 to");
-  expect_refusal(trace + "--rows 9 --method rk4", "only --method event knows");
+  expect_refusal(trace + "--rows 9 --method rk4", "--rows: only --method event knows");
+  expect_refusal(trace + "--every 1e-3 --method rk4", "--every: only --method event knows");
   expect_refusal(trace + "--rows 9 --every 0.1", "--every");
   expect_refusal("run --columns time_s", "--columns requires --trace, or is help");
 }
