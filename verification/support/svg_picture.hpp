@@ -62,6 +62,7 @@ struct DrawnPicture {
     Axis y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
     bool in_curve = false, y_is_old = false;
+    std::pair<double, double> place;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
       at = svg.find(end, from);
@@ -69,7 +70,11 @@ struct DrawnPicture {
     };
     for (std::size_t at = 0; (at = svg.find('<', at)) != std::string::npos; ++at) {
       const std::string_view tag(&svg[at], std::min<std::size_t>(30, svg.size() - at));
-      if (tag.starts_with("<g id=\"gnuplot_plot_")) {
+      if (tag.starts_with("<g transform=\"translate(")) {
+        place = corners(between(at, "translate(", ")")).front();
+      } else if (tag.starts_with("<g id=\"gnuplot_plot_")) {
+        std::string title = without_tags(between(at, "<title>", "</title>"));
+        if (!title.starts_with("gnuplot_plot_")) keys.push_back(std::move(title));
         in_curve = y_is_old = true;
         curves.push_back({{}, y_axis});
       } else if (tag.starts_with("<path")) {
@@ -78,6 +83,9 @@ struct DrawnPicture {
         if (head.find("gridline") != std::string::npos) {
           line = points;
           in_curve = false;
+        } else if (points.size() == 2 && head.find("stroke-dasharray") != std::string::npos &&
+                   points[0].second == points[1].second) {
+          levels.push_back(points[0].second);
         } else if (in_curve && points.size() > curves.back().points.size()) {
           curves.back().points = points;  // the shorter one is the key's sample
         }
@@ -85,6 +93,7 @@ struct DrawnPicture {
         squares.push_back(corners(between(at, "translate(", ")")).front());
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
+        places.push_back(place);
         if (line.size() >= 2 && !texts.back().empty()) {
           const double value = number_of(texts.back());
           const bool upright = line.front().first == line.back().first;
@@ -101,6 +110,9 @@ struct DrawnPicture {
   std::vector<DrawnCurve> curves;
   Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
+  Points places;                  ///< of the texts
+  std::vector<std::string> keys;  ///< titles of curves, in their order; each key is drawn twice
+  std::vector<double> levels;     ///< of dashed horizontal lines
 };
 
 }  // namespace rotor

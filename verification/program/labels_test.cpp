@@ -1,0 +1,212 @@
+/// What the drawn figures say beside their curves: axes with their units, keys, what the paper
+/// states and at which level that is drawn, and numbers that are read off the curves.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures/data/csv.hpp"
+#include "model/simulation/simulation.hpp"
+#include "verification/support/command_line.hpp"
+#include "verification/support/figure_list.hpp"
+#include "verification/support/observers.hpp"
+#include "verification/support/svg_picture.hpp"
+
+namespace rotor {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// Written out anew from the paper's text: what a figure shows, and what is stated of it.
+struct Labels {
+  Texts axes;                    ///< in the order of the panels
+  Texts keys;                    ///< of the curves that have one, in their order
+  Texts paper;                   ///< what the paper states
+  std::vector<double> levels{};  ///< where on the y axis that is
+};
+
+const std::map<int, Labels>& labels() {
+  const std::string time = "t, s", force = "Fn, kN", rho = "ρ, mm";
+  const Texts orbit = {"xa (down), mm", "ya, mm"}, minor = {"paper: minor effect"};
+  static const std::map<int, Labels> all = {
+      {2, {{"q1, mm", "q2, mm", rho, time}, {}, {}}},
+      {3,
+       {{force, force, force, time}, {}, {"paper: 400–450 kN in rolling, 455 kN at most"}, {-455}}},
+      {4,
+       {{"f, Hz", time},
+        {"μ = 0.3", "μ = 0.2", "μ = 0.08"},
+        {"paper: 45 Hz as rolling sets in, μ = 0.3"},
+        {45}}},
+      {5, {{force, time}, {}, {"paper: 455 kN", "paper: 0.023 s after the first collision"}}},
+      {6,
+       {{"T, J", time},
+        {},
+        {"paper: 4000 J", "paper: −1000 J by collisions", "paper: −1950 J by sliding, 1050 J left"},
+        {4000, 3000, 1050}}},
+      {7, {{"mm", time}, {"q1", "ρ"}, {"paper: about 770 Hz", "paper: ρ ≈ 3.5 mm"}, {3.5}}},
+      {8, {orbit, {"29 s", "mass loss", "sense of motion"}, {}}},
+      {9,
+       {orbit, {"published method", "event method", "29 s", "mass loss", "sense of motion"}, {}}},
+      {10, {{}, {}, {"paper 16.9 m/s"}}},
+      {11, {{force, force, force, time}, {}, {"paper: 455 kN", "paper: minor effect"}, {-455}}},
+      {12, {{force, time}, {}, {"paper: 100 Hz", "paper: 237 kN"}, {-237}}},
+      {13, {{force, time}, {}, {"paper: 75 Hz", "paper: 136 kN"}, {-136}}},
+      {14, {{rho, time}, {}, {"paper: no contact"}}},
+      {15, {{rho, time}, {}, {"paper: no contact"}}},
+      {16, {orbit, {"9.3 s", "mass loss", "sense of motion"}, {}}},
+      {17,
+       {{rho, time},
+        {"a", "b"},
+        {"paper: 11.8 Hz, which is passed at 2.23 s", "paper: no contact"}}},
+  };
+  return all;
+}
+
+/// Without those that follow their likes.
+Texts once(const Texts& texts) {
+  Texts result;
+  for (const std::string& text : texts)
+    if (std::ranges::find(result, text) == result.end()) result.push_back(text);
+  return result;
+}
+
+class DrawnLabels : public CommandLine, public testing::WithParamInterface<Figure> {
+ protected:
+  std::string name() const { return fmt::format("fig{:02}", GetParam().number); }
+  DrawnPicture drawn() const {
+    const Outcome outcome = shell(fmt::format(
+        "$rotor figure {0} --out . 2>/dev/null && gnuplot -e \"data = '{1}.csv'; output = "
+        "'{1}.svg'; "
+        "format = 'svg'; equations = 'published'; points = ''\" {2}/style.gp {2}/{1}.gp",
+        GetParam().number, name(), ROTOR_SCENES));
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    return DrawnPicture(content(name() + ".svg"));
+  }
+};
+
+TEST_P(DrawnLabels, AreThoseOfWhatIsShownAndStated) {
+  const Labels& expected = labels().at(GetParam().number);
+  const DrawnPicture picture = drawn();
+  Texts axes, paper;
+  for (const std::string& text : picture.texts) {
+    if (std::ranges::find(expected.axes, text) != expected.axes.end() || text.ends_with(", mm") ||
+        text.ends_with(", μm") || text.ends_with(", N") || text.ends_with(", kN"))
+      axes.push_back(text);
+  }
+  EXPECT_EQ(axes, expected.axes);
+  if (!expected.keys.empty()) {
+    EXPECT_EQ(once(picture.keys), expected.keys);
+  }
+  for (const std::string& stated : expected.paper)
+    EXPECT_TRUE(std::ranges::any_of(picture.texts, [&](const std::string& text) {
+      return text.find(stated) != std::string::npos;
+    })) << stated;
+  const auto says = [&](const std::string& text) {
+    return std::ranges::any_of(
+        expected.paper, [&](const auto& stated) { return text.find(stated) != std::string::npos; });
+  };
+  for (const std::string& text : picture.texts)
+    EXPECT_TRUE(text.find("paper") == std::string::npos || text.starts_with("dashed: paper") ||
+                says(text))
+        << text;
+  for (const double level : expected.levels)
+    EXPECT_TRUE(std::ranges::any_of(picture.curves, [&](const DrawnCurve& curve) {
+      return std::ranges::any_of(picture.levels, [&](double y) {
+        return curve.y.size() > 1 && std::abs(y - pixel(curve.y, level)) < 0.5;
+      });
+    })) << level;
+}
+
+// In orbits x_a points downwards, y_a to the right.
+TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
+  const int number = GetParam().number;
+  if (number != 8 && number != 9 && number != 16) return;
+  const DrawnPicture picture = drawn();
+  for (const DrawnCurve& curve : picture.curves) EXPECT_GT(pixel(curve.y, 1), pixel(curve.y, -1));
+  EXPECT_GT(pixel(picture.x, 1), pixel(picture.x, -1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, DrawnLabels, testing::ValuesIn(paper_figures()),
+                         [](const auto& c) { return fmt::format("Fig{:02}", c.param.number); });
+
+class DrawnNumbers : public DrawnLabels {
+ protected:
+  void expect_said(const DrawnPicture& picture, const std::string& text) const {
+    EXPECT_NE(std::ranges::find(picture.texts, text), picture.texts.end()) << text;
+  }
+  std::vector<CsvRow> data() const { return read_csv(folder_ / (name() + ".csv")); }
+  std::string in_joule(double change) const { return fmt::format("−{:.0f} J", -change); }
+};
+
+const auto name_of_figure = [](const auto& c) { return fmt::format("Fig{:02}", c.param.number); };
+
+Figure figure(int number) {
+  for (const Figure& figure : paper_figures())
+    if (figure.number == number) return figure;
+  throw std::out_of_range("figure");
+}
+
+class EnergiesOf : public DrawnNumbers {};
+TEST_P(EnergiesOf, TheRubAreThoseBetweenItsEvents) {
+  const DrawnPicture picture = drawn();
+  const Scenario& scenario = GetParam().runs.at(0).second;
+  EventRecorder events;
+  run(scenario, events);
+  const auto energy = [](const Instant& at) { return kinetic_energy(at.body, at.motion()); };
+  const double before = energy(events.before_mass_loss()),
+               after = energy(events.first(Event::mass_loss)),
+               continuous = energy(events.events(Event::touch_down).at(5)),
+               rolling = energy(events.first(Event::rolling_onset));
+  expect_said(picture,
+              fmt::format("here: {:.0f} J, and {:.0f} J after the mass loss", before, after));
+  expect_said(picture, in_joule(continuous - after));
+  expect_said(picture, in_joule(rolling - continuous));
+  expect_said(picture, fmt::format("{:.0f} J left", rolling));
+}
+INSTANTIATE_TEST_SUITE_P(Said, EnergiesOf, testing::Values(figure(6)), name_of_figure);
+
+class FrequencyOf : public DrawnNumbers {};
+TEST_P(FrequencyOf, Q1IsThatOfItsFirstPeriodsOfRolling) {
+  const DrawnPicture picture = drawn();
+  std::vector<double> upwards;
+  double onset = -1, time = 0, q1 = 0;
+  for (const CsvRow& row : data()) {
+    const auto t = static_cast<double>(row.number("time_s")),
+               q = static_cast<double>(row.number("q1_m"));
+    if (onset < 0 && row.number("contact_state") == 2) onset = t;
+    if (onset > 0 && t > onset && t < onset + 5e-3 && q1 < 0 && q >= 0)
+      upwards.push_back(time - q1 * (t - time) / (q - q1));
+    time = t;
+    q1 = q;
+  }
+  const auto periods = static_cast<double>(upwards.size() - 1);
+  ASSERT_GT(periods, 1);
+  expect_said(picture, fmt::format("frequency of q1, first {:.0f} periods of rolling", periods));
+  expect_said(picture,
+              fmt::format("here: {:.0f} Hz", periods / (upwards.back() - upwards.front())));
+}
+INSTANTIATE_TEST_SUITE_P(Said, FrequencyOf, testing::Values(figure(7)), name_of_figure);
+
+// In the scheme of rolling, from O_a towards K is where O lies: x_a downwards, y_a to the right.
+class SchemeOf : public DrawnNumbers {};
+TEST_P(SchemeOf, RollingHasItsContactWhereTheRotorIs) {
+  const DrawnPicture picture = drawn();
+  const auto place = [&](const std::string& name) {
+    const auto at = std::ranges::find(picture.texts, name);
+    EXPECT_NE(at, picture.texts.end()) << name;
+    return picture.places.at(static_cast<std::size_t>(at - picture.texts.begin()));
+  };
+  const auto [from_x, from_y] = place("Oa");
+  const auto [x, y] = place("K");
+  const CsvRow onset = data().front();
+  const auto right = static_cast<double>(onset.number("y_a_m")),
+             down = static_cast<double>(onset.number("x_a_m"));
+  const double along = ((x - from_x) * right + (y - from_y) * down) /
+                       (std::hypot(x - from_x, y - from_y) * std::hypot(right, down));
+  EXPECT_GT(along, 0.9);  // labels stand beside what they name
+}
+INSTANTIATE_TEST_SUITE_P(Said, SchemeOf, testing::Values(figure(10)), name_of_figure);
+
+}  // namespace
+}  // namespace rotor
