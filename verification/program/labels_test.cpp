@@ -110,6 +110,11 @@ TEST_P(DrawnLabels, AreThoseOfWhatIsShownAndStated) {
     EXPECT_TRUE(text.find("paper") == std::string::npos || text.starts_with("dashed: paper") ||
                 says(text))
         << text;
+  if (GetParam().number == 15) {
+    EXPECT_TRUE(std::ranges::any_of(picture.texts, [](const std::string& text) {
+      return text.find("beginning of Fig. 14:") != std::string::npos;
+    }));
+  }
   for (const double level : expected.levels)
     EXPECT_TRUE(std::ranges::any_of(picture.curves, [&](const DrawnCurve& curve) {
       return std::ranges::any_of(picture.levels, [&](double y) {
@@ -125,6 +130,20 @@ TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
   const DrawnPicture picture = drawn();
   for (const DrawnCurve& curve : picture.curves) EXPECT_GT(pixel(curve.y, 1), pixel(curve.y, -1));
   EXPECT_GT(pixel(picture.x, 1), pixel(picture.x, -1));
+  // Marked are the first place and that at the mass loss.
+  const std::vector<CsvRow> rows = read_csv(folder_ / (name() + ".csv"));
+  const double loss_s = GetParam().runs.front().second.parameters.separation_time;
+  const auto at_loss = std::ranges::find_if(
+      rows, [&](const CsvRow& row) { return static_cast<double>(row.number("time_s")) == loss_s; });
+  ASSERT_NE(at_loss, rows.end());
+  for (const CsvRow& row : {rows.front(), *at_loss}) {
+    const double x = pixel(picture.x, 1e3 * static_cast<double>(row.number("y_a_m"))),
+                 y = pixel(picture.curves.front().y,
+                           1e3 * static_cast<double>(row.number("x_a_m")));
+    EXPECT_TRUE(std::ranges::any_of(picture.marks, [&](const auto& mark) {
+      return std::hypot(mark.first - x, mark.second - y) < 0.5;
+    })) << row["time_s"];
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, DrawnLabels, testing::ValuesIn(paper_figures()),

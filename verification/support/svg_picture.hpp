@@ -89,8 +89,9 @@ struct DrawnPicture {
         } else if (in_curve && points.size() > curves.back().points.size()) {
           curves.back().points = points;  // the shorter one is the key's sample
         }
-      } else if (tag.starts_with("<use xlink:href='#gpPt3' tr")) {
-        squares.push_back(corners(between(at, "translate(", ")")).front());
+      } else if (tag.starts_with("<use xlink:href='#gpPt")) {
+        marks.push_back(corners(between(at, "translate(", ")")).front());
+        if (tag.starts_with("<use xlink:href='#gpPt3' tr")) squares.push_back(marks.back());
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
         places.push_back(place);
@@ -108,6 +109,7 @@ struct DrawnPicture {
 
   Axis x;
   std::vector<DrawnCurve> curves;
+  Points marks;    ///< all symbols
   Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
   Points places;                  ///< of the texts
