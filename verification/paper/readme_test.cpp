@@ -252,6 +252,12 @@ TEST_F(Readme, SaysWhereWhirlCanLast) {
                           100 * 2 * p.eccentricity / p.rotor_radius));
 }
 
+TEST_F(Readme, SaysWhenARunEnds) {
+  const Scenario scenario;
+  expect_said(fmt::format("A run ends {:.2f} s after the mass loss",
+                          scenario.until - scenario.parameters.separation_time));
+}
+
 TEST_F(Readme, CountsVerdictsAndWrongChanges) {
   std::map<std::string, int> verdicts;
   int arithmetic = 0;

@@ -235,6 +235,9 @@ TEST_F(Explore, HasKnobsForNumbersThatThereAre) {
     for (const auto& knob : group["knobs"]) {
       const std::string name = knob["name"];
       EXPECT_TRUE(known.insert(name).second) << name;
+      if (name == "until") {
+        EXPECT_EQ(knob["unstated"], "0.25 s after it");
+      }
       if (knob.value("typed", false)) continue;
       const Statable* statable = find_statable(name);
       ASSERT_TRUE(statable) << name;

@@ -1,5 +1,7 @@
 /// What `make` says of requests that cannot be fulfilled: one line each.
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include "verification/support/command_line.hpp"
 
@@ -33,6 +35,58 @@ TEST_F(Make, SaysWhatItCannotMake) {
   expect_line("build", "build: cannot be written");
   expect_line("figures/paper/fig18.gp",
               "The scene figures/paper/fig18.toml has no script figures/paper/fig18.gp");
+}
+
+// What it would do, FIG, EQUATIONS and FORMAT being handed on.
+TEST_F(Make, HandsItsOptionsOn) {
+  for (const char* name : {"fig03", "fig04", "style"})
+    write(std::string("figures/paper/") + name + ".gp", "");
+  for (const char* name : {"fig03", "fig04"})
+    write(std::string("figures/paper/") + name + ".toml", "");
+  remove("figures/paper/fig18.toml");
+  const auto plan = [&](const std::string& arguments) {
+    return shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n " + arguments).output;
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string all = plan("figures"), one = plan("FIG=4 figures"),
+                    consistent = plan("EQUATIONS=consistent figures"),
+                    pdf = plan("FORMAT=pdf fig03");
+  EXPECT_TRUE(has(all, "output = 'build/figures/fig03.svg.part'; format = 'svg'")) << all;
+  EXPECT_TRUE(has(all, "fig04.svg.part")) << all;
+  EXPECT_TRUE(has(one, "fig04.svg.part") && !has(one, "fig03.svg.part")) << one;
+  EXPECT_TRUE(has(consistent, "--equations consistent") &&
+              has(consistent, "equations = 'consistent'") &&
+              has(consistent, "/consistent/fig03.svg"))
+      << consistent;
+  EXPECT_TRUE(has(pdf, "fig03.pdf.part'; format = 'pdf'") && !has(pdf, "fig04")) << pdf;
+}
+
+// What the build, the tests and the pictures need, by the names that Debian 12 has for it.
+TEST_F(Make, InstallsWhatIsNeeded) {
+  const std::string makefile = content("Makefile");
+  const auto begin = makefile.find("\nPACKAGES := "), end = makefile.find("\n# ", begin);
+  std::istringstream words(makefile.substr(begin, end - begin));
+  std::set<std::string> packages;
+  for (std::string word; words >> word;)
+    if (word != "PACKAGES" && word != ":=" && word != "\\") packages.insert(word);
+  EXPECT_EQ(packages,
+            (std::set<std::string>{"g++", "cmake", "ninja-build", "libboost-dev", "libeigen3-dev",
+                                   "libcli11-dev", "libtomlplusplus-dev", "nlohmann-json3-dev",
+                                   "libfmt-dev", "libgtest-dev", "librapidcheck-dev",
+                                   "libkainjow-mustache-dev", "gnuplot-nox", "fonts-dejavu-core"}));
+}
+
+// A test that fails ends `make verify` with a status of its own.
+TEST_F(Make, SaysThatTestsHaveFailed) {
+  const std::string run = "sh -c '" ROTOR_SOURCES "/verification/tests.sh fake'";
+  fs::create_directories(folder_ / "fake");
+  for (const int status : {0, 1}) {
+    write("fake/verification", "#!/bin/sh\nexit " + std::to_string(status) + "\n");
+    fs::permissions(folder_ / "fake/verification", fs::perms::owner_all);
+    EXPECT_EQ(shell(run).status != 0, status != 0);
+  }
 }
 
 TEST_F(Make, NamesTheFiguresThatThereAre) {

@@ -14,6 +14,7 @@
 #include "model/theory/mass_loss_response.hpp"
 #include "model/theory/whirl.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/svg_picture.hpp"
 
 namespace rotor {
 namespace {
@@ -97,6 +98,35 @@ TEST_P(Maps, AreDrawn) {
   for (const char* word : {"backward rolling", "touches or stalls before the loss", "published"})
     EXPECT_NE(outcome.find(word), std::string::npos) << word;
   EXPECT_NE(force.find("largest normal force, kN"), std::string::npos);
+  // Axes with their units, the titles of the panels as the data follow each other, tics.
+  struct Axes {
+    std::vector<std::string> names, tics;
+  };
+  const std::map<std::string, Axes> axes = {
+      {"speed-friction", {{"speed at the mass loss, Hz", "coefficient of friction μ"}, {"0.3"}}},
+      {"speed-clearance", {{"speed at the mass loss, Hz", "clearance, mm"}, {"3"}}},
+      {"clearance-stiffness", {{"clearance, mm", "stiffness of the supports k, N/m"}, {"3"}}},
+      {"contact", {{"contact stiffness kt, N/m", "contact damping dt, N s/m"}, {}}}};
+  const DrawnPicture of_outcome(outcome), of_force(force);
+  for (const DrawnPicture& picture : {of_outcome, of_force}) {
+    const auto says = [&](const std::string& text) {
+      return std::ranges::find(picture.texts, text) != picture.texts.end();
+    };
+    for (const std::string& text : axes.at(map).names) EXPECT_TRUE(says(text)) << text;
+    for (const std::string& text : axes.at(map).tics) EXPECT_TRUE(says(text)) << text;
+  }
+  for (const char* tic : {" 1", " 10", " 100", " 1000"})  // of the force's colours, in ratios
+    EXPECT_NE(std::ranges::find(of_force.texts, tic), of_force.texts.end()) << tic;
+  std::vector<std::string> panels, rows;
+  for (const std::string& text : of_outcome.texts)
+    if (text.starts_with("published equations") || text.starts_with("consistent equations"))
+      if (std::ranges::find(panels, text) == panels.end()) panels.push_back(text);
+  for (const CsvRow& row : read_csv(folder_ / (map + ".csv"))) {
+    const std::string row_of = map == "contact" ? ", μ = " + row["friction"] : "",
+                      panel = row["equations_varied"] + " equations" + row_of;
+    if (std::ranges::find(rows, panel) == rows.end()) rows.push_back(panel);
+  }
+  EXPECT_EQ(panels, rows);
   if (is_previewed) {
     EXPECT_TRUE(outcome == text_of(maps + "preview/speed-friction.svg"));
   }

@@ -93,6 +93,21 @@ TEST(Render, EscapesAndPrintsSymbols) {
             "\u22122.5no");
 }
 
+// Each column of the page's table of claims has what its head names.
+TEST(TableOfClaims, HasEachNumberInItsColumn) {
+  const Json reading = {{"is_first", true},          {"says", "says"},     {"converged", "1.5"},
+                        {"published_method", "2.5"}, {"put_right", "3.5"}, {"is_drawn", false}};
+  const Json claims = {{"claims", {{{"numbers", {{{"readings", {reading}}}}}}}}};
+  const std::string table = render(content_of(room / "claims_table.mustache.html"), {}, claims);
+  for (const char* cell :
+       {"<td data-label=\"converged\">1.5</td>", "<td data-label=\"paper's method\">2.5</td>",
+        "<td data-label=\"put right\">3.5</td>"})
+    EXPECT_NE(table.find(cell), std::string::npos) << cell << table;
+  const std::string index = content_of(room / "index.mustache.html");
+  EXPECT_NE(index.find("{{reproduced}} of {{claims}}"), std::string::npos);
+  EXPECT_NE(index.find("{{put_right}} of {{claims}}"), std::string::npos);
+}
+
 TEST(VerdictOfAFigure, FollowsFromItsClaims) {
   const auto says = [](const std::vector<const char*>& verdicts) {
     std::vector<Json> claims;

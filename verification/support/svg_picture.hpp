@@ -12,9 +12,9 @@
 namespace rotor {
 
 /// An axis as its labelled grid lines tell it: pixels over values.
-using Axis = std::map<double, double>;
+using Tics = std::map<double, double>;
 
-inline double pixel(const Axis& axis, double value) {
+inline double pixel(const Tics& axis, double value) {
   const auto& [a, at_a] = *axis.begin();
   const auto& [b, at_b] = *axis.rbegin();
   return at_a + (value - a) / (b - a) * (at_b - at_a);
@@ -22,7 +22,7 @@ inline double pixel(const Axis& axis, double value) {
 
 struct DrawnCurve {
   std::vector<std::pair<double, double>> points;  ///< pixels
-  Axis y;
+  Tics y;
 };
 
 using Points = std::vector<std::pair<double, double>>;
@@ -59,7 +59,7 @@ inline double number_of(std::string label) {
 /// panel before its curves. All panels have the x axis of the last one.
 struct DrawnPicture {
   explicit DrawnPicture(const std::string& svg) {
-    Axis y_axis;
+    Tics y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
     bool in_curve = false, y_is_old = false;
     std::pair<double, double> place;
@@ -107,7 +107,7 @@ struct DrawnPicture {
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
   }
 
-  Axis x;
+  Tics x;
   std::vector<DrawnCurve> curves;
   Points marks;    ///< all symbols
   Points squares;  ///< symbols of points that were read off, the key's included
