@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "model/mechanics/rotating_frame.hpp"
 
@@ -35,6 +36,13 @@ TEST_F(Contact, IsEndedByTheDashpotBeforeTheRingHasSprungBack) {
   const auto k = ring_.rim_point(motion(3.1e-3, 1, -9));
   EXPECT_GT(k.indentation, 0);
   EXPECT_EQ(ring_.normal_force(k), 0);
+}
+
+TEST_F(Contact, HasANormalForceThatIsNegativeInCompression) {
+  EXPECT_LT(ring_.normal_force(ring_.rim_point(motion(3.1e-3, 1, 0))), 0);
+  std::ifstream file(ROTOR_SOURCES "/model/README.md");
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(all.find("`ContactForces::normal` (negative in compression)"), std::string::npos);
 }
 
 TEST_F(Contact, PressesWithSpringAndDashpot) {

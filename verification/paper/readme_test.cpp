@@ -252,6 +252,12 @@ TEST_F(Readme, SaysWhereWhirlCanLast) {
                           100 * 2 * p.eccentricity / p.rotor_radius));
 }
 
+TEST(Citation, HasTheVersionOfTheProgram) {
+  std::ifstream file(ROTOR_SOURCES "/CITATION.cff");
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(all.find("\nversion: " ROTOR_VERSION "\n"), std::string::npos);
+}
+
 TEST_F(Readme, SaysWhenARunEnds) {
   const Scenario scenario;
   expect_said(fmt::format("A run ends {:.2f} s after the mass loss",

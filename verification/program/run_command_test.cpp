@@ -217,6 +217,14 @@ TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
         << key;
     EXPECT_EQ(sure[key]["error"] == 0, key == "final_time_s" || value == 0) << key;
   }
+  // What it says of signs and times is so.
+  const auto& says = schema["properties"];
+  EXPECT_LT(plain["whirl_frequency_Hz"], 0);
+  EXPECT_NE(says["whirl_frequency_Hz"]["description"].dump().find("negative against the rotation"),
+            std::string::npos);
+  EXPECT_LT(plain["max_displacement_before_loss_m"], plain["max_displacement_m"]);
+  EXPECT_NE(says["max_displacement_m"]["description"].dump().find("after the mass loss"),
+            std::string::npos);
   for (const char* key : {"outcome", "collisions", "collisions_before_loss", "mass_loss_reached",
                           "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
     EXPECT_EQ(sure[key], plain[key]) << key;

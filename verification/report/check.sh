@@ -12,6 +12,13 @@ else
   failed=1
 fi
 
+# Beside the page stand the data of the equations that their folder names.
+for set in published consistent; do
+  for figure in "$build/report/figures/$set"/fig*.csv; do
+    grep -q "^# .*equations $set" "$figure" || { echo "check-report: $figure is not of the $set equations" >&2; failed=1; }
+  done
+done
+
 if ! command -v hunspell >/dev/null; then
   echo "check-report: there is no hunspell: make deps-report installs it" >&2
   exit 1

@@ -82,6 +82,29 @@ TEST(ReportTexts, AskForValuesThatThereAre) {
   EXPECT_NO_THROW(with_numbers(texts(), values_json(judged())));
 }
 
+// Which of two numbers is the greater is said beside them.
+TEST(ReportTexts, SayOfNumbersWhichIsTheGreater) {
+  const Json values = values_json(judged());
+  const auto number = [&](const std::string& name) {
+    return std::stod(with_numbers(Json("{{" + name + ".f2}}"), values).get<std::string>());
+  };
+  const std::regex rise("rises from \\{\\{([\\w.]+)\\.f\\d\\}\\} to \\{\\{([\\w.]+)\\.f\\d\\}\\}"),
+      before("Slip ends \\{\\{([\\w.]+)\\.f\\d\\}\\} ms before the force is greatest");
+  int said = 0;
+  for (const std::string& text : all_texts()) {
+    std::smatch found;
+    if (std::regex_search(text, found, rise)) {
+      ++said;
+      EXPECT_LT(number(found[1]), number(found[2])) << text;
+    }
+    if (std::regex_search(text, found, before)) {
+      ++said;
+      EXPECT_GT(number(found[1]), 0) << text;
+    }
+  }
+  EXPECT_EQ(said, 2);
+}
+
 TEST(Render, EscapesAndPrintsSymbols) {
   const auto rendered = [](const std::string& text) {
     return render("{{text}}", {}, {{"text", text}});

@@ -359,6 +359,8 @@ class Run:
         return caught
 
     def _switch(self, change):
+        if self._is_known(change):
+            return []  # whatever is run
         reaching = {name for name in self.tests.names if change.number in self.tests.reached[name]}
         return self._until_caught(self.tests.batches(reaching), lambda batch: self.tests.run(
             batch, change.number, self.tests.limit_s(batch)))
@@ -386,8 +388,10 @@ class Run:
     def verdict(self, change):
         if self.caught_by[id(change)]:
             return 'caught'
-        is_known = (change.file, change.original, change.changed) in self.known
-        return 'equivalent' if is_known else 'survives'
+        return 'equivalent' if self._is_known(change) else 'survives'
+
+    def _is_known(self, change):
+        return (change.file, change.original, change.changed) in self.known
 
     def survivors(self):
         return [c for c in self.changes if id(c) in self.caught_by and self.verdict(c) == 'survives']
