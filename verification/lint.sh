@@ -10,8 +10,9 @@ clang-format --dry-run -Werror "${all[@]}" || exit 1
 mkdir -p "$build/lint"
 sed 's/-include [^ ]*cmake_pch.hxx//; s/-Winvalid-pch//; s/-DROTOR_QUADMATH//' "$build/compile_commands.json" \
   >"$build/lint/compile_commands.json"
-# What only the browser's compiler builds has no command there; what quadruple precision is made of is
+# What only the browser's compiler builds has no command there; what other precisions are made of is
 # looked at in double.
 git ls-files 'model/**.cpp' 'figures/**.cpp' ':!figures/explore/main.cpp' \
-  ':!model/simulation/extended/in_quadruple.cpp' | xargs -P "$(nproc)" -n 1 \
+  ':!model/simulation/extended/in_extended.cpp' ':!model/simulation/extended/in_quadruple.cpp' \
+  ':!model/simulation/extended/event_method.cpp' | xargs -P "$(nproc)" -n 1 \
   clang-tidy -p "$build/lint" --quiet --warnings-as-errors='*' 2>/dev/null
