@@ -40,8 +40,7 @@ void require_room(std::size_t rows) {
                     most_rows));
 }
 
-/// Lists the works after each step in the window, in which the motion has several rows. Belongs
-/// behind the observer of the energy.
+/// Lists the works after each step in the window. Belongs behind the observer of the energy.
 class WorkLog : public Observer {
  public:
   WorkLog(const EnergyObserver& energy, double from_s) : energy_(energy), from_s_(from_s) {}
@@ -55,6 +54,7 @@ class WorkLog : public Observer {
   void add(double time_s) {
     if (time_s < from_s_) return;
     const EnergyBalance& b = energy_.balance();
+    require_room(table.rows());
     table.add(std::array{time_s, b.motor, b.gravity, b.support_damping, b.contact_damping,
                          b.friction, b.mass_loss});
   }
