@@ -27,13 +27,9 @@ void ReportTimes::print(const std::string& report) {
              on_terminal_ ? " (Ctrl-C stops)  " : "\n");
 }
 
-void ReportTimes::end_line() const {
+ReportTimes::~ReportTimes() {
   if (has_reported_ && on_terminal_) fmt::print(stderr, "\n");
 }
-
-RunProgress::RunProgress(double until_s) : until_s_(until_s) {}
-
-RunProgress::~RunProgress() { times_.end_line(); }
 
 bool RunProgress::goes_on(const Progress& now) {
   constexpr long seldom = 256;  // a clock takes as long as a small part of a step
@@ -45,8 +41,6 @@ bool RunProgress::goes_on(const Progress& now) {
   return Interruptible::goes_on(now);
 }
 
-DigitsProgress::~DigitsProgress() { times_.end_line(); }
-
 void DigitsProgress::report(double time_s) {
   if (time_s < last_s_) ++computation_;
   last_s_ = time_s;
@@ -54,8 +48,6 @@ void DigitsProgress::report(double time_s) {
     times_.print(fmt::format("computation {} for {} digits is at {:.6g} s of {:.6g} s after {}",
                              computation_, digits_, time_s, until_s_, duration(*elapsed_s)));
 }
-
-SweepProgress::~SweepProgress() { times_.end_line(); }
 
 void SweepProgress::report(long done) {
   done_ = done;

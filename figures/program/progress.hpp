@@ -14,10 +14,12 @@ namespace rotor {
 class ReportTimes {
  public:
   ReportTimes();
+  ~ReportTimes();  ///< ends the line
+  ReportTimes(const ReportTimes&) = delete;
+  ReportTimes& operator=(const ReportTimes&) = delete;
 
   std::optional<double> due();  ///< seconds since the start, if it is time to report
   void print(const std::string& report);
-  void end_line() const;
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -29,10 +31,7 @@ class ReportTimes {
 /// will take if it goes on like this.
 class RunProgress : public Interruptible {
  public:
-  explicit RunProgress(double until_s);
-  ~RunProgress() override;
-  RunProgress(const RunProgress&) = delete;
-  RunProgress& operator=(const RunProgress&) = delete;
+  explicit RunProgress(double until_s) : until_s_(until_s) {}
 
   bool goes_on(const Progress& now) override;
 
@@ -46,9 +45,6 @@ class RunProgress : public Interruptible {
 class DigitsProgress {
  public:
   DigitsProgress(int digits, double until_s) : digits_(digits), until_s_(until_s) {}
-  ~DigitsProgress();
-  DigitsProgress(const DigitsProgress&) = delete;
-  DigitsProgress& operator=(const DigitsProgress&) = delete;
 
   /// To be called after each step.
   void report(double time_s);
@@ -64,9 +60,6 @@ class DigitsProgress {
 class SweepProgress {
  public:
   SweepProgress(long done, long all) : begun_with_(done), done_(done), all_(all) {}
-  ~SweepProgress();
-  SweepProgress(const SweepProgress&) = delete;
-  SweepProgress& operator=(const SweepProgress&) = delete;
 
   /// To be called from time to time.
   void report(long done);

@@ -1,5 +1,6 @@
 /// What the digits of a run are told by: that nothing is the same in all computations, of what the
 /// digits of a value are counted, and what would change the course if it were a little different.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "figures/scenes/certain_account.hpp"
 #include "model/simulation/extended/comparison.ipp"
 #include "model/simulation/extended/computation.hpp"
 #include "model/simulation/extended/digits.hpp"
@@ -229,8 +231,20 @@ TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
   const Scenario scenario = short_run(0.02);
   auto found = compare<double>(scenario, 1e-10, always);
   ASSERT_TRUE(found && has_digits(*found, 3));
+  EXPECT_EQ(complaint(*found, 3), "");
   found->margins.front() = {.name = "miss", .estimate = Estimate{1, 2}};
   EXPECT_FALSE(has_digits(*found, 3));
+  EXPECT_TRUE(complaint(*found, 3).starts_with(
+      "counts and outcome hang on digits that are not there: a glancing contact, "
+      "or what comes next at the mass loss or in the end, is closer than its "
+      "error"))
+      << complaint(*found, 3);
+  Comparison other = *found;
+  other.same_course = false;
+  EXPECT_NE(complaint(other, 3).find(
+                fmt::format("computations agree on the first {} events", found->events.size() - 1)),
+            std::string::npos)
+      << complaint(other, 3);
   found->forget_what_hangs_on_the_course();
   for (const NamedEstimate& value : found->summary) {
     if (!value.estimate) continue;

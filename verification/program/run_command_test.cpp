@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "figures/scenes/names.hpp"
 #include "verification/support/run_summary.hpp"
@@ -193,11 +194,47 @@ TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {
   const std::string messages = content("messages"), printed = content("summary");
   EXPECT_NE(messages.find("--budget 4 s is not enough: "), std::string::npos) << messages;
   EXPECT_NE(messages.find(" of 12 digits"), std::string::npos) << messages;
-  EXPECT_NE(messages.find("rotor: computation "), std::string::npos) << messages;
-  EXPECT_NE(messages.find(" for 12 digits is at "), std::string::npos) << messages;
+  const auto report = messages.find("rotor: computation ");
+  ASSERT_NE(report, std::string::npos) << messages;
+  EXPECT_NE(messages.find(" for 12 digits is at ", report), std::string::npos) << messages;
+  EXPECT_NE(messages.find(" s of 29.23 s after ", report), std::string::npos) << messages;
+  // The first ones, in double precision, take a tenth of a second.
+  EXPECT_GT(std::stoi(messages.substr(report + 19)), 1) << messages;
   EXPECT_NE(messages.find("a disturbance is multiplied by "), std::string::npos) << messages;
   EXPECT_NE(printed.find("\ncollisions               14\n"), std::string::npos) << printed;
   EXPECT_EQ(printed.find("final_q2_m               0.00156615194306"), std::string::npos);
+}
+
+// Of several runs a row each, with the numbers of the JSON.
+TEST_F(RunCommand, TabulatesTheRunsOfAScene) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.03\n"
+        "[[run]]\nname = \"rolls\"\n[[run]]\nname = \"misses\"\nlost_mass = 1e-3\n");
+  const Json runs = summary("--scene two.toml")["runs"];
+  std::istringstream table(rotor("run --scene two.toml 2>messages").output);
+  std::string row, name, value;
+  std::vector<std::string> names;
+  std::getline(table, row);
+  for (std::istringstream cells(row); cells >> name;) names.push_back(name);
+  EXPECT_EQ(names,
+            std::vector<std::string>({"run", "outcome", "collisions", "first_contact_s",
+                                      "rolling_onset_s", "peak_normal_force_N", "final_speed_Hz"}));
+  for (const Json& run : runs) {
+    ASSERT_TRUE(std::getline(table, row));
+    std::istringstream cells(row);
+    for (const std::string& key : names) {
+      ASSERT_TRUE(cells >> value) << key << row;
+      const Json& stated = run[key];
+      EXPECT_EQ(value, stated.is_null()     ? "-"
+                       : stated.is_string() ? stated.get<std::string>()
+                                            : stated.dump())
+          << key << row;
+    }
+    EXPECT_FALSE(cells >> value) << row;
+  }
+  EXPECT_EQ(runs.size(), 2U);
+  EXPECT_NE(runs[0]["outcome"], runs[1]["outcome"]);
+  EXPECT_FALSE(std::getline(table, row));
 }
 
 // In JSON each number of the run has its error; everything else is as without.

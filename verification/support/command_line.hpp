@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verification/support/in_folder.hpp"
@@ -33,6 +34,14 @@ class CommandLine : public InFolder {
       output.append(buffer.data(), size);
     const int status = ::pclose(pipe);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+  }
+
+  /// Runs a command on a terminal and presses Ctrl-C there once it shows what matches the pattern
+  /// (or after a minute).
+  Outcome interrupted_on_terminal(const std::string& command, const std::string& pattern) const {
+    return shell("touch shown\n{ for wait in $(seq 600); do grep -q '" + pattern +
+                 "' shown && break; sleep 0.1; done; printf '\\003'; } |\n  script -qefc \"" +
+                 command + "\" shown");
   }
 
   Outcome rotor(const std::string& arguments) const { return shell("$rotor " + arguments); }
