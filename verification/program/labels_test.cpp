@@ -1,14 +1,13 @@
 /// What the drawn figures say beside their curves: axes with their units, keys, what the paper
 /// states and at which level that is drawn, and numbers that are read off the curves.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "figures/data/csv.hpp"
 #include "model/simulation/simulation.hpp"
-#include "verification/support/command_line.hpp"
+#include "verification/support/figure_drawing.hpp"
 #include "verification/support/figure_list.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/svg_picture.hpp"
@@ -28,7 +27,7 @@ struct Labels {
 
 const std::map<int, Labels>& labels() {
   const std::string time = "t, s", force = "Fn, kN", rho = "ρ, mm";
-  const Texts orbit = {"xa (down), mm", "ya, mm"}, minor = {"paper: minor effect"};
+  const Texts orbit = {"xa (down), mm", "ya, mm"};
   static const std::map<int, Labels> all = {
       {2, {{"q1, mm", "q2, mm", rho, time}, {}, {}}},
       {3,
@@ -63,7 +62,7 @@ const std::map<int, Labels>& labels() {
   return all;
 }
 
-/// Without those that follow their likes.
+/// Each text where it stands first.
 Texts once(const Texts& texts) {
   Texts result;
   for (const std::string& text : texts)
@@ -71,24 +70,25 @@ Texts once(const Texts& texts) {
   return result;
 }
 
-class DrawnLabels : public CommandLine, public testing::WithParamInterface<Figure> {
+/// The published figures.
+class Drawn : public FigureDrawing {
  protected:
-  std::string name() const { return fmt::format("fig{:02}", GetParam().number); }
-  DrawnPicture drawn() const {
-    const Outcome outcome = shell(fmt::format(
-        "$rotor figure {0} --out . 2>/dev/null && gnuplot -e \"data = '{1}.csv'; output = "
-        "'{1}.svg'; "
-        "format = 'svg'; equations = 'published'; points = ''\" {2}/style.gp {2}/{1}.gp",
-        GetParam().number, name(), ROTOR_SCENES));
+  DrawnPicture drawn(int number) const {
+    const Outcome outcome = draw(number, Equations::published);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
-    return DrawnPicture(content(name() + ".svg"));
+    return DrawnPicture(content(name_of_figure(number) + ".svg"));
+  }
+  static void expect_said(const DrawnPicture& picture, const std::string& text) {
+    EXPECT_NE(std::ranges::find(picture.texts, text), picture.texts.end()) << text;
   }
 };
 
+class DrawnLabels : public Drawn, public testing::WithParamInterface<Figure> {};
+
 TEST_P(DrawnLabels, AreThoseOfWhatIsShownAndStated) {
   const Labels& expected = labels().at(GetParam().number);
-  const DrawnPicture picture = drawn();
-  Texts axes, paper;
+  const DrawnPicture picture = drawn(GetParam().number);
+  Texts axes;
   for (const std::string& text : picture.texts) {
     if (std::ranges::find(expected.axes, text) != expected.axes.end() || text.ends_with(", mm") ||
         text.ends_with(", μm") || text.ends_with(", N") || text.ends_with(", kN"))
@@ -127,11 +127,11 @@ TEST_P(DrawnLabels, AreThoseOfWhatIsShownAndStated) {
 TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
   const int number = GetParam().number;
   if (number != 8 && number != 9 && number != 16) return;
-  const DrawnPicture picture = drawn();
+  const DrawnPicture picture = drawn(number);
   for (const DrawnCurve& curve : picture.curves) EXPECT_GT(pixel(curve.y, 1), pixel(curve.y, -1));
   EXPECT_GT(pixel(picture.x, 1), pixel(picture.x, -1));
   // Marked are the first place and that at the mass loss.
-  const std::vector<CsvRow> rows = read_csv(folder_ / (name() + ".csv"));
+  const std::vector<CsvRow> rows = data_of(number);
   const double loss_s = GetParam().runs.front().second.parameters.separation_time;
   const auto at_loss = std::ranges::find_if(
       rows, [&](const CsvRow& row) { return static_cast<double>(row.number("time_s")) == loss_s; });
@@ -149,27 +149,10 @@ TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
 INSTANTIATE_TEST_SUITE_P(Every, DrawnLabels, testing::ValuesIn(paper_figures()),
                          [](const auto& c) { return fmt::format("Fig{:02}", c.param.number); });
 
-class DrawnNumbers : public DrawnLabels {
- protected:
-  void expect_said(const DrawnPicture& picture, const std::string& text) const {
-    EXPECT_NE(std::ranges::find(picture.texts, text), picture.texts.end()) << text;
-  }
-  std::vector<CsvRow> data() const { return read_csv(folder_ / (name() + ".csv")); }
-  std::string in_joule(double change) const { return fmt::format("−{:.0f} J", -change); }
-};
-
-const auto name_of_figure = [](const auto& c) { return fmt::format("Fig{:02}", c.param.number); };
-
-Figure figure(int number) {
-  for (const Figure& figure : paper_figures())
-    if (figure.number == number) return figure;
-  throw std::out_of_range("figure");
-}
-
-class EnergiesOf : public DrawnNumbers {};
-TEST_P(EnergiesOf, TheRubAreThoseBetweenItsEvents) {
-  const DrawnPicture picture = drawn();
-  const Scenario& scenario = GetParam().runs.at(0).second;
+TEST_F(Drawn, EnergiesOfTheRubAreThoseBetweenItsEvents) {
+  const DrawnPicture picture = drawn(6);
+  const auto change = [](double joule) { return fmt::format("−{:.0f} J", -joule); };
+  const Scenario scenario;  // until 29.35 s
   EventRecorder events;
   run(scenario, events);
   const auto energy = [](const Instant& at) { return kinetic_energy(at.body, at.motion()); };
@@ -179,18 +162,15 @@ TEST_P(EnergiesOf, TheRubAreThoseBetweenItsEvents) {
                rolling = energy(events.first(Event::rolling_onset));
   expect_said(picture,
               fmt::format("here: {:.0f} J, and {:.0f} J after the mass loss", before, after));
-  expect_said(picture, in_joule(continuous - after));
-  expect_said(picture, in_joule(rolling - continuous));
+  expect_said(picture, change(continuous - after));
+  expect_said(picture, change(rolling - continuous));
   expect_said(picture, fmt::format("{:.0f} J left", rolling));
 }
-INSTANTIATE_TEST_SUITE_P(Said, EnergiesOf, testing::Values(figure(6)), name_of_figure);
-
-class FrequencyOf : public DrawnNumbers {};
-TEST_P(FrequencyOf, Q1IsThatOfItsFirstPeriodsOfRolling) {
-  const DrawnPicture picture = drawn();
+TEST_F(Drawn, FrequencyOfQ1IsThatOfItsFirstPeriodsOfRolling) {
+  const DrawnPicture picture = drawn(7);
   std::vector<double> upwards;
   double onset = -1, time = 0, q1 = 0;
-  for (const CsvRow& row : data()) {
+  for (const CsvRow& row : data_of(7)) {
     const auto t = static_cast<double>(row.number("time_s")),
                q = static_cast<double>(row.number("q1_m"));
     if (onset < 0 && row.number("contact_state") == 2) onset = t;
@@ -205,12 +185,9 @@ TEST_P(FrequencyOf, Q1IsThatOfItsFirstPeriodsOfRolling) {
   expect_said(picture,
               fmt::format("here: {:.0f} Hz", periods / (upwards.back() - upwards.front())));
 }
-INSTANTIATE_TEST_SUITE_P(Said, FrequencyOf, testing::Values(figure(7)), name_of_figure);
-
-// In the scheme of rolling, from O_a towards K is where O lies: x_a downwards, y_a to the right.
-class SchemeOf : public DrawnNumbers {};
-TEST_P(SchemeOf, RollingHasItsContactWhereTheRotorIs) {
-  const DrawnPicture picture = drawn();
+// In the scheme, from O_a towards K is where O lies: x_a downwards, y_a to the right.
+TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
+  const DrawnPicture picture = drawn(10);
   const auto place = [&](const std::string& name) {
     const auto at = std::ranges::find(picture.texts, name);
     EXPECT_NE(at, picture.texts.end()) << name;
@@ -218,14 +195,12 @@ TEST_P(SchemeOf, RollingHasItsContactWhereTheRotorIs) {
   };
   const auto [from_x, from_y] = place("Oa");
   const auto [x, y] = place("K");
-  const CsvRow onset = data().front();
+  const CsvRow onset = data_of(10).front();
   const auto right = static_cast<double>(onset.number("y_a_m")),
              down = static_cast<double>(onset.number("x_a_m"));
   const double along = ((x - from_x) * right + (y - from_y) * down) /
                        (std::hypot(x - from_x, y - from_y) * std::hypot(right, down));
   EXPECT_GT(along, 0.9);  // labels stand beside what they name
 }
-INSTANTIATE_TEST_SUITE_P(Said, SchemeOf, testing::Values(figure(10)), name_of_figure);
-
 }  // namespace
 }  // namespace rotor

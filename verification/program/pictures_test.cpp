@@ -7,9 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "figures/data/csv.hpp"
-#include "figures/scenes/names.hpp"
-#include "verification/support/command_line.hpp"
+#include "verification/support/figure_drawing.hpp"
 #include "verification/support/figure_list.hpp"
 #include "verification/support/summary_of.hpp"
 #include "verification/support/svg_picture.hpp"
@@ -76,25 +74,19 @@ std::string with_sign(double number) {
   return (number < 0 ? "\u2212" : "+") + fmt::format("{:.0f}", std::abs(number));
 }
 
-class Pictures : public CommandLine,
+class Pictures : public FigureDrawing,
                  public testing::WithParamInterface<std::tuple<Figure, Equations>> {
  protected:
   const Figure& figure() const { return std::get<0>(GetParam()); }
   Equations equations() const { return std::get<1>(GetParam()); }
-  std::string name() const { return fmt::format("fig{:02}", figure().number); }
-
-  /// As `make` draws it.
+  std::string name() const { return name_of_figure(figure().number); }
   Outcome draw(const std::string& points = "") const {
-    return shell(fmt::format(
-        "$rotor figure {0} --out . --equations {1} 2>/dev/null && gnuplot -e \"data = '{2}.csv'; "
-        "output = '{2}.svg'; format = 'svg'; equations = '{1}'; points = '{4}'\" {3}/style.gp "
-        "{3}/{2}.gp",
-        figure().number, name_of(equations()), name(), ROTOR_SCENES, points));
+    return FigureDrawing::draw(figure().number, equations(), points);
   }
 
   std::vector<std::pair<double, double>> data(const Curve& curve) const {
     std::vector<std::pair<double, double>> points;
-    for (const CsvRow& row : read_csv(folder_ / (name() + ".csv")))
+    for (const CsvRow& row : data_of(figure().number))
       if (row["run"] == curve.run)
         points.emplace_back(static_cast<double>(row.number(curve.x)) * curve.x_scale,
                             static_cast<double>(row.number(curve.y)) * curve.y_scale);
@@ -201,8 +193,7 @@ std::vector<std::string> Pictures::captions() const {
              "sense of motion"};
       break;
     case 10: {
-      const double rho =
-          static_cast<double>(read_csv(folder_ / (name() + ".csv")).front().number("rho_m"));
+      const double rho = static_cast<double>(data_of(figure().number).front().number("rho_m"));
       const double rolling_Hz = *of[0].rolling_onset_speed_Hz * 0.06 / rho;  // Eq. (26)
       all = {fmt::format("onset of rolling t = {:.5f} s", *of[0].rolling_onset_s),
              fmt::format("f = {:.2f} Hz", *of[0].rolling_onset_speed_Hz),
