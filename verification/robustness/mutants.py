@@ -39,6 +39,7 @@ WORKERS = os.cpu_count() or 1
 SOURCES = {'.hpp', '.ipp', '.cpp'}
 NOT_MET = {'figures/explore/main.cpp', 'figures/sweep/ranks.cpp'}  # only in a browser, or under mpirun
 RANDOM_ROTORS = 'RandomRotors.KeepTheirBalances'  # what make verify runs beside the tests
+LIKELY_S = 0.5  # tests that are quicker may be asked first
 MORE = 1.5  # times as many mechanical changes are tried as are asked for: some do not compile
 
 SWITCHES = r'''#pragma once
@@ -339,6 +340,7 @@ class Run:
         self.changes, self.tests, self.thorough = changes, tests, thorough
         self.known = equivalents()
         self.caught_by = {}             # of a change's id
+        self.noticed = collections.defaultdict(collections.Counter)  # by each test, of a kind of change
         self.idle = set(tests.names)    # tests that have noticed nothing
         self.start = time.monotonic()
 
@@ -350,19 +352,23 @@ class Run:
             if change.whole_file:
                 self._note(change, self._replace(change, pool))
 
-    def _until_caught(self, batches, run):
+    def _until_caught(self, change, names, run):
+        """First come quick ones of the tests that have noticed the most changes of the kind."""
+        noticed = self.noticed[change.file if change.number else pathlib.Path(change.file).suffix]
+        likely = {name for name, _ in noticed.most_common(20) if self.tests.seconds[name] < LIKELY_S} & names
         caught = []
-        for batch in batches:
+        for batch in [*([list(likely)] if likely else []), *self.tests.batches(names - likely)]:
             caught += run(batch)
             if caught and not self.thorough:
                 break
+        noticed.update(caught)
         return caught
 
     def _switch(self, change):
         if self._is_known(change):
             return []  # whatever is run
         reaching = {name for name in self.tests.names if change.number in self.tests.reached[name]}
-        return self._until_caught(self.tests.batches(reaching), lambda batch: self.tests.run(
+        return self._until_caught(change, reaching, lambda batch: self.tests.run(
             batch, change.number, self.tests.limit_s(batch)))
 
     def _replace(self, change, pool):
@@ -372,13 +378,18 @@ class Run:
         def run(batch):
             parts = [batch[n::WORKERS] for n in range(WORKERS) if batch[n::WORKERS]]
             return sum(pool.map(lambda part: self.tests.run(part, 0, self.tests.limit_s(part)), parts), [])
-        caught = self._until_caught(self.tests.batches(set(self.tests.names)), run)
+        caught = self._until_caught(change, set(self.tests.names), run)
         shutil.copy2(ROOT / change.file, path)
         return caught
 
     def _note(self, change, failed):
         self.caught_by[id(change)] = failed
         self.idle -= set(failed)
+        if self.verdict(change) == 'survives':
+            reach = sum(change.number in reached for reached in self.tests.reached.values())
+            reached = '' if change.whole_file else f' ({reach} tests reach it)' if reach else ' (no test reaches it)'
+            print(f'\rNOT CAUGHT {change.file}:{change.line}: {change.what or change.kind}{reached}\n'
+                  f'    {change.summary()}', flush=True)
         if sys.stderr.isatty():
             done, all_of_them = len(self.caught_by), len(self.changes)
             rest = (time.monotonic() - self.start) / done * (all_of_them - done)
@@ -393,31 +404,29 @@ class Run:
     def _is_known(self, change):
         return (change.file, change.original, change.changed) in self.known
 
+    def judged(self):
+        return [c for c in self.changes if id(c) in self.caught_by]
+
     def survivors(self):
-        return [c for c in self.changes if id(c) in self.caught_by and self.verdict(c) == 'survives']
+        return [c for c in self.judged() if self.verdict(c) == 'survives']
 
     def write(self, path):
         with open(path, 'w', newline='', encoding='utf-8') as file:
             table = csv.writer(file)
             table.writerow(['number', 'file', 'line', 'kind', 'original', 'changed', 'what', 'verdict', 'caught_by'])
-            for c in sorted(self.changes, key=lambda c: self.verdict(c) != 'survives'):
+            for c in sorted(self.judged(), key=lambda c: self.verdict(c) != 'survives'):
                 table.writerow([c.number, c.file, c.line, c.kind, c.original, c.changed, c.what, self.verdict(c),
                                 ' '.join(self.caught_by[id(c)])])
 
     def report(self):
-        for change in self.survivors():
-            reach = sum(change.number in reached for reached in self.tests.reached.values())
-            reached = '' if change.whole_file else f' ({reach} tests reach it)' if reach else ' (no test reaches it)'
-            print(f'NOT CAUGHT {change.file}:{change.line}: {change.what or change.kind}{reached}\n'
-                  f'    {change.summary()}')
         for kind in ('by hand', 'mechanical'):
-            own = [c for c in self.changes if (c.kind == 'by hand') == (kind == 'by hand')]
+            own = [c for c in self.judged() if (c.kind == 'by hand') == (kind == 'by hand')]
             count = collections.Counter(self.verdict(c) for c in own)
             counted = len(own) - count['equivalent']
-            print(f'{kind}: {len(own)} changes, {count["equivalent"]} of them equivalent, {count["caught"]} caught, '
+            print(f'{kind}: {len(own)} changes judged, {count["equivalent"]} of them equivalent, {count["caught"]} caught, '
                   f'{count["survives"]} survive' + (f': {100 * count["caught"] / counted:.1f} %' if counted else ''))
-        in_outer = sum(c.file.startswith(('figures/', 'model/simulation/')) for c in self.changes)
-        print(f'{in_outer} of {len(self.changes)} are in figures/ and model/simulation/.')
+        in_outer = sum(c.file.startswith(('figures/', 'model/simulation/')) for c in self.judged())
+        print(f'{in_outer} of {len(self.judged())} are in figures/ and model/simulation/.')
         if not self.thorough:
             print('Which tests notice nothing, only --thorough can tell: here a change that one has noticed '
                   'does not meet the slower ones.')
@@ -451,12 +460,17 @@ def main():
         tests.look(pool)
         print(f'{len(tests.names)} tests take {sum(tests.seconds.values()):.0f} s on one processor', file=sys.stderr)
         run = Run(changes, tests, options.thorough)
-    with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
-        run.all(pool)
+    is_whole = True
+    try:
+        with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
+            run.all(pool)
+    except KeyboardInterrupt:
+        is_whole = False
+        print(f'\nInterrupted: {len(changes) - len(run.judged())} changes are not judged.', file=sys.stderr)
     run.write(WORK / 'mutants.csv')
     run.report()
     print(f'It took {(time.monotonic() - start) / 60:.1f} min; {WORK / "mutants.csv"} has all changes.')
-    return 1 if run.survivors() else 0
+    return 130 if not is_whole else 1 if run.survivors() else 0
 
 
 if __name__ == '__main__':
