@@ -66,7 +66,8 @@ PublishedMethod::PublishedMethod(const Scenario& scenario, const Instant& from)
 void PublishedMethod::restart(const Instant& from) {
   at_ = from;
   at_.event = Event::none;  // fixed steps locate none
-  step_ = 0;
+  origin_s_ = at_.time_s;
+  steps_ = 0;
 }
 
 PublishedMethod PublishedMethod::with(const Scenario& scenario) const {

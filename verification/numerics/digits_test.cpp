@@ -123,6 +123,8 @@ TEST(ManyDigits, AreHadByFewComputations) {
   EXPECT_EQ(computations(0.3, 9), std::pair(8, !in_double));
   EXPECT_EQ(computations(0.05, 6), std::pair(8, in_double));
   EXPECT_EQ(computations(0.08, 6), std::pair(8, !in_double));
+  // Rounding tells that extended precision would not do: three in quadruple follow at once.
+  EXPECT_EQ(computations(0.08, 8), std::pair(7, !in_double));
   // At first they do not even agree on the events.
   EXPECT_EQ(computations(0.08, 3), std::pair(12, in_double));
 }

@@ -106,6 +106,52 @@ TEST(RollingScale, IsThatOfTheFasterOfVibrationAndRotation) {
   }
 }
 
+TEST(RubReach, IsThatOfTheEndThatReachesFurther) {
+  const RollingRotor rolling(1e4);
+  Point<double, Unknowns> here{0, rolling.unknowns(), {}}, there{1e-5, rolling.unknowns(), {}};
+  there.x[0] *= 1.01;
+  there.x[3] = 0.5;
+  rolling.phase(here.x, here.rates, 0);
+  rolling.phase(there.x, there.rates, 0);
+  const auto forwards = rolling.phase.vibration_reach(here, there);
+  EXPECT_EQ(forwards, rolling.phase.vibration_reach(there, here));
+  const auto of_here = rolling.phase.vibration_reach(here, here),
+             of_there = rolling.phase.vibration_reach(there, there);
+  for (const int i : {0, 2}) {
+    EXPECT_EQ(forwards[i], std::max(of_here[i], of_there[i])) << i;
+    EXPECT_NE(of_here[i], of_there[i]) << i;
+  }
+}
+
+// A rotor that turns slowly, as it would alone on its supports, with damping that brakes it by a
+// tenth: nothing drives it, whichever way it moves.
+TEST(FlightBounds, AreThoseOfTheAmplitudeWhereNothingDrives) {
+  Parameters p;
+  p.eccentricity = p.torque = p.gravity = 0;
+  p.support_damping = 1000;
+  const RotorSystem<double> rotor(p, Equations::consistent);
+  const double frequency = std::sqrt(p.support_stiffness / p.mass), h = 0.1, speed = 0.1;
+  for (double direction = 0; direction < 6; direction += 0.7) {
+    const State<double> q = {0,   0, 0, speed * std::cos(direction), speed * std::sin(direction),
+                             1e-9};
+    const FlightChart<double> chart(rotor, q);
+    const FreeFlight<double> phase(rotor, chart);
+    Point<double, FlightChart<double>::Unknowns> from{0, chart.unknowns(q), {}};
+    phase(from.x, from.rates, 0);
+    auto to = from;
+    to.time = h;
+    const auto bounds = phase.event_bounds(from, to);
+    const double acceleration =
+        p.support_stiffness / p.mass * speed / frequency + p.support_damping / p.mass * speed;
+    const double bend = 2 * (speed * speed + rotor.ring.clearance * acceleration);
+    EXPECT_NEAR(*bounds[0].curvature / bend, 1, 0.01) << direction;
+    EXPECT_NEAR((*phase.reach(from, to))[1] /
+                    (p.support_stiffness * speed / frequency + p.support_damping * speed),
+                1, 0.01)
+        << direction;
+  }
+}
+
 // In free flight without damping, eccentricity or load, O moves to and fro on a line. Over a step
 // from one side of its greatest displacement to the other, the bound is that, or little more.
 TEST(FlightBounds, AreSharpAboutTheTurningPointOfAnUndampedOscillation) {

@@ -51,6 +51,18 @@ TEST(Crossing, IsTheFirstOfSeveralInOneStep) {
   EXPECT_NEAR(crossing(f, slope).value_or(-1), 0.2, 2 * resolution);
 }
 
+// However near another one is to the end of the step, and however small the function.
+TEST(Crossing, IsTheFirstEvenIfTheLastEndsTheStep) {
+  for (const double size : {1., 1e-6}) {
+    const double last = 1 - 0.4 * resolution;  // zeros at 0.2, 0.5 and there
+    const auto f = [&](double t) { return -size * (t - 0.2) * (t - 0.5) * (t - last); };
+    const auto slope = [&](double t) {
+      return -size * ((t - 0.5) * (t - last) + (t - 0.2) * (t - last) + (t - 0.2) * (t - 0.5));
+    };
+    EXPECT_NEAR(crossing(f, slope, 5 * size).value_or(-1), 0.2, 2 * resolution) << size;
+  }
+}
+
 TEST(Crossing, IsNotMissedHoweverShallowTheDip) {
   for (const double depth : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     const auto f = [&](double t) { return (t - 0.37) * (t - 0.37) - depth; };

@@ -55,6 +55,27 @@ TEST_P(Run, IsSubtractedExactly) {
   }
 }
 
+// The axes follow a rotor that has turned far, in either sense; the motion stays the same.
+TEST_P(Run, IsSeenFromAxesThatFollowTheRotor) {
+  for (const S speed : {S(5), S(-5), S(300), S(-300)})
+    for (const S angle : {S(-1e4), S(-33), S(-31), S(31), S(33), S(1e4)}) {
+      const State<S> q = {-1.5e-4L, 1e-5L, 0.3L, 0.01L, 0.02L, speed};
+      FlightChart<S> chart(rotor, q);
+      std::array<S, 6> x = chart.unknowns(q);
+      chart.recentre(x);
+      x[2] += angle;
+      const State<S> before = chart.state(x);
+      EXPECT_EQ(chart.recentre(x), std::abs(angle) > 32) << speed << ' ' << angle;
+      if (std::abs(angle) > 32) {
+        EXPECT_LT(std::abs(x[2]), 1) << speed << ' ' << angle;
+      }
+      const State<S> after = chart.state(x);
+      for (std::size_t i = 0; i < 6; ++i)
+        EXPECT_LT(std::abs(after[i] - before[i]), 1e-14L * (1 + std::abs(before[i])))
+            << speed << ' ' << angle << ' ' << i;
+    }
+}
+
 /// The part of a function of the angle that turns n times with it.
 template <class Function>
 double harmonic(int n, const Function& f) {

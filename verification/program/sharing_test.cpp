@@ -166,6 +166,31 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
   }
 }
 
+// Counted is all that is integrated, and what runs share only once.
+TEST(Production, CountsWhatItCosts) {
+  Log nobody(false);
+  const auto cost = [&](std::initializer_list<double> frictions) {
+    std::vector<Request> requests;
+    for (const double friction : frictions)
+      requests.push_back({Scenario{.parameters = {.friction = friction}}, nobody});
+    return produce(requests).cost;
+  };
+  const auto numbers = [](const Counters& c) {
+    return std::array{c.steps, c.right_hand_sides, c.contact_evaluations, c.located_events};
+  };
+  const auto counters_of = [&](double friction) {
+    Simulation simulation(Scenario{.parameters = {.friction = friction}});
+    simulation.finish(nobody);
+    return simulation.counters();
+  };
+  const Counters low = counters_of(0.08), high = counters_of(0.3), both = cost({0.08, 0.3});
+  EXPECT_EQ(numbers(cost({0.08})), numbers(low));
+  EXPECT_EQ(numbers(cost({0.3})), numbers(high));
+  EXPECT_EQ(both.contact_evaluations, low.contact_evaluations + high.contact_evaluations);
+  EXPECT_EQ(both.located_events, low.located_events + high.located_events - 1);  // motor off
+  EXPECT_LT(both.steps, low.steps + high.steps - 500);
+}
+
 // What matters after the mass loss alone, its time and the end, parts no run-ups.
 TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   class Steps : public Observer {

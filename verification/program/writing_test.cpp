@@ -106,6 +106,7 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
                  "standard output cannot be written: No space");
   expect_refusal("run --no-separation --until 0.1 --json >&-",
                  "standard output cannot be written: Bad file");
+  EXPECT_EQ(rotor("run --no-separation --until 0.1 --json <&-").status, 0);
   const auto [status, output] = shell(
       "{ sleep 0.2; $rotor run --no-separation --until 0.1 --json; echo status $? >&2; } | true");
   EXPECT_NE(output.find("status 1"), std::string::npos) << output;
