@@ -19,14 +19,14 @@ endif
 ROTOR := $(BUILD)/rotor
 
 # What is misspelt is said before anything is made.
-one_of = $(if $(filter $($(1)),$(2)),,$(error $(1)=$($(1)): must be one of: $(2)))
+one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
 $(call one_of,EQUATIONS,published consistent)
 $(if $(shell [ "$(POINTS)" -ge 20 ] 2>/dev/null && echo yes),,$(error POINTS=$(POINTS): must be a whole number, 20 at least))
 
 # Figures of the published equations stand in build/figures, others in a folder of their own.
 OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
-ASKED  := $(if $(FIG),$(shell printf 'fig%02d ' $(FIG)),$(FIGURES))
+ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $$1 }'),$(FIGURES))
 
 # What `make deps` installs, and why.
 #   g++ cmake ninja-build     compiler and build
@@ -168,7 +168,7 @@ $(BUILD)/map-theory: map-theory
 
 # An ensemble at each point wants a tenth of the points.
 $(MAP_OUT)/%.toml: figures/maps/%.toml
-	@mkdir -p $(@D); sed -e "s/^points = 40$$/points = $$(($(POINTS) / 10))/" -e 's/^points = 400$$/points = $(POINTS)/' $< > $@
+	@mkdir -p $(@D); sed -e 's/^points = 400$$/points = $(POINTS)/;t' -e "s/^points = 40$$/points = $$(($(POINTS) / 10))/" $< > $@
 $(MAP_OUT)/%.csv: $(MAP_OUT)/%.toml $(ROTOR)
 	@$(ROTOR) sweep $< --out $@
 $(MAP_OUT)/%-theory.csv: $(MAP_OUT)/%.toml $(BUILD)/map-theory
@@ -204,7 +204,7 @@ lint: build ## check the code's format, and look for mistakes with clang-tidy
 	@verification/lint.sh $(BUILD)
 
 sanitize: need-deps ## run the tests with address and undefined-behaviour sanitizers
-	@cmake --preset sanitize >$(BUILD)/sanitize.log 2>&1 || { cat $(BUILD)/sanitize.log >&2; exit 1; }
+	@cmake --preset sanitize -B $(BUILD)/sanitize >$(BUILD)/sanitize.log 2>&1 || { cat $(BUILD)/sanitize.log >&2; exit 1; }
 	@cmake --build $(BUILD)/sanitize --target verification
 	@verification/tests.sh $(BUILD)/sanitize
 
@@ -241,7 +241,7 @@ ensembles: build ## redraw reference-data/ensembles.csv: every claim over the ro
 	@$(BUILD)/ensembles reference-data 10000
 
 ranking: build ## redraw reference-data/ranking.csv: which input decides each number of the text (minutes)
-	$(if $(call missing,$(RANKING_PACKAGES)),$(error Missing package: $(RANKING_PACKAGES) (make deps-ranking installs it)))
+	$(if $(and $(shell command -v dpkg-query),$(call missing,$(RANKING_PACKAGES))),$(error Missing package: $(RANKING_PACKAGES) (make deps-ranking installs it)))
 	$(call build-target,ranking)
 	@$(BUILD)/ranking reference-data 512
 
@@ -251,7 +251,7 @@ reasons: build ## retry the reasons for the accident on 1000 rotors: reference-d
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run
-	$(call build-target,benchmark scene-costs sweep-costs stress precision reference)
+	$(call build-target,benchmark scene-costs sweep-costs stress precision reference digits-reference)
 bench: bench-programs ## run time against error of every method, with pictures, into build/bench
 	@$(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/benchmark/peers/scipy_peer.py
 	@echo && $(BUILD)/scene-costs figures/paper

@@ -1,6 +1,8 @@
 /// What the event-located method promises to those who watch it.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "figures/scenes/recorder.hpp"
 #include "figures/scenes/scene.hpp"
 #include "model/simulation/summary.hpp"
@@ -122,6 +124,58 @@ TEST(EventMethod, SaysWhereAMotionThatIsNotFiniteEndsIt) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("t = 1.5"), std::string::npos) << error.what();
   }
+}
+
+// However long the steps are, an event is where its guard vanishes: to some roundings of what that
+// is the difference of.
+TEST(EventMethod, LocatesEventsToRoundingAtEveryTolerance) {
+  std::map<Event, int> seen;
+  for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9})
+    for (const double friction : {0.08, 0.3}) {
+      Scenario scenario{.parameters = {.friction = friction},
+                        .start_speed_Hz = 149.998,
+                        .until = 0.25,
+                        .tolerance = tolerance};
+      scenario.parameters.separation_time = 1e-3;
+      const RotorSystem<double> rotor(scenario.parameters, scenario.equations);
+      const Ring<double>& ring = rotor.ring;
+      EventRecorder recorder;
+      run(scenario, recorder);
+      for (const Instant& at : recorder.events()) {
+        ++seen[at.event];
+        const auto k = ring.rim_point(at.motion());
+        const double rim = ring.rotor_radius * std::abs(at.motion().speed);
+        double residual = 0, size = 1;
+        switch (at.event) {
+          case Event::motor_off:
+            residual = at.motion().speed - rotor.motor_off;
+            size = rotor.motor_off;
+            break;
+          case Event::touch_down:
+          case Event::ring_clear:
+            residual = k.indentation;
+            size = ring.clearance;
+            break;
+          case Event::release:
+          case Event::renewed_contact:
+            residual = ring.elastic_force(k);
+            size = ring.stiffness * ring.clearance + ring.damping * rim;
+            break;
+          case Event::rolling_onset:
+          case Event::slip_reversal:
+            residual = k.slip_velocity;
+            size = rim;
+            break;
+          default:
+            break;
+        }
+        EXPECT_LE(std::abs(residual), 1e-13 * size)
+            << name_of(at.event) << ' ' << tolerance << ' ' << friction << ' ' << at.time_s;
+      }
+    }
+  for (const Event event : {Event::motor_off, Event::touch_down, Event::ring_clear, Event::release,
+                            Event::rolling_onset})
+    EXPECT_GE(seen[event], 4) << name_of(event);
 }
 
 }  // namespace

@@ -181,17 +181,21 @@ TEST_F(Readme, CountsTheRightHandSides) {
 // The examples are what the program reads.
 TEST_F(Readme, HasExamplesThatRun) {
   std::ifstream file(ROTOR_SOURCES "/README.md");
-  std::vector<std::string> examples;
+  std::vector<std::string> examples, commands;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
     if (line == "```toml") examples.emplace_back();
+    constexpr std::string_view command = "    build/rotor run ";
+    if (line.starts_with(command))
+      commands.push_back("run " + line.substr(command.size(), line.find('#') - command.size()));
     if (inside && line != "```") examples.back() += line + '\n';
     inside = line == "```toml" || (inside && line != "```");
   }
   ASSERT_EQ(examples.size(), 2U);
-  write("scene.toml", examples[0]);
+  write("my-rotor.toml", examples[0]);
   write("damping.toml", examples[1]);
-  EXPECT_EQ(rotor("run --scene scene.toml --trace trace.csv --from 20").status, 0);
+  for (const std::string& line : commands) EXPECT_EQ(rotor(line).status, 0) << line;
+  EXPECT_EQ(commands.size(), 3U);
   const auto [status, output] = rotor("sweep damping.toml --dry-run");
   EXPECT_EQ(status, 0) << output;
   EXPECT_TRUE(output.starts_with("21000 points; ")) << output;

@@ -1,4 +1,6 @@
 /// What `make` says of requests that cannot be fulfilled: one line each.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -27,7 +29,9 @@ class Make : public CommandLine {
 };
 
 TEST_F(Make, SaysWhatItCannotMake) {
-  expect_line("FORMAT=jpg figures", "FORMAT=jpg: must be one of: svg pdf png");
+  for (const std::string format : {"jpg", "svg pdf", "%"})
+    expect_line("FORMAT='" + format + "' figures",
+                "FORMAT=" + format + ": must be one of: svg pdf png");
   expect_line("EQUATIONS=printed figures",
               "EQUATIONS=printed: must be one of: published consistent");
   expect_line("POINTS=many maps", "POINTS=many: must be a whole number, 20 at least");
@@ -39,9 +43,9 @@ TEST_F(Make, SaysWhatItCannotMake) {
 
 // What it would do, FIG, EQUATIONS and FORMAT being handed on.
 TEST_F(Make, HandsItsOptionsOn) {
-  for (const char* name : {"fig03", "fig04", "style"})
+  for (const char* name : {"fig03", "fig04", "fig08", "style"})
     write(std::string("figures/paper/") + name + ".gp", "");
-  for (const char* name : {"fig03", "fig04"})
+  for (const char* name : {"fig03", "fig04", "fig08"})
     write(std::string("figures/paper/") + name + ".toml", "");
   remove("figures/paper/fig18.toml");
   const auto plan = [&](const std::string& arguments) {
@@ -52,15 +56,33 @@ TEST_F(Make, HandsItsOptionsOn) {
   };
   const std::string all = plan("figures"), one = plan("FIG=4 figures"),
                     consistent = plan("EQUATIONS=consistent figures"),
-                    pdf = plan("FORMAT=pdf fig03");
+                    pdf = plan("FORMAT=pdf fig03"), two = plan("FIG='03 08' figures");
   EXPECT_TRUE(has(all, "output = 'build/figures/fig03.svg.part'; format = 'svg'")) << all;
   EXPECT_TRUE(has(all, "fig04.svg.part")) << all;
   EXPECT_TRUE(has(one, "fig04.svg.part") && !has(one, "fig03.svg.part")) << one;
+  EXPECT_TRUE(has(two, "fig03.svg.part") && has(two, "fig08.svg.part") &&
+              !has(two, "fig04.svg.part"))
+      << two;
   EXPECT_TRUE(has(consistent, "--equations consistent") &&
               has(consistent, "equations = 'consistent'") &&
               has(consistent, "/consistent/fig03.svg"))
       << consistent;
   EXPECT_TRUE(has(pdf, "fig03.pdf.part'; format = 'pdf'") && !has(pdf, "fig04")) << pdf;
+}
+
+// As many points as are asked for along the axes of maps, and a tenth of them for an ensemble.
+TEST_F(Make, HandsThePointsOfMapsOn) {
+  fs::create_directories(folder_ / "figures/maps");
+  write("figures/maps/some.toml", "points = 400\npoints = 40\npoints = 4000\n");
+  for (const int points : {20, 100, 4000}) {
+    const std::string file = fmt::format("build/maps/{}/some.toml", points);
+    EXPECT_EQ(
+        shell(fmt::format("env -u MAKEFLAGS -u MAKELEVEL -u CXX make POINTS={} {}", points, file))
+            .status,
+        0);
+    EXPECT_EQ(content(file),
+              fmt::format("points = {}\npoints = {}\npoints = 4000\n", points, points / 10));
+  }
 }
 
 // What the build, the tests and the pictures need, by the names that Debian 12 has for it.

@@ -63,7 +63,7 @@ Json drawn(const Frame& frame, const Parameters& p) {
           {"touches", frame.normal_N < 0}};
 }
 
-/// The moments that are shown as stills.
+/// The moments that are shown as stills, from a trace that has them: each event, each maximum.
 std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& frames,
                                                    double loss_s) {
   const auto touches = [](const Frame& frame) { return frame.normal_N < 0; };
@@ -92,7 +92,7 @@ Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
     Json still = drawn(frame, p);
     still["title"] = title;
     still["left"] = 244 * all.size();  // in a row
-    still["after_loss_ms"] = 1e-2 * std::round(1e5 * (frame.time_s - p.separation_time));
+    still["after_loss_ms"] = rounded(1e3 * (frame.time_s - p.separation_time), 3);
     still["force_kN"] = fmt::format("{:.0f}", -frame.normal_N / 1e3);
     still["speed_Hz"] = fmt::format("{:.1f}", frame.speed_Hz);
     all.push_back(still);
@@ -121,7 +121,7 @@ Json accident_json(const Sources& sources) {
           {"first_angle_rad", rounded(frames.front().q3_rad, 6)},
           {"ring_mm", 1e3 * p.stator_radius},
           {"rotor_mm", 1e3 * p.rotor_radius},
-          {"stills", stills_json(frames, p)},
+          {"stills", stills_json(read_frames(sources.report / "accident-moments.csv"), p)},
           {"last", static_cast<long>(frames.size()) - 1},
           {"frames", data},
           {"frames_text", data.dump()}};

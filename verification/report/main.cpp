@@ -36,8 +36,6 @@ int main(const Arguments& arguments) {
   FileTransaction files;
   files.write(out / "accident.svg",
               render(content_of(room / "accident.mustache.svg"), {}, page["accident"]));
-  files.write(out / "accident.svg",
-              render(content_of(room / "accident.mustache.svg"), {}, page["accident"]));
   files.write(out / "index.html", html);
   files.write(out / "report.json", page.dump(1) + '\n');
   files.write(out / "machine.json", machine_json().dump(1) + '\n');

@@ -8,10 +8,14 @@
 #include <fstream>
 #include <regex>
 
+#include "figures/scenes/audience.hpp"
+#include "model/simulation/simulation.hpp"
+#include "model/simulation/summary.hpp"
 #include "verification/paper/judged.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/law.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -168,13 +172,28 @@ TEST(VerdictOfAFigure, IsTheOneInTheReadme) {
 class Accident : public CommandLine {};
 
 TEST_F(Accident, IsThePictureInTheReadme) {
-  EXPECT_EQ(rotor("run --scene " + (room / "accident.toml").string() +
-                  " --from 29.095 --rows 1201 --trace accident.csv")
-                .status,
-            0);
+  const std::string run = "run --scene " + (room / "accident.toml").string() + " --from 29.095 ";
+  EXPECT_EQ(rotor(run + "--rows 1201 --trace accident.csv").status, 0);
+  EXPECT_EQ(rotor(run + "--trace accident-moments.csv").status, 0);
   const Json accident = accident_json({.texts = room / "texts.json", .report = folder_});
   EXPECT_EQ(render(content_of(room / "accident.mustache.svg"), {}, accident),
             content_of(ROTOR_SOURCES "/figures/paper/preview/accident.svg"));
+  // At the end of slip and at the greatest force stands what the engine locates there.
+  Scenario scenario{.until = 29.14};
+  EventRecorder events;
+  SummaryObserver summary(scenario);
+  Audience audience;
+  audience.add(events);
+  audience.add(summary);
+  rotor::run(scenario, audience);
+  const Instant& onset = events.first(Event::rolling_onset);
+  const Ring<double> ring(scenario.parameters);
+  const Json& ends = accident["stills"][4];
+  EXPECT_NEAR(ends["after_loss_ms"].get<double>(), 1e3 * (onset.time_s - 29.1), 0.6e-3);
+  EXPECT_NEAR(std::stod(ends["force_kN"].get<std::string>()),
+              std::abs(ring.elastic_force(ring.rim_point(onset.motion()))) / 1e3, 0.6);
+  EXPECT_NEAR(std::stod(accident["stills"][5]["force_kN"].get<std::string>()),
+              *summary.summary().peak_normal_force_N / 1e3, 0.6);
 }
 
 TEST(CurveInWords, SaysWhereItBeginsWhatItReachesAndWhereItEnds) {

@@ -9,6 +9,8 @@ cp "$build"/figures/fig*.{csv,svg} "$out/figures/published"
 cp "$build"/figures/consistent/fig*.{csv,svg} "$out/figures/consistent"
 "$build/rotor" run --scene verification/report/accident.toml --from 29.095 --rows 1201 \
   --trace "$out/accident.csv" >/dev/null
+"$build/rotor" run --scene verification/report/accident.toml --from 29.095 \
+  --trace "$out/accident-moments.csv" >/dev/null
 # Verdicts that are not the expected ones are what `make verify` fails at; the page shows them.
 "$build/report-numbers" "$build/report" reference-data reference-data/assumptions.csv "$out" \
   >/dev/null || true
@@ -26,7 +28,7 @@ done
 for page in explore.html; do
   [ "$out" = "$build/report" ] || [ ! -e "$build/report/$page" ] || cp "$build/report/$page" "$out"
 done
-(cd "$out" && sha256sum claims.csv accident.csv figures/*/*.csv >SHA256SUMS)
+(cd "$out" && sha256sum claims.csv accident*.csv figures/*/*.csv >SHA256SUMS)
 commit=$(git rev-parse HEAD 2>/dev/null || echo unknown)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)
 [ -z "$(git status --porcelain 2>/dev/null)" ] || commit="$commit with changes"
