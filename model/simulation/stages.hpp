@@ -24,8 +24,9 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
   at.separated = true;
   at.event = Event::mass_loss;
   if (at.contact == ContactState::rolling) at.contact = ContactState::sliding;  // until it proves
-  observer.on_instant(at);
   method.restart(at);
+  at.contact = method.instant().contact;
+  observer.on_instant(at);
 }
 
 /// To the end of a scenario, through its mass loss and all contacts.

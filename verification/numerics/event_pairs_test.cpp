@@ -155,13 +155,15 @@ struct LossInContact : EventPairs {
         using BalanceObserver::BalanceObserver;
         void on_instant(const Instant& at) override {
           BalanceObserver::on_instant(at);
+          if (last.event == Event::mass_loss) next = at;
           if (at.event == Event::mass_loss) after = at, before = last;
           last = at;
         }
-        Instant before, after, last;
+        Instant before, after, next, last;
       } run_through(scenario);
       run(scenario, from, run_through);
       EXPECT_EQ(run_through.before.contact, in);
+      EXPECT_EQ(run_through.after.contact, run_through.next.contact);
       EXPECT_LT(run_through.energy_residual(), 1e-9);
       EXPECT_LT(run_through.angular_momentum_residual(), 1e-9);
       // Eqs. (5) and (14): only q2' jumps, and only as printed.
@@ -186,6 +188,39 @@ TEST_F(LossInContact, WhileSliding) {
   scenario.parameters.torque = 0.3;
   scenario.parameters.friction = 0.05;
   expect_loss(ContactState::sliding, pressed(300, 5), 2e-4, 2e-3);
+}
+
+// Where the published jump of the velocity points inwards and presses less than the damper pulls,
+// the rim leaves the ring's spot at once; whoever watches is told so.
+TEST_F(LossInContact, MayEndTheContactForceAtOnce) {
+  scenario.parameters.torque = 0.3;
+  scenario.parameters.friction = 0.01;
+  scenario.parameters.separates = true;
+  int released = 0;
+  for (const double tangential : {-0.5, 0.5})
+    for (double angle = 0; angle < 6; angle += 0.5) {
+      const Instant from = [&] {
+        Instant at = pressed(300, tangential + 300 * scenario.parameters.rotor_radius);
+        const double c = std::cos(angle), s = std::sin(angle);
+        const auto [x, y] = std::pair(at.state[0], at.state[4]);
+        at.state = {x * c, x * s, 0, -y * s, y * c, 300};
+        return at;
+      }();
+      scenario.parameters.separation_time = 1e-6;
+      scenario.until = 1e-5;
+      struct Next : Observer {
+        void on_instant(const Instant& at) override {
+          if (loss && !next) next = at;
+          if (at.event == Event::mass_loss) loss = at;
+        }
+        std::optional<Instant> loss, next;
+      } seen;
+      run(scenario, from, seen);
+      EXPECT_EQ(seen.loss->contact, seen.next->contact) << tangential << ' ' << angle;
+      released += seen.loss->contact == ContactState::indented;
+    }
+  EXPECT_GT(released, 3);
+  EXPECT_LT(released, 21);
 }
 
 TEST_F(LossInContact, WhileRolling) {
