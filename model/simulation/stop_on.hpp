@@ -25,10 +25,12 @@ class StopObserver : public Observer {
     watch_.note(at);
     separated_ = at.separated;
     if (at.contact == ContactState::rolling) rolled_ = true;
-    if (stop_on_ != StopOn::outcome || !(separated_ || !loses_mass_)) return;
+    if (stop_on_ != StopOn::outcome || !loss_is_over()) return;
     const Outcome outcome = watch_.outcome();
-    reached_ = reached_ || (at.event != Event::none &&
-                            (outcome == Outcome::freed || outcome == Outcome::no_contact));
+    const bool rolled_before = at.event == Event::mass_loss && rolled_ && !at.touches();
+    reached_ =
+        reached_ || rolled_before ||
+        (at.event != Event::none && (outcome == Outcome::freed || outcome == Outcome::no_contact));
   }
 
   double threshold(Extreme of, const double& from_s, const double& until_s) const override {
@@ -42,14 +44,18 @@ class StopObserver : public Observer {
 
   bool goes_on(const Progress& now) override {
     constexpr double slow = 0.1 * 2 * std::numbers::pi, for_s = 1;
-    const bool is_over = separated_ || !loses_mass_;
-    if (!is_over || std::abs(now.speed) >= slow) slow_since_s_ = now.time_s;
+    if (!loss_is_over() || std::abs(now.speed) >= slow) slow_since_s_ = now.time_s;
     if (stop_on_ == StopOn::rest && now.time_s - slow_since_s_ >= for_s) reached_ = true;
     return !reached_;
   }
 
  private:
-  bool awaits_maximum() const { return stop_on_ != StopOn::rest && rolled_ && !reached_; }
+  bool loss_is_over() const { return separated_ || !loses_mass_; }
+  bool awaits_maximum() const {
+    const bool rolling_decides =
+        stop_on_ == StopOn::rolling || (stop_on_ == StopOn::outcome && loss_is_over());
+    return rolling_decides && rolled_ && !reached_;
+  }
 
   StopOn stop_on_;
   bool loses_mass_;

@@ -1,0 +1,62 @@
+/// Where `rotor run` stops.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "verification/support/run_summary.hpp"
+
+namespace rotor {
+namespace {
+
+using Json = nlohmann::json;
+
+using Stops = RunSummary;
+
+TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
+  const Json whole = summary(""), stopped = summary("--stop-on rolling");
+  EXPECT_EQ(stopped["stop_reached"], true);
+  EXPECT_LT(stopped["final_time_s"], 29.13);
+  for (const char* key : {"outcome", "rolling_onset_s", "peak_normal_force_N", "collisions"})
+    EXPECT_EQ(stopped[key], whole[key]) << key;
+  EXPECT_LT(stopped["right_hand_sides"], whole["right_hand_sides"]);
+  EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
+}
+
+// Rolling decides the outcome, but not before the mass loss.
+TEST_F(Stops, AreNotBeforeTheMassLossWhereTheOutcomeIsAskedFor) {
+  const Json stopped = summary(
+      "--stop-on outcome --support-stiffness 1.2e5 --friction 2 --separation-time 6 --tolerance "
+      "1e-7");
+  EXPECT_LT(stopped["rolling_onset_s"], 5);
+  EXPECT_EQ(stopped["outcome"], "rolling");
+  EXPECT_TRUE(stopped["mass_loss_reached"]);
+  EXPECT_TRUE(stopped["stop_reached"]);
+}
+
+TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {
+  const Json stopped = summary("--separation-time 12 --stop-on outcome --equations consistent");
+  EXPECT_EQ(stopped["outcome"], "no_contact");
+  EXPECT_EQ(stopped["stop_reached"], true);
+  EXPECT_LT(stopped["final_time_s"], 12.1);
+}
+
+TEST_F(Stops, AreAtRest) {
+  // So weak a motor that the speed stays below 0.1 Hz: a rotor at its start has not come to rest.
+  const Json slow =
+      summary("--stop-on rest --torque 8e-4 --gravity 0 --separation-time 5 --until 60");
+  EXPECT_TRUE(slow["mass_loss_reached"]);
+  EXPECT_NEAR(slow["final_time_s"], 6, 0.5);  // a second later, and the rest of a step
+  const std::string still = "--stop-on rest --until 60 --torque 0 --gravity 0 --no-separation ";
+  const Json stopped = summary(still);
+  EXPECT_EQ(stopped["stop_reached"], true);
+  EXPECT_GE(stopped["final_time_s"], 1);
+  EXPECT_LT(stopped["final_time_s"], 60);
+  const auto turns_at = [&](const std::string& speed_Hz) {
+    return summary(still + "--eccentricity 0 --start-speed-hz " + speed_Hz)["stop_reached"];
+  };
+  EXPECT_EQ(turns_at("0.09"), true);
+  EXPECT_EQ(turns_at("0.11"), false);
+}
+
+}  // namespace
+}  // namespace rotor
