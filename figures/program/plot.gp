@@ -1,6 +1,7 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, beside what style.gp wants:
-#   heading, clearance_mm, runs, and the names run1, run2, ...
+#   heading, runs, the names run1, run2, ... and clearance_mm1, clearance_mm2, ...
 
+gap(i) = value(sprintf("clearance_mm%d", i))
 name(i) = value(sprintf("run%d", i))
 of(i, c) = of_run(name(i), c)
 set multiplot layout 2,2 title heading noenhanced margins 0.09,0.97,0.1,0.9 spacing 0.1,0.13
@@ -12,7 +13,7 @@ plot for [i = 1:runs] data using (of(i, "time_s")):(of(i, "normal_force_N")/1e3)
 set ylabel "f, Hz"
 plot for [i = 1:runs] data using (of(i, "time_s")):(of(i, "speed_Hz")) with lines linetype i notitle
 set ylabel "rho, mm"
-plot clearance_mm with lines linestyle clearance title "clearance", \
+plot for [i = 1:runs] gap(i) with lines linestyle clearance title (i == 1 ? "clearance" : ""), \
   for [i = 1:runs] data using (of(i, "time_s")):(of(i, "rho_m")*1e3) with lines linetype i notitle
 set ylabel "x_a, mm (down)"
 set xlabel "y_a, mm"
@@ -20,6 +21,6 @@ set size ratio -1
 set yrange [] reverse
 set parametric
 set trange [0:2*pi]
-plot clearance_mm*cos(t), clearance_mm*sin(t) with lines linestyle clearance notitle, \
+plot for [i = 1:runs] gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance notitle, \
   for [i = 1:runs] data using (of(i, "y_a_m")*1e3):(of(i, "x_a_m")*1e3) with lines linetype i notitle
 unset multiplot

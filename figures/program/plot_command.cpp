@@ -89,21 +89,19 @@ void plot_scene(const PlotOptions& options) {
   data.write(drafts.file("data.csv"), to_csv(provenance(scene.title, scene),
                                              headings("run", scene.columns), tables.of.at(1)));
   data.commit();
-  double clearance = 0;
   std::string names;
   for (const SceneRun& run : scene.runs) {
     const Parameters& p = run.scenario.parameters;
-    clearance = std::max(clearance, p.stator_radius - p.rotor_radius);
-    names += fmt::format("run{} = {}; ", &run - scene.runs.data() + 1, quoted(run.name));
+    names += fmt::format("run{0} = {1}; clearance_mm{0} = {2}; ", &run - scene.runs.data() + 1,
+                         quoted(run.name), 1000 * (p.stator_radius - p.rotor_radius));
   }
   const std::string title = scene.title.empty() ? out.stem().string() : scene.title;
   const fs::path picture = drafts.file("picture");
-  run_gnuplot(
-      fmt::format("data = {}; output = {}; format = '{}'; heading = {}; "
-                  "clearance_mm = {}; runs = {}; {}",
-                  quoted(drafts.file("data.csv").string()), quoted(picture.string()),
-                  format.substr(1), quoted(title), 1000 * clearance, scene.runs.size(), names),
-      ROTOR_SCENES "/style.gp", ROTOR_SCENES "/../program/plot.gp");
+  run_gnuplot(fmt::format("data = {}; output = {}; format = '{}'; heading = {}; "
+                          "runs = {}; {}",
+                          quoted(drafts.file("data.csv").string()), quoted(picture.string()),
+                          format.substr(1), quoted(title), scene.runs.size(), names),
+              ROTOR_SCENES "/style.gp", ROTOR_SCENES "/../program/plot.gp");
   std::ifstream drawn(picture, std::ios::binary);
   FileTransaction files;
   files.write(out, std::string(std::istreambuf_iterator<char>(drawn), {}));

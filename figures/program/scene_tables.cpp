@@ -19,6 +19,8 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
     auto& own = tables.of[number];
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
+      if (run.digits)
+        throw InputError("digits: those of curves are not known; state a tolerance to draw them");
       const Scenario& scenario = run.scenario;
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
       requests.push_back(

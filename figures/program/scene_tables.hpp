@@ -16,7 +16,7 @@ struct SceneTables {
 };
 
 /// Runs what the scenes ask for, nothing twice, and thins the curves. Throws Interrupted when it is
-/// interrupted, and InputError if a window holds nothing of a run.
+/// interrupted, and InputError if a window holds nothing of a run or digits are asked for.
 SceneTables compute_tables(const std::map<int, Scene>& scenes);
 
 }  // namespace rotor

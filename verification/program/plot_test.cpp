@@ -16,7 +16,8 @@ class Plot : public CommandLine {
     CommandLine::SetUp();
     write("it's.toml",
           "title = \"It's 100 %\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n"
-          "[[run]]\nname = \"high_mu\"\n[[run]]\nname = \"mu's 0.1\"\nfriction = 0.1\n");
+          "[[run]]\nname = \"high_mu\"\n[[run]]\nname = \"mu's 0.1\"\nfriction = 0.1\n"
+          "clearance = 2.5e-3\n");
   }
 };
 
@@ -39,19 +40,21 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   struct Panel {
     std::string column;
     double scale;
-    std::size_t before;  ///< curves that are no run's
+    std::vector<double> clearances_mm;  ///< curves that are no run's
   };
-  const std::vector<Panel> panels = {
-      {"normal_force_N", 1e-3, 0}, {"speed_Hz", 1, 0}, {"rho_m", 1e3, 1}, {"x_a_m", 1e3, 1}};
+  const std::vector<Panel> panels = {{"normal_force_N", 1e-3, {}},
+                                     {"speed_Hz", 1, {}},
+                                     {"rho_m", 1e3, {3, 2.5}},
+                                     {"x_a_m", 1e3, {3, 2.5}}};
   std::size_t curve = 0;
   for (const Panel& panel : panels) {
-    for (std::size_t n = 0; n < panel.before; ++n) {  // the clearance of 3 mm, downwards
+    for (const double clearance_mm : panel.clearances_mm) {  // of each run, downwards
       const DrawnCurve& drawn = picture.curves[curve++];
       const auto furthest = std::ranges::max_element(drawn.points, {}, [&](const auto& point) {
         return std::abs(point.second - pixel(drawn.y, 0));
       });
       EXPECT_NEAR(std::abs(furthest->second - pixel(drawn.y, 0)),
-                  std::abs(pixel(drawn.y, 3) - pixel(drawn.y, 0)), 0.5);
+                  std::abs(pixel(drawn.y, clearance_mm) - pixel(drawn.y, 0)), 0.5);
     }
     for (const std::string run : {"high_mu", "mu's 0.1"}) {
       ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,
@@ -70,6 +73,11 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
     }
   }
   EXPECT_EQ(curve, picture.curves.size());
+}
+
+TEST_F(Plot, RefusesDigits) {
+  write("d.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\ndigits = 6\n");
+  expect_refusal("plot d.toml", "digits: those of curves are not known");
 }
 
 TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {
