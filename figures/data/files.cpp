@@ -39,7 +39,8 @@ fs::path resolved(fs::path file) {
 bool is_written_in_place(const fs::path& file) {
   struct stat status {};
   const std::string name = fs::absolute(file).lexically_normal().string();
-  if (name.starts_with("/dev/") || name.starts_with("/proc/")) return true;
+  const bool is_of_devices = name.starts_with("/dev/") && !name.starts_with("/dev/shm/");
+  if (is_of_devices || name.starts_with("/proc/")) return true;
   return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 

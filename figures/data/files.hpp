@@ -47,8 +47,7 @@ class OutputFile {
 /// Files that appear together, when all have been written.
 class FileTransaction {
  public:
-  /// To be called before any work, for the files that will be opened: throws if two are the same,
-  /// or if one cannot be written.
+  /// To be called before any work, for the files that will be opened: throws if two are the same.
   static void require_distinct(const std::vector<std::filesystem::path>& files);
 
   OutputFile& open(const std::filesystem::path& file);

@@ -157,7 +157,8 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->delimiter(',');
   command
       .add_option("--from", options.from_s,
-                  "beginning of the trace; the scene's, or 0 s, if not given")
+                  "beginning of the trace, which then goes to the end of the run; the "
+                  "scene's window, or all of the run, if not given")
       ->type_name("s")
       ->needs(trace);
   auto* every =

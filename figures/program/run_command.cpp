@@ -59,12 +59,11 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
   if (options.budget_s && !(*options.budget_s > 0 && std::isfinite(*options.budget_s)))
     throw InputError(
         fmt::format("--budget {}: must be a finite number greater than 0 s", *options.budget_s));
-  refuse(run.scenario.method == Method::rk4,
-         "--method rk4 is of first order at contacts; only event can have any number of them");
   refuse(options.stop_on.has_value(), "--stop-on ends with a step, which depends on the tolerance");
   refuse(!options.trace.empty(), "those of a --trace are not known");
   refuse(!options.events.empty(), "the events stand in --json, not in --events");
   refuse(options.energy, "those of --energy are not known");
+  refuse(options.keep_partial, "--keep-partial: what was cut short has none");
   refuse(options.estimate_error, "--estimate-error is of runs to a tolerance");
 }
 
@@ -262,7 +261,11 @@ void run_rotor(const RunOptions& options) {
     row.update(printed.summary);
     runs.push_back(row);
   }
-  const bool standard_output_is_taken = options.trace == "-" || options.events == "-";
+  const auto is_standard_output = [](const std::string& file) {
+    return file == "-" || file == "/dev/stdout" || file == "/dev/fd/1";
+  };
+  const bool standard_output_is_taken =
+      is_standard_output(options.trace) || is_standard_output(options.events);
   std::FILE* const to = standard_output_is_taken ? stderr : stdout;
   print_summaries(runs, options.json, to);
   for (const std::string& message : missed) fmt::print(stderr, "rotor: {}\n", message);

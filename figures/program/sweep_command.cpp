@@ -91,7 +91,7 @@ std::function<Work()> workers(const Sweep& sweep) {
 
 void require_sense(const SweepOptions& options, const Ranks& ranks) {
   if (options.out.empty()) throw InputError("--out is required, or --dry-run");
-  if (fs::exists(options.out) && !fs::is_regular_file(options.out))
+  if (options.out == "-" || (fs::exists(options.out) && !fs::is_regular_file(options.out)))
     throw InputError(
         fmt::format("--out {}: must be a file: a sweep is taken up from what stands beside it",
                     shown(options.out)));

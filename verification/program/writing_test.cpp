@@ -44,6 +44,20 @@ TEST_F(Writing, WritesToADescriptorInItsPlace) {
   remove("t.csv");
 }
 
+// A folder in memory among the devices has files like any other.
+TEST_F(Writing, ReplacesFilesInSharedMemory) {
+  if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is none";
+  const std::string file = "/dev/shm/" + folder_.filename().string() + ".csv";
+  write("long", std::string(1000000, 'x'));
+  for (const bool exists : {false, true}) {
+    if (exists) fs::copy_file(folder_ / "long", file, fs::copy_options::overwrite_existing);
+    EXPECT_EQ(rotor(short_run + " --trace " + file).status, 0);
+    EXPECT_LT(fs::file_size(file), 1000000U);
+    fs::remove(file);
+  }
+  remove("long");
+}
+
 TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   write("target", "old");
   ASSERT_EQ(::chmod((folder_ / "target").c_str(), 0600), 0);
@@ -80,6 +94,13 @@ TEST_F(Writing, ToStandardOutputLeavesTheSummaryToStandardError) {
   EXPECT_EQ(content("trace").find('{'), std::string::npos);
   remove("summary");
   remove("trace");
+}
+
+TEST_F(Writing, ToStandardOutputByItsNameLeavesTheSummaryToStandardError) {
+  const auto [status, output] =
+      shell("$rotor " + short_run + " --trace /dev/stdout 2>/dev/null | tail -n 1");
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(output.starts_with("run,")) << output;
 }
 
 TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
