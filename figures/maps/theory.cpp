@@ -51,6 +51,7 @@ std::string cells(const Statement& statement) {
 
 void print(const char* file) {
   const Sweep sweep = read_sweep(file);
+  if (sweep.axes.empty()) throw std::runtime_error("a map needs an [[axis]]");
   const SweepPoints points(sweep);
   std::vector<std::string> columns = sweep.quantities();
   columns.insert(columns.end(), names.begin(), names.end());

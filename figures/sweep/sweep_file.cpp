@@ -257,7 +257,7 @@ class SweepReader : TomlFile {
     }
   }
 
-  /// The corners of the axes, and of the draws that have ends.
+  /// The corners of the axes and of the draws, a normal one being at its mean.
   void require_physical_corners(const Sweep& sweep) const {
     std::vector<Axis> ends;
     for (const Axis& axis : sweep.axes) {
@@ -268,11 +268,12 @@ class SweepReader : TomlFile {
                         std::vector<double>{*std::min_element(numbers->begin(), numbers->end()),
                                             *std::max_element(numbers->begin(), numbers->end())}});
     }
-    for (const Draw& draw : sweep.sample.over)
-      if (draw.distribution != Distribution::normal)
-        ends.push_back({draw.quantity, std::vector<double>{draw.a, draw.b}});
-    if (ends.size() > most_dimensions)
+    if (ends.size() + sweep.sample.over.size() > most_dimensions)
       fail(root(), "axis", fmt::format("more than {} quantities vary", most_dimensions));
+    for (const Draw& draw : sweep.sample.over)
+      ends.push_back({draw.quantity, draw.distribution == Distribution::normal
+                                         ? std::vector<double>{draw.a}
+                                         : std::vector<double>{draw.a, draw.b}});
     Sweep corners{
         .title = {}, .text = {}, .base = sweep.base, .axes = std::move(ends), .sample = {}};
     const SweepPoints points(corners);

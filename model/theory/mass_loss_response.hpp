@@ -59,10 +59,11 @@ class MassLossResponse {
   double bound() const { return reach_from(0); }       ///< above |z| for ever, m
 
   /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-5 of it.
+  /// Where damping does not end the vibration, that of the first thousand periods.
   double greatest() const {
     constexpr double none = std::numeric_limits<double>::infinity();  // before the first look
     double found = steady(), last = none, here = std::abs(position(0)), t = 0;
-    while (reach_from(t) > (1 + 1e-5) * found) {
+    for (long n = 0; n < most_looks && reach_from(t) > (1 + 1e-5) * found; ++n) {
       t += look();
       const double next = std::abs(position(t)), bend = 2 * here - last - next;
       const bool is_peak = here >= last && here >= next && bend > 0;
@@ -73,13 +74,13 @@ class MassLossResponse {
     return found;
   }
 
-  /// When |z| reaches the clearance for the first time, if it does, s.
+  /// When |z| reaches the clearance for the first time, if it does within as many periods, s.
   std::optional<double> first_contact() const {
     const auto gap = [&](double t) { return clearance_ - std::abs(position(t)); };
     double clear = 0;
-    while (gap(clear + look()) > 0) {
+    for (long n = 0; gap(clear + look()) > 0; ++n) {
       clear += look();
-      if (reach_from(clear) < clearance_) return std::nullopt;
+      if (n == most_looks || reach_from(clear) < clearance_) return std::nullopt;
     }
     double touching = clear + look();
     for (int halving = 0; halving < 50; ++halving) {
@@ -91,6 +92,7 @@ class MassLossResponse {
 
  private:
   static constexpr Complex i{0, 1};
+  static constexpr long most_looks = 1 << 16;
 
   Complex driven(double t) const { return steady_ * std::exp(i * speed_ * t); }
   Complex forward(double t) const { return a_ * std::exp((i * frequency_ - decay_) * t); }

@@ -90,6 +90,18 @@ TEST_P(MassLossResponseOf, ThePapersRotorTouchesTheRingFromItsSpeedOn) {
   EXPECT_GT(summary_of(lost_at(touching * (1 + 2.5e-4), GetParam())).collisions, 0);
 }
 
+// A vibration that does not die away may never come as far as its bound: the search ends.
+TEST_P(MassLossResponseOf, ARotorWithoutDampingHasAnEndToo) {
+  Scenario scenario = lost_at(60, GetParam());
+  scenario.parameters.support_damping = 0;
+  const MassLossResponse undamped = closed_form(scenario);
+  EXPECT_LT(undamped.greatest(), undamped.bound() * (1 + 1e-9));
+  EXPECT_GT(undamped.greatest(), 0.99 * undamped.bound());
+  scenario.parameters.stator_radius =
+      scenario.parameters.rotor_radius + undamped.bound() * (1 - 1e-12);
+  EXPECT_FALSE(closed_form(scenario).first_contact());
+}
+
 TEST_P(MassLossResponseOf, ARotorThatStaysClearSaysSo) {
   EXPECT_FALSE(closed_form(lost_at(40, GetParam())).first_contact());
 }

@@ -82,12 +82,27 @@ TEST_F(SweepFile, IsRefusedWhereItMeansNothing) {
                      "must be a list"),
            std::pair("[parameters]\ndigits = 6\n" + axis(friction + "values = [0.1]\n"),
                      "needs stop_on = \"end\""),
+           std::pair("stop_on = \"end\"\n[parameters]\ndigits = 6\nmethod = \"rk4\"\n" +
+                         axis(friction + "values = [0.1]\n"),
+                     "digits: method rk4"),
        })
     EXPECT_NE(refusal(text).find(message), std::string::npos) << text << refusal(text);
   write("s.toml", axis(friction + "values = [0.1]\n"));
   expect_refusal("sweep s.toml", "--out is required");
   expect_refusal("sweep s.toml --out .", "must be a file");
+  expect_refusal("sweep s.toml --out -", "must be a file");
   expect_refusal("sweep s.toml --out r.csv --jobs 0", "--jobs");
+}
+
+// What is drawn without ends is looked at beforehand where most of it lies.
+TEST_F(SweepFile, MayDrawFromANormalDistributionWhatItsDefaultWouldContradict) {
+  const std::string drawn =
+      "[parameters]\nstator_radius = 0.05\n[sample]\ncount = 3\n[[sample.over]]\n"
+      "quantity = \"rotor_radius\"\nnormal = ";
+  write("s.toml", drawn + "[0.049, 1e-5]\n");
+  EXPECT_EQ(rotor("sweep s.toml --dry-run").status, 0);
+  EXPECT_NE(refusal(drawn + "[0.051, 1e-5]\n").find("corner: rotor_radius = 0.051"),
+            std::string::npos);
 }
 
 }  // namespace
