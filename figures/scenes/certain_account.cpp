@@ -81,7 +81,8 @@ Json to_json(const Comparison& comparison, const Scenario& scenario, int digits)
     if (value.estimate && value.estimate->error > 0)
       largest = std::max(largest, value.estimate->error / value.size);
   }
-  json["estimated_relative_error"] = largest;
+  json["estimated_relative_error"] = nullptr;
+  if (std::isfinite(largest)) json["estimated_relative_error"] = largest;
   Json short_ones = Json::array();
   for (const auto& [value, sure] : short_of_digits(comparison, digits))
     short_ones.push_back({{"value", value}, {"digits", sure}});

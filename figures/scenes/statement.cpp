@@ -50,8 +50,8 @@ double unbalance_factor(const Parameters& p, double lost_mass) {
   if (!(lost_mass < p.mass))
     throw InputError(
         fmt::format("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass));
-  const double e_1 = (p.mass * p.eccentricity + lost_mass * p.rotor_radius) / (p.mass - lost_mass);
-  return e_1 / p.eccentricity;
+  return 1 + lost_mass * (p.eccentricity + p.rotor_radius) /
+                 ((p.mass - lost_mass) * p.eccentricity);  // which is never below 1
 }
 
 /// The time between the mass loss and the end of a run that states none.
@@ -84,6 +84,9 @@ Scenario numbers_of(const Statement& statement) {
   if (statement.velocity_jump) scenario.equations.velocity_jump = *statement.velocity_jump;
   if (statement.gravity_moment) scenario.equations.gravity_moment = *statement.gravity_moment;
   scenario.method = statement.method.value_or(scenario.method);
+  if (statement.digits && scenario.method == Method::rk4)
+    throw InputError(
+        "digits: method rk4 is of first order at contacts; only event can have any number of them");
 
   if (const auto clearance = number(statement, "clearance"))
     p.stator_radius = p.rotor_radius + *clearance;
@@ -151,6 +154,9 @@ Scenario scenario_of(const Statement& statement, RunUps& run_ups) {
   Parameters& p = scenario.parameters;
   if (const auto speed = number(statement, separation_speed)) {
     check(scenario);
+    if (*speed < scenario.start_speed_Hz)
+      throw InputError(fmt::format("{} = {} Hz: the rotor begins with {} Hz already",
+                                   separation_speed, *speed, scenario.start_speed_Hz));
     Interruptible monitor;
     const auto until = number(statement, "until");
     const SpeedReached reached = run_ups.time_at_speed(scenario, *speed, until, monitor);

@@ -5,6 +5,7 @@
 #include "verification/support/follow.hpp"
 #include "verification/support/law.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/other_units.hpp"
 
 namespace rotor {
 namespace {
@@ -75,31 +76,6 @@ TEST_F(Symmetry, WithoutDissipationTimeCanBeReversedThroughContacts) {
   EXPECT_GT(std::abs(after(rub_s, first).state[0] - first.state[0]), 1e-4);
   expect_equal(back.state, first.state,
                Law("time reversed through contacts without dissipation", after_rub));
-}
-
-// In powers of two all numbers are scaled without rounding. So small a kilogram makes all forces
-// tiny numbers: none of them is compared with a number of its own.
-constexpr double metre = 4, second = 0x1p-20, kilogram = 0x1p-80;
-constexpr double newton = kilogram * metre / (second * second);
-
-Parameters in_other_units(Parameters p) {
-  p.mass *= kilogram;
-  p.inertia *= kilogram * metre * metre;
-  p.eccentricity *= metre;
-  p.support_stiffness *= newton / metre;
-  p.support_damping *= newton * second / metre;
-  p.contact_stiffness *= newton / metre;
-  p.contact_damping *= newton * second / metre;
-  p.rotor_radius *= metre;
-  p.stator_radius *= metre;
-  p.motor_off_Hz /= second;
-  p.torque *= newton * metre;
-  return p;
-}
-
-State<double> in_other_units(const State<double>& q) {
-  return {q[0] * metre,          q[1] * metre,          q[2],
-          q[3] * metre / second, q[4] * metre / second, q[5] / second};
 }
 
 TEST_F(Symmetry, AChangeOfUnitsChangesNothing) {

@@ -232,6 +232,16 @@ TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
   auto found = compare<double>(scenario, 1e-10, always);
   ASSERT_TRUE(found && has_digits(*found, 3));
   EXPECT_EQ(complaint(*found, 3), "");
+  const auto without = [&](int values) {
+    Comparison lacking = *found;
+    for (NamedEstimate& value : lacking.summary)
+      if (value.estimate && value.estimate->error > 0 && values-- > 0)
+        value.estimate->error = 0.2e-2 * value.size;
+    return complaint(lacking, 3);
+  };
+  EXPECT_TRUE(without(1).starts_with("first_contact_s has 2 of 3 digits")) << without(1);
+  EXPECT_EQ(without(1).find("more"), std::string::npos) << without(1);
+  EXPECT_NE(without(3).find(", and 2 more have too few"), std::string::npos) << without(3);
   found->margins.front() = {.name = "miss", .estimate = Estimate{1, 2}};
   EXPECT_FALSE(has_digits(*found, 3));
   EXPECT_TRUE(complaint(*found, 3).starts_with(
@@ -245,7 +255,9 @@ TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
                 fmt::format("computations agree on the first {} events", found->events.size() - 1)),
             std::string::npos)
       << complaint(other, 3);
+  EXPECT_GT(to_json(*found, scenario, 3)["estimated_relative_error"], 0);
   found->forget_what_hangs_on_the_course();
+  EXPECT_TRUE(to_json(*found, scenario, 3)["estimated_relative_error"].is_null());
   for (const NamedEstimate& value : found->summary) {
     if (!value.estimate) continue;
     EXPECT_EQ(sure_digits(value) == 0, value.name != "final_time_s") << value.name;

@@ -152,6 +152,27 @@ TEST(FlightBounds, AreThoseOfTheAmplitudeWhereNothingDrives) {
   }
 }
 
+// The speed rises and falls with the rotor's weight in each turn; a bound of it has that ripple.
+TEST(FlightBounds, TakeTheRippleOfTheSpeedIntoIt) {
+  RotorSystem<double> rotor(Parameters{.eccentricity = 1e-3}, Equations::published);
+  FlightChart<double> chart(rotor, {-1e-3, 0, 0, 0, 0, 150});
+  FlightChart<double>::Unknowns turned_far = {0, 0, 40, 0, 0, 0};
+  chart.recentre(turned_far);
+  int faster = 0;
+  for (double angle = 0; angle < 6; angle += 0.5) {
+    Point<double, FlightChart<double>::Unknowns> from{0, {0, 0, angle, 0, 0, 0}, {}};
+    const double speed = chart.kinematics(from.x).motion.speed;
+    faster += speed > chart.speed(from.x) + 1e-3;
+    rotor.motor_off = speed * (1 - 1e-14);
+    const FreeFlight<double> phase(rotor, chart);
+    phase(from.x, from.rates, 0);
+    auto to = from;
+    to.time = 1e-7;
+    EXPECT_FALSE(phase.event_bounds(from, to)[1].stays_positive) << angle;
+  }
+  EXPECT_GT(faster, 3);
+}
+
 // In free flight without damping, eccentricity or load, O moves to and fro on a line. Over a step
 // from one side of its greatest displacement to the other, the bound is that, or little more.
 TEST(FlightBounds, AreSharpAboutTheTurningPointOfAnUndampedOscillation) {

@@ -95,6 +95,12 @@ TEST_F(CommandLine, ListsTheEventsOfARun) {
   EXPECT_EQ(kinds, "event motor_off mass_loss touch_down release ring_clear ");
 }
 
+TEST_F(CommandLine, NeedsACommand) {
+  const auto [status, output] = rotor("");
+  EXPECT_NE(status, 0);
+  EXPECT_TRUE(output.starts_with("rotor: A subcommand is required")) << output;
+}
+
 TEST_F(CommandLine, TellsTheDefaultsOfItsOptions) {
   const std::string help = rotor("run --help").output;
   for (const char* option : {"--mass kg=5 ", "--until s=0.25 s after the mass loss"}) {

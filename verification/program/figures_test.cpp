@@ -23,6 +23,13 @@ TEST_F(FigureData, DoNotDependOnWhichFiguresAreAskedForTogether) {
   }
 }
 
+// Numbers begin with zeros as files do, and are not octal.
+TEST_F(FigureData, AreNumberedInTens) {
+  EXPECT_EQ(rotor("figure --out zeros 08 010").status, 0);
+  for (const char* name : {"zeros/fig08.csv", "zeros/fig10.csv"})
+    EXPECT_FALSE(content(name).empty()) << name;
+}
+
 TEST(Figures, OfThePaperEachHaveASceneAndAScript) {
   for (int number = 2; number <= 17; ++number) {
     EXPECT_NO_THROW(read_scene(figure_file(number, ".toml"))) << number;
