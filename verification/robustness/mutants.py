@@ -39,7 +39,7 @@ WORKERS = os.cpu_count() or 1
 SOURCES = {'.hpp', '.ipp', '.cpp'}
 NOT_MET = {'figures/explore/main.cpp', 'figures/sweep/ranks.cpp'}  # only in a browser, or under mpirun
 RANDOM_ROTORS = 'RandomRotors.KeepTheirBalances'  # what make verify runs beside the tests
-LIKELY_S = 0.5  # tests that are quicker may be asked first
+LIKELY_S = 2  # tests that are quicker may be asked first
 MORE = 1.5  # times as many mechanical changes are tried as are asked for: some do not compile
 
 SWITCHES = r'''#pragma once
@@ -353,9 +353,12 @@ class Run:
                 self._note(change, self._replace(change, pool))
 
     def _until_caught(self, change, names, run):
-        """First come quick ones of the tests that have noticed the most changes of the kind."""
-        noticed = self.noticed[change.file if change.number else pathlib.Path(change.file).suffix]
-        likely = {name for name, _ in noticed.most_common(20) if self.tests.seconds[name] < LIKELY_S} & names
+        """First come tests that bear the file's name (Fig04), and those that noticed such changes."""
+        path = pathlib.Path(change.file)
+        noticed = self.noticed[change.file if change.number else path.suffix]
+        likely = {name for name, _ in noticed.most_common(20)}
+        likely |= {name for name in names if name.endswith('/' + path.stem.capitalize())}
+        likely = {name for name in likely & names if self.tests.seconds[name] < LIKELY_S}
         caught = []
         for batch in [*([list(likely)] if likely else []), *self.tests.batches(names - likely)]:
             caught += run(batch)
