@@ -206,6 +206,7 @@ TEST(Margins, AreThoseOfSlipInTheEnd) {
   const Ring<double> ring(scenario.parameters);
   const double slip = ring.rim_point(found->end.last.motion()).slip_velocity;
   EXPECT_NEAR(slips[0], std::abs(slip), 1e-6 * std::abs(slip));
+  EXPECT_TRUE(margins_of(*found, "reach").empty());  // it has come as far as the ring
 }
 
 // A course hangs on a margin that may be none; one that only some computations take for near is
