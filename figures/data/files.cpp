@@ -153,6 +153,7 @@ void OutputFile::flush() {
     if (written < 0 && errno == EINTR && !is_interrupted()) continue;
     if (written < 0) fail_by_errno();
     left.remove_prefix(static_cast<std::size_t>(written));
+    if (!left.empty() && is_interrupted()) throw Interrupted();  // nobody takes the rest
   }
   buffer_.clear();
 }

@@ -90,6 +90,17 @@ TEST_P(MassLossResponseOf, ThePapersRotorTouchesTheRingFromItsSpeedOn) {
   EXPECT_GT(summary_of(lost_at(touching * (1 + 2.5e-4), GetParam())).collisions, 0);
 }
 
+// The faster of rotation and vibration tells how densely it has to be looked at.
+TEST_P(MassLossResponseOf, ARotorHasItsGreatestDisplacementBelowItsCriticalSpeedToo) {
+  for (const double speed_Hz : {1., 2., 6.}) {
+    const MassLossResponse response = closed_form(lost_at(speed_Hz, GetParam()));
+    double greatest = 0;
+    for (double t = 0; t < 3; t += 1e-4)
+      greatest = std::max(greatest, std::abs(response.position(t)));
+    EXPECT_NEAR(response.greatest() / greatest, 1, 2e-5) << speed_Hz;
+  }
+}
+
 // A vibration that does not die away may never come as far as its bound: the search ends.
 TEST_P(MassLossResponseOf, ARotorWithoutDampingHasAnEndToo) {
   Scenario scenario = lost_at(60, GetParam());

@@ -132,6 +132,11 @@ TEST_F(SynchronousRub, NeedsAnUnbalanceThatOvercomesTheSupportsDamping) {
   Parameters p;
   p.support_damping = 700;  // d w = 6.3e5 N/m, m w^2 e / c = 6.0e5 N/m
   EXPECT_EQ(Whirl(p).synchronous_friction(speed), 0);
+  // So wide a ring that friction which slows the rotor brings C no nearer to where it could.
+  Parameters wide;
+  wide.support_damping = 1;
+  wide.stator_radius = wide.rotor_radius + 1.3 * wide.inertia / (wide.mass * wide.rotor_radius);
+  EXPECT_EQ(Whirl(wide).synchronous_friction(speed), std::numeric_limits<double>::infinity());
   p.stator_radius = p.rotor_radius + 0.4e-3;  // less than e: C ahead of O overcomes all friction
   EXPECT_EQ(Whirl(p).synchronous_friction(speed), std::numeric_limits<double>::infinity());
 }

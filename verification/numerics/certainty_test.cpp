@@ -259,6 +259,13 @@ TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
   EXPECT_GT(to_json(*found, scenario, 3)["estimated_relative_error"], 0);
   found->forget_what_hangs_on_the_course();
   EXPECT_TRUE(to_json(*found, scenario, 3)["estimated_relative_error"].is_null());
+  long forgotten = 0;
+  for (const EventEstimate& event : found->events)
+    for (const NamedEstimate& value : event.values) {
+      EXPECT_TRUE(sure_digits(value) == 0 || value.of_tolerance == 0) << value.name;
+      forgotten += sure_digits(value) == 0;
+    }
+  EXPECT_GT(forgotten, 10);
   for (const NamedEstimate& value : found->summary) {
     if (!value.estimate) continue;
     EXPECT_EQ(sure_digits(value) == 0, value.name != "final_time_s") << value.name;

@@ -1,9 +1,13 @@
 /// Corner cases of the event-located method beyond those on a line (oscillation_test.cpp).
 #include <gtest/gtest.h>
 
+#include "figures/scenes/audience.hpp"
 #include "model/phases/flight.hpp"
+#include "model/simulation/summary.hpp"
 #include "model/simulation/switch_limit.hpp"
 #include "verification/support/balanced_run.hpp"
+#include "verification/support/follow.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -139,6 +143,30 @@ TEST(SwitchLimit, IsAThousandWithinAPeriod) {
   for (int n = 0; n < 1000; ++n) EXPECT_FALSE(limit.exceeded(3, 0.5)) << n;
   EXPECT_TRUE(limit.exceeded(3.5, 0.5));
   EXPECT_FALSE(limit.exceeded(3.75, 0.5));  // a period has passed: counted anew
+}
+
+// A rotor that does not turn meets the ring without slip, wherever that is, and whirls no more than
+// it did.
+TEST(Summary, HasNoWhirlWhereATouchDownRollsAtOnce) {
+  Scenario scenario;
+  Parameters& p = scenario.parameters;
+  p.gravity = p.torque = p.eccentricity = 0;
+  p.separates = false;
+  Instant from = at_rest(p);
+  from.state = {0, 2.9e-3, 0, 0, 0.5, 0};
+  SummaryObserver observer(scenario);
+  EventRecorder events;
+  Audience audience;
+  audience.add(observer);
+  audience.add(events);
+  const double touch_s = [&] {
+    EventRecorder look;
+    follow(scenario, from, 5e-4, look);
+    return look.first(Event::touch_down).time_s;
+  }();
+  follow(scenario, from, touch_s + 1e-5, audience);
+  EXPECT_EQ(events.first(Event::touch_down).contact, ContactState::rolling);
+  EXPECT_LT(std::abs(observer.summary().whirl_frequency_Hz.value_or(0)), 1);
 }
 
 }  // namespace

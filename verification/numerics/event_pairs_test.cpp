@@ -2,6 +2,7 @@
 /// of energy and angular momentum, a much tighter tolerance, or a closed form.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -231,6 +232,25 @@ TEST_F(LossInContact, WhileRolling) {
 TEST_F(LossInContact, WhileTheRingIsStillIndented) {
   const Instant from = bouncing();
   expect_loss(ContactState::indented, from, while_indented_s(from), 2e-3);
+}
+
+// Without friction the motor makes the rotor only faster; it is switched off where the ring is
+// still indented, and the rotor is clear of the ring where it would have been, too.
+TEST_F(LossInContact, OrTheMotorsLimitMayComeWhileTheRingIsStillIndented) {
+  scenario.parameters.friction = 0;
+  const Instant from = bouncing();
+  const double middle_s = while_indented_s(from);
+  EventRecorder there, whole;
+  switch_off_at(follow(scenario, from, middle_s, there).last.state[5]);
+  follow(scenario, from, 2e-3, whole);
+  const auto& events = whole.events();
+  const auto off = std::ranges::find(events, Event::motor_off, &Instant::event);
+  ASSERT_NE(off, events.end());
+  EXPECT_NEAR(off->time_s, middle_s, 1e-9);
+  EXPECT_EQ(off->contact, ContactState::indented);
+  ASSERT_NE(off + 1, events.end());
+  EXPECT_EQ((off + 1)->event, Event::ring_clear);
+  balanced(from, 2e-3);
 }
 
 // A run that ends there says so, and goes on from there as if it had not ended.

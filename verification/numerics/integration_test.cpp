@@ -139,19 +139,6 @@ TEST(HermitePolynomial, ReproducesAPolynomialOfItsDegree) {
   for (double t = -0.1; t < 1.1; t += 0.03) EXPECT_NEAR(polynomial(t)[0], f(t)[0], 1e-13) << t;
 }
 
-TEST(Verner, StepsTheHarmonicOscillatorWithOrderEight) {
-  using State2 = std::array<long double, 2>;
-  const auto system = [](const State2& x, State2& rates, long double) { rates = {x[1], -x[0]}; };
-  const auto error_after_one = [&](int steps) {
-    Verner87<State2, long double> stepper;
-    State2 x = {1, 0};
-    for (int i = 0; i < steps; ++i) stepper.do_step(system, x, 0.L, 1.L / steps);
-    return static_cast<double>(std::abs(x[0] - std::cos(1.L)) + std::abs(x[1] + std::sin(1.L)));
-  };
-  const double order = std::log2(error_after_one(4) / error_after_one(8));
-  EXPECT_GT(order + 0.1, 8);
-}
-
 constexpr double gravity = 9.81;
 
 /// A ball that falls on the floor, x = {height, velocity}. Its event: it meets the floor.

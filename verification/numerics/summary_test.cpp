@@ -87,6 +87,14 @@ TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
   EXPECT_NE(summary_until(1.9, scenario).outcome, Outcome::stalled);
 }
 
+// What drives nothing does not fail to drive.
+TEST(Outcome, OfARotorThatRunsDownNearItsCriticalSpeedIsNoStall) {
+  Scenario scenario{.start_speed_Hz = 9};
+  scenario.parameters.separates = false;
+  scenario.parameters.torque = 0;
+  EXPECT_EQ(summary_until(5, scenario).outcome, Outcome::no_contact);
+}
+
 // Exactly as far as it says: a free rotor that is let go with a vibration reaches it, and not more.
 TEST(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
   Scenario scenario{.until = 3};

@@ -30,6 +30,12 @@ TEST_F(FigureData, AreNumberedInTens) {
     EXPECT_FALSE(content(name).empty()) << name;
 }
 
+TEST_F(FigureData, AreThoseOfScenesThatAreNamedLikeThemAlone) {
+  for (const char* name : {"fig31-old.toml", "31.toml", "fig3.toml", "afig31.toml"})
+    write(name, "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n");
+  expect_refusal("figure --scenes . --out o", "there is no figNN.toml in this folder");
+}
+
 TEST(Figures, OfThePaperEachHaveASceneAndAScript) {
   for (int number = 2; number <= 17; ++number) {
     EXPECT_NO_THROW(read_scene(figure_file(number, ".toml"))) << number;

@@ -112,6 +112,14 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
 }
 
 // A scene's runs, each the same as on its own.
+// What rolled before the mass loss alone has not rolled since.
+TEST_F(RunCommand, BalancesNothingUntilARollingThatWasBefore) {
+  const Json printed = summary(
+      "--support-stiffness 1.2e5 --friction 2 --separation-time 6 --tolerance 1e-7 --energy");
+  EXPECT_LT(printed["rolling_onset_s"], 5);
+  EXPECT_TRUE(printed["energy_J"]["until_rolling"].is_null());
+}
+
 TEST_F(RunCommand, RunsAllRunsOfAScene) {
   write("two.toml",
         "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n[[run]]\nname = \"a\"\n"
@@ -223,6 +231,10 @@ TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
         << key;
     EXPECT_EQ(sure[key]["error"] == 0, key == "final_time_s" || value == 0) << key;
   }
+  const std::string narrow = "--stator-radius 0.0603 --separation-time 2 --until 2.02 ";
+  const Json before = summary(narrow + "--digits 3");
+  EXPECT_GT(before["collisions_before_loss"], 10);
+  EXPECT_EQ(before["collisions_before_loss"], summary(narrow)["collisions_before_loss"]);
   // What it says of signs and times is so.
   const auto& says = schema["properties"];
   EXPECT_LT(plain["whirl_frequency_Hz"], 0);

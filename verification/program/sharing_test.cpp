@@ -1,6 +1,7 @@
 /// Runs that share a part of their way are, to the bit, what they are alone.
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "figures/scenes/account.hpp"
@@ -123,6 +124,28 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
     scenario.parameters.separation_time = found.time_s.value_or(1);
     run_ups.depart(scenario, null_observer);  // leaves something on the way
   }
+}
+
+// A rotor that stalls swings: its greatest speed is not its last one.
+TEST(TimeAtSpeed, TellsTheGreatestSpeedWhereOneIsNotReached) {
+  Scenario scenario{.until = 60, .tolerance = 1e-7};
+  Parameters& p = scenario.parameters;
+  p.separates = false;
+  p.torque = 0.0126;
+  p.eccentricity = 6e-4;
+  p.stator_radius = 0.1;
+  struct Fastest : Observer {
+    bool goes_on(const Progress& now) override {
+      return greatest_Hz = std::max(greatest_Hz, now.speed / (2 * std::numbers::pi)), true;
+    }
+    double greatest_Hz = 0;
+  } fastest;
+  const double last_Hz = run(scenario, fastest).last.state[5] / (2 * std::numbers::pi);
+  Observer nobody;
+  const SpeedReached found = time_at_speed(Simulation(scenario), scenario, 12, 60., nobody);
+  EXPECT_FALSE(found.time_s);
+  EXPECT_NEAR(found.greatest_Hz, fastest.greatest_Hz, 1e-3 * fastest.greatest_Hz);
+  EXPECT_GT(found.greatest_Hz, 1.2 * last_Hz);
 }
 
 /// All that an observer is shown.

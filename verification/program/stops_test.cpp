@@ -56,6 +56,11 @@ TEST_F(Stops, AreAtRest) {
   };
   EXPECT_EQ(turns_at("0.09"), true);
   EXPECT_EQ(turns_at("0.11"), false);
+  // Nor has a pendulum that swings back, for more than a second each time.
+  const Json swings = summary(
+      "--stop-on rest --no-separation --torque 0 --eccentricity 1.15e-3 --start-speed-hz 0.64 "
+      "--until 10");
+  EXPECT_FALSE(swings["stop_reached"]);
 }
 
 }  // namespace

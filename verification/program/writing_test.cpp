@@ -76,6 +76,16 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   remove("not-yet");
 }
 
+// A link leads on from where it stands, not from where the program was started.
+TEST_F(Writing, FollowsARelativeLinkInAnotherFolder) {
+  fs::create_directory(folder_ / "other");
+  fs::create_symlink("target", folder_ / "other/link");
+  EXPECT_EQ(rotor(short_run + " --trace other/link").status, 0);
+  EXPECT_GT(rows_of("other/target").size(), 10U);
+  EXPECT_FALSE(fs::exists(folder_ / "target"));
+  fs::remove_all(folder_ / "other");
+}
+
 TEST_F(Writing, CutsNoHardLink) {
   write("one", "precious");
   fs::create_hard_link(folder_ / "one", folder_ / "two");
@@ -177,6 +187,19 @@ TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
 }
 
 // Its run would take minutes; what it had computed so far is no figure.
+// Even if whoever should read does not.
+TEST_F(Writing, EndsWhenInterruptedWhileAPipeIsFull) {
+  const std::string output =
+      shell(
+          "mkfifo pipe; sleep 60 <pipe & reader=$!\n"
+          "timeout --foreground --signal=INT --kill-after=10 1 $rotor run --until 1e5 "
+          "--no-separation --trace pipe; echo status $?; kill $reader")
+          .output;
+  EXPECT_EQ(output.find("status 137"), std::string::npos) << output;
+  EXPECT_NE(output.find("interrupted"), std::string::npos) << output;
+  remove("pipe");
+}
+
 TEST_F(Writing, EndsAFigureWhenInterrupted) {
   write("fig01.toml",
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0, until_s = 1e5 }\n"
@@ -226,6 +249,13 @@ TEST_F(Writing, QuotesNamesAsRfc4180HasIt) {
   EXPECT_EQ(static_cast<double>(rows.back().number("time_s")), 0.1);
   remove("s.toml");
   remove("t.csv");
+}
+
+// What begins like a comment is none.
+TEST(Csv, QuotesWhatBeginsWithAHash) {
+  EXPECT_EQ(csv_row("#1", std::vector{2.}), "\"#1\",2\n");
+  std::istringstream text("run,x\n" + csv_row("#1", std::vector{2.}));
+  ASSERT_EQ(read_csv(text, "t.csv").size(), 1U);
 }
 
 TEST(Csv, LeavesACellEmptyWhereThereIsNoNumber) {

@@ -1,0 +1,68 @@
+/// Verner's pair: its order, and each digit of its coefficients.
+#include "model/integration/verner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/fusion/include/for_each.hpp>
+#include <cmath>
+
+#include "model/simulation/extended/quad.hpp"
+
+namespace rotor {
+namespace {
+
+TEST(Verner, StepsTheHarmonicOscillatorWithOrderEight) {
+  using State2 = std::array<long double, 2>;
+  const auto system = [](const State2& x, State2& rates, long double) { rates = {x[1], -x[0]}; };
+  const auto error_after_one = [&](int steps) {
+    Verner87<State2, long double> stepper;
+    State2 x = {1, 0};
+    for (int i = 0; i < steps; ++i) stepper.do_step(system, x, 0.L, 1.L / steps);
+    return static_cast<double>(std::abs(x[0] - std::cos(1.L)) + std::abs(x[1] + std::sin(1.L)));
+  };
+  const double order = std::log2(error_after_one(4) / error_after_one(8));
+  EXPECT_GT(order + 0.1, 8);
+}
+
+template <class A, class B>
+Quad dot(const A& a, const B& b) {
+  Quad sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// Quadrature of the nodes' powers, by the weights of both orders and by each stage: in quadruple
+// precision, so that no digit of a coefficient is wrong. Rounding is some 1e-34 of terms up to 120.
+TEST(Verner, MeetsItsOrderConditionsToTheLastDigit) {
+  using std::abs;
+  const auto c = verner::nodes<Quad>(), b = verner::weights<Quad>(),
+             e = verner::error_weights<Quad>();
+  constexpr double rounding = 1e-30;
+  std::array<boost::array<Quad, 13>, 8> powers;
+  for (std::size_t i = 0; i < 13; ++i) {
+    powers[0][i] = 1;
+    for (std::size_t k = 1; k < 8; ++k) powers[k][i] = powers[k - 1][i] * c[i];
+  }
+  const auto is_near = [&](const Quad& a, const Quad& exact) { return abs(a - exact) < rounding; };
+  for (std::size_t k = 0; k < 8; ++k) {
+    EXPECT_TRUE(is_near(dot(b, powers[k]), Quad(1) / (k + 1))) << k;
+    if (k < 7) {
+      EXPECT_TRUE(is_near(dot(e, powers[k]), Quad(0))) << k;
+    }
+  }
+  std::size_t stage = 0;
+  boost::fusion::for_each(verner::stages<Quad>(), [&](const auto& row) {
+    ++stage;
+    // The first stages are of lower order, and are made up for.
+    const std::size_t orders = stage < 2 ? 1 : stage < 3 ? 2 : stage < 5 ? 3 : 4;
+    Quad power = 1;
+    for (std::size_t k = 0; k < orders; ++k) {
+      power *= c[stage];
+      EXPECT_TRUE(is_near(dot(row, powers[k]), power / (k + 1))) << stage << ' ' << k;
+    }
+  });
+  EXPECT_EQ(stage, 12U);
+}
+
+}  // namespace
+}  // namespace rotor
