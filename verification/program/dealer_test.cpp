@@ -69,5 +69,19 @@ TEST(Dealer, EndsWithWhatTheWorkThrows) {
   EXPECT_THROW(work(dealer, 2, make, [] {}), std::runtime_error);
 }
 
+// What fails next may have failed because of it.
+TEST(Dealer, TellsWhatFailedFirst) {
+  Dealer dealer(0, 8, [](std::string_view, long) {});
+  for (const char* reason : {"first", "second"})
+    dealer.stop(std::make_exception_ptr(std::runtime_error(reason)));
+  try {
+    work(
+        dealer, 1, []() -> Work { return [](long) { return ""; }; }, [] {});
+    FAIL() << "it went on";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "first");
+  }
+}
+
 }  // namespace
 }  // namespace rotor

@@ -30,6 +30,12 @@ TEST_F(FigureData, AreNumberedInTens) {
     EXPECT_FALSE(content(name).empty()) << name;
 }
 
+// Without being told where, they stand where make looks for them.
+TEST_F(FigureData, StandInTheFolderThatMakeHas) {
+  EXPECT_EQ(rotor("figure 2").status, 0);
+  EXPECT_FALSE(content("build/figures/fig02.csv").empty());
+}
+
 TEST_F(FigureData, AreThoseOfScenesThatAreNamedLikeThemAlone) {
   for (const char* name : {"fig31-old.toml", "31.toml", "fig3.toml", "afig31.toml"})
     write(name, "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n");

@@ -166,6 +166,16 @@ TEST_F(Drawn, EnergiesOfTheRubAreThoseBetweenItsEvents) {
   expect_said(picture, change(rolling - continuous));
   expect_said(picture, fmt::format("{:.0f} J left", rolling));
 }
+TEST_F(Drawn, GreatestDisplacementIsNamedWithItsTime) {
+  const DrawnPicture picture = drawn(2);
+  double greatest_mm = 0, time_s = 0;
+  for (const CsvRow& row : data_of(2)) {
+    const double rho_mm = 1e3 * static_cast<double>(row.number("rho_m"));
+    if (rho_mm > greatest_mm) time_s = static_cast<double>(row.number("time_s"));
+    greatest_mm = std::max(greatest_mm, rho_mm);
+  }
+  expect_said(picture, fmt::format("largest ρ = {:.2f} mm at {:.2f} s", greatest_mm, time_s));
+}
 TEST_F(Drawn, FrequencyOfQ1IsThatOfItsFirstPeriodsOfRolling) {
   const DrawnPicture picture = drawn(7);
   std::vector<double> upwards;

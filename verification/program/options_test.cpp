@@ -195,6 +195,31 @@ TEST_F(Options, MayStateThatTheLostMassIsNone) {
   }
 }
 
+// A set of equations states both of its corrections, over what a scene states of one.
+TEST_F(Options, OfTheEquationsStateBothCorrections) {
+  write("s.toml",
+        "[parameters]\nstart_speed_hz = 100\nuntil = 0.01\nno_separation = true\n"
+        "gravity_moment = \"balanced\"\nvelocity_jump = \"once\"\n");
+  for (const auto& [set, jump, moment] :
+       {std::tuple("published", "twice", "whole"), {"consistent", "once", "balanced"}}) {
+    const Json whole = summary(std::string("--scene s.toml --equations ") + set);
+    EXPECT_EQ(whole["velocity_jump"], jump);
+    EXPECT_EQ(whole["gravity_moment"], moment);
+  }
+}
+
+// What a scene's window has is traced, by rows at equal distances as well.
+TEST_F(Options, OfRowsKeepToTheScenesWindow) {
+  write("s.toml",
+        "window = { from_s = 0.004, until_s = 0.012 }\n"
+        "[parameters]\nstart_speed_hz = 30\nuntil = 0.02\nno_separation = true\n");
+  for (const char* rows : {"--rows 5", "--every 0.002"}) {
+    EXPECT_EQ(rotor(std::string("run --scene s.toml --trace t.csv ") + rows).status, 0);
+    EXPECT_EQ(rows_of("t.csv").size(), 1U + 5) << rows;
+    EXPECT_TRUE(rows_of("t.csv").back().starts_with("run,0.012,")) << rows_of("t.csv").back();
+  }
+}
+
 TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
   write("two.toml",
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0.004, until_s = 0.012 }\n"

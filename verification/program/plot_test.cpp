@@ -97,6 +97,16 @@ TEST_F(Plot, WaitsForGnuplotWhateverSignalComes) {
   EXPECT_NE(content("a.svg").find("</svg>"), std::string::npos);
 }
 
+// What a killed gnuplot has drawn so far is no picture.
+TEST_F(Plot, RefusesThePictureOfAGnuplotThatWasKilled) {
+  write("gnuplot", "#!/bin/sh\nkill -KILL $$\n");
+  fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
+  const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out a.svg");
+  EXPECT_NE(status, 0);
+  EXPECT_NE(output.find("gnuplot has not drawn the picture"), std::string::npos) << output;
+  EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
+}
+
 TEST_F(Plot, FollowsLinksAndKeepsTheMode) {
   write("target.svg", "old");
   fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);

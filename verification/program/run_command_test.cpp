@@ -41,6 +41,8 @@ TEST_F(RunCommand, RemarksOnContactBeforeTheLossAndOnDeepIndentation) {
   };
   EXPECT_NE(remarks("").find("indented by 0.19 of the clearance"), std::string::npos);
   EXPECT_EQ(remarks("--separation-time 9.4"), "[]");
+  EXPECT_EQ(remarks("--no-separation --support-stiffness 1.2e5 --until 6").find("mass loss"),
+            std::string::npos);
   // A tenth is the limit: 0.103 and 0.089.
   const std::string stiff = "--start-speed-hz 150 --separation-time 1e-3 --until 0.05 ";
   EXPECT_NE(remarks(stiff + "--contact-stiffness 1.7e9").find("indented by 0.1 of the clearance"),
@@ -157,6 +159,7 @@ TEST_F(RunCommand, PrintsTheDigitsThatAreAskedForAndSure) {
   const double off = usual["final_q2_m"].get<double>() / json["final_q2_m"]["value"].get<double>();
   EXPECT_GT(usual["estimated_relative_error"], std::abs(off - 1));
   EXPECT_LT(usual["estimated_relative_error"], 1e-3);
+  expect_refusal("run --estimate-error --stop-on rolling", "--estimate-error: is of whole runs");
 }
 
 TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {

@@ -63,6 +63,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"window = { from_s = 3, until_s = 30 }", ":1: window: must lie inside the run"},
         BadScene{"window = { from_s = 3, until_s = 2 }", ":1: window: must lie inside the run"},
         BadScene{"window = { from = \"impact\" }", ":1: from: must be \"rolling_onset\""},
+        BadScene{"window = { from = \"rolling_onset\", length_s = 1e-3, from_s = 3 }",
+                 ":1: window: from goes with length_s, and nothing else"},
+        BadScene{"window = { until_s = 5 }\n[parameters]\nseparation_time = 1\n[[run]]\nname = "
+                 "\"a\"\nuntil = 6\n[[run]]\nname = \"b\"\nuntil = 4",
+                 ":1: window: must lie inside the run, with 0 <= from_s < until_s <= 4 s"},
         BadScene{"[[run]]\nfriction = 0.1", ":1: name: every [[run]] needs a name"},
         BadScene{"[[run]]\nname = \"a\"\n[[run]]\nname = \"a\"", ":3: name: there is a run \"a\""},
         BadScene{"title = ", ":1: "}),

@@ -141,7 +141,20 @@ TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
       "[parameters]\ntolerance = 1e-6\nuntil = 29.4\n[sample]\ncount = 4000\nmethod = \"random\"\n"
       "[[sample.over]]\nquantity = \"friction\"\nlog_uniform = [0.05, 1]\n");
   ASSERT_EQ(rotor("sweep s.toml --out whole.csv --jobs 2").status, 0);
-  write("cut.csv.journal", content("whole.csv").substr(0, 40));  // killed within the head
+  // Killed within the head, in the first row, and in a block of rows.
+  const std::string whole = content("whole.csv");
+  const auto row = [&](int n) {
+    std::size_t at = whole.find("\n", whole.find("refusal"));
+    for (; n > 0; --n) at = whole.find('\n', at + 1);
+    return at + 1;
+  };
+  for (const std::size_t cut : {row(0) + 3, row(5), row(6) + 3}) {
+    write("cut.csv.journal", whole.substr(0, cut));
+    EXPECT_EQ(rotor("sweep s.toml --out cut.csv").status, 0) << cut;
+    EXPECT_TRUE(content("cut.csv") == whole) << cut;
+    fs::remove(folder_ / "cut.csv");
+  }
+  write("cut.csv.journal", whole.substr(0, 40));
   std::mt19937 random(1);
   std::size_t last = 0;
   int kills = 0;
@@ -222,6 +235,19 @@ TEST_F(SweepCommand, SaysHowItGoesOnATerminal) {
     EXPECT_EQ(begun > 0, is_resumed);
     EXPECT_NEAR(rate * elapsed_s / (done - begun), 1, 0.17) << output;  // of whole seconds
   }
+}
+
+// A zero that nobody is sure of has no digit: the cell is empty, as that of what there is not.
+TEST_F(SweepCommand, LeavesACellWithoutASureDigitEmpty) {
+  write("z.toml",
+        "stop_on = \"end\"\ncolumns = [\"final_q1_m\", \"final_speed_Hz\"]\n[parameters]\n"
+        "eccentricity = 0\ngravity = 0\nno_separation = true\nuntil = 0.1\ndigits = 3\n"
+        "[[axis]]\nquantity = \"torque\"\nvalues = [0.3]\n");
+  ASSERT_EQ(rotor("sweep z.toml --out z.csv").status, 0);
+  const auto rows = read_csv(folder_ / "z.csv");
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["final_q1_m"], "");
+  EXPECT_GT(rows[0].number("final_speed_Hz"), 0);
 }
 
 TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {

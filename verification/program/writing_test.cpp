@@ -143,6 +143,19 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
   EXPECT_NE(output.find("status 1"), std::string::npos) << output;
 }
 
+// A reader that goes away ends the run with a message, and with nothing half written beside.
+TEST_F(Writing, LeavesNothingBehindWhenItsReaderGoesAway) {
+  const std::string output =
+      shell(
+          "{ $rotor run --until 20 --no-separation --trace - --events e.csv; echo status $? >&2; "
+          "} | head -n 3 >/dev/null")
+          .output;
+  EXPECT_NE(output.find("standard output: cannot be written: Broken pipe"), std::string::npos)
+      << output;
+  EXPECT_NE(output.find("status 1"), std::string::npos) << output;
+  EXPECT_EQ(files(), 0);
+}
+
 TEST_F(Writing, TouchesNobodysOwnDrafts) {
   write("t.csv.part", "precious");
   write(".t.csv.part", "precious");
