@@ -141,7 +141,7 @@ TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
                  y = pixel(picture.curves.front().y,
                            1e3 * static_cast<double>(row.number("x_a_m")));
     EXPECT_TRUE(std::ranges::any_of(picture.marks, [&](const auto& mark) {
-      return std::hypot(mark.first - x, mark.second - y) < 0.5;
+      return std::hypot(mark.first - x, mark.second - y) < 0.1;  // pixels
     })) << row["time_s"];
   }
 }
