@@ -149,6 +149,40 @@ TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
 INSTANTIATE_TEST_SUITE_P(Every, DrawnLabels, testing::ValuesIn(paper_figures()),
                          [](const auto& c) { return fmt::format("Fig{:02}", c.param.number); });
 
+// Arrows on orbits point where the rotor goes.
+TEST_F(Drawn, OrbitsHaveArrowsInTheSenseOfTheMotion) {
+  for (const auto& [number, run, times] :
+       {std::tuple(8, "run", std::array{29.102, -2e-4}), {9, "event", {29.102, -1e-3}}}) {
+    const DrawnPicture picture = drawn(number);
+    std::vector<CsvRow> rows = data_of(number);
+    std::erase_if(rows, [run = std::string(run)](const CsvRow& row) { return row["run"] != run; });
+    const auto place = [&](const CsvRow& row) {
+      return std::pair(
+          pixel(picture.x, 1e3 * static_cast<double>(row.number("y_a_m"))),
+          pixel(picture.curves.front().y, 1e3 * static_cast<double>(row.number("x_a_m"))));
+    };
+    for (const double time : times) {
+      const double time_s =
+          time > 0 ? time : static_cast<double>(rows.back().number("time_s")) + time;
+      const auto later = std::ranges::find_if(rows, [&](const CsvRow& row) {
+        return static_cast<double>(row.number("time_s")) > time_s;
+      });
+      const auto [x, y] = place(*later);
+      const auto [x_before, y_before] = place(*(later - 1));
+      EXPECT_TRUE(std::ranges::any_of(
+          picture.arrows,
+          [&](const auto& arrow) {
+            const auto& [base, tip] = arrow;
+            const double dx = tip.first - base.first, dy = tip.second - base.second;
+            const double along = (dx * (x - x_before) + dy * (y - y_before)) /
+                                 (std::hypot(dx, dy) * std::hypot(x - x_before, y - y_before));
+            return std::hypot(tip.first - x, tip.second - y) < 8 && along > 0.9;
+          }))
+          << number << ' ' << time_s;
+    }
+  }
+}
+
 TEST_F(Drawn, EnergiesOfTheRubAreThoseBetweenItsEvents) {
   const DrawnPicture picture = drawn(6);
   const auto change = [](double joule) { return fmt::format("−{:.0f} J", -joule); };
@@ -211,6 +245,16 @@ TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
   const double along = ((x - from_x) * right + (y - from_y) * down) /
                        (std::hypot(x - from_x, y - from_y) * std::hypot(right, down));
   EXPECT_GT(along, 0.9);  // labels stand beside what they name
+  // O and the rim opposite to K move against the rotation, which is from x_a to y_a.
+  const double rho = std::hypot(right, down);
+  EXPECT_GE(std::ranges::count_if(
+                picture.arrows,
+                [&](const auto& arrow) {
+                  const auto& [base, tip] = arrow;
+                  const double dx = tip.first - base.first, dy = tip.second - base.second;
+                  return (-dx * down + dy * right) / (std::hypot(dx, dy) * rho) > 0.99;
+                }),
+            2);
 }
 }  // namespace
 }  // namespace rotor

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <string>
@@ -80,6 +81,8 @@ struct DrawnPicture {
       } else if (tag.starts_with("<path")) {
         const std::string head = svg.substr(at, svg.find(" d='", at) - at);
         const Points points = corners(between(at, " d='", "'"));
+        const bool is_closed = points.size() == 5 && points.front() == points.back();
+        if (is_closed && head.find("gridline") == std::string::npos) note_arrow(points);
         if (head.find("gridline") != std::string::npos) {
           line = points;
           in_curve = false;
@@ -107,8 +110,18 @@ struct DrawnPicture {
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
   }
 
+  /// The head of an arrow is a triangle that begins in the middle of its base.
+  void note_arrow(const Points& head) {
+    const auto [x0, y0] = head[0];
+    const bool is_middle = std::abs(head[1].first + head[3].first - 2 * x0) < 0.1 &&
+                           std::abs(head[1].second + head[3].second - 2 * y0) < 0.1;
+    if (is_middle) arrows.push_back({head[0], head[2]});
+  }
+
   Tics x;
   std::vector<DrawnCurve> curves;
+  std::vector<std::pair<std::pair<double, double>, std::pair<double, double>>>
+      arrows;      ///< of their heads, base and tip
   Points marks;    ///< all symbols
   Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
