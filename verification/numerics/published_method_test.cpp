@@ -105,5 +105,15 @@ TEST(PublishedMethod, SaysWhereARunDiverges) {
   }
 }
 
+// The whirl is counted from the step in which rolling begins, and not from the one before.
+TEST(PublishedMethod, CountsTheWhirlFromTheOnsetOfRolling) {
+  Scenario scenario{.method = Method::rk4, .start_speed_Hz = 149.5, .until = 0.06};
+  scenario.parameters.separation_time = 1e-3;
+  SummaryObserver observer(scenario);
+  run(scenario, observer);
+  ASSERT_TRUE(observer.summary().rolling_onset_s);
+  EXPECT_EQ(observer.summary().whirl_from_s, observer.summary().rolling_onset_s);
+}
+
 }  // namespace
 }  // namespace rotor
