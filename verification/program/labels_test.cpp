@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <regex>
 
 #include "model/simulation/simulation.hpp"
 #include "verification/support/figure_drawing.hpp"
@@ -181,6 +182,27 @@ TEST_F(Drawn, OrbitsHaveArrowsInTheSenseOfTheMotion) {
           << number << ' ' << time_s;
     }
   }
+}
+
+// Bars to both sides of a point that was read off: as wide and as high as it says.
+TEST_F(Drawn, PointsThatWereReadOffHaveTheirErrors) {
+  write("points.csv", "run,quantity,x,y,x_error,y_error\nrun,,0,1,0.5,0.1\n");
+  const Outcome outcome = draw(8, Equations::published, "points.csv");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const std::string svg = content("fig08.svg");
+  const DrawnPicture picture(svg);
+  const Tics& y = picture.curves.front().y;
+  const std::regex bars(
+      R"(M([\d.]+),([\d.]+) L([\d.]+),([\d.]+) M([\d.]+),([\d.]+) L([\d.]+),([\d.]+) )");
+  bool is_seen = false;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), bars), end; at != end; ++at) {
+    const auto n = [&](int i) { return std::stod((*at)[i]); };
+    is_seen = is_seen ||
+              (std::abs(n(1) - pixel(picture.x, 0)) < 0.1 &&
+               std::abs(std::abs(n(4) - n(2)) - std::abs(pixel(y, 0.2) - pixel(y, 0))) < 0.1 &&
+               std::abs(std::abs(n(7) - n(5)) - (pixel(picture.x, 1) - pixel(picture.x, 0))) < 0.1);
+  }
+  EXPECT_TRUE(is_seen);
 }
 
 TEST_F(Drawn, EnergiesOfTheRubAreThoseBetweenItsEvents) {
