@@ -48,6 +48,8 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
                                      {"x_a_m", 1e3, {3, 2.5}}};
   std::size_t curve = 0;
   for (const Panel& panel : panels) {
+    const Tics& axis = picture.curves.at(curve).y;
+    EXPECT_EQ(pixel(axis, 1) > pixel(axis, 0), panel.column == "x_a_m") << panel.column;  // down
     for (const double clearance_mm : panel.clearances_mm) {  // of each run, downwards
       const DrawnCurve& drawn = picture.curves[curve++];
       const auto furthest = std::ranges::max_element(drawn.points, {}, [&](const auto& point) {
