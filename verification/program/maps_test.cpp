@@ -285,7 +285,10 @@ TEST_F(Maps, OfRoundingShowSharesWithTheirErrors) {
       "{}rounding.gp",
       ROTOR_SOURCES, maps));
   EXPECT_EQ(output, "");
-  EXPECT_NE(content("s.svg").find("4 draws at each point"), std::string::npos);
+  // The colours of errors go to 0.05, which is that of a half among a hundred draws.
+  for (const char* said : {"4 draws at each point", "standard error of the share", ">0.05<"})
+    EXPECT_NE(content("s.svg").find(said), std::string::npos) << said;
+  EXPECT_EQ(content("s.svg").find(">0.06<"), std::string::npos);
 }
 
 }  // namespace
