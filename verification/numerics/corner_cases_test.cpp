@@ -169,5 +169,26 @@ TEST(Summary, HasNoWhirlWhereATouchDownRollsAtOnce) {
   EXPECT_LT(std::abs(observer.summary().whirl_frequency_Hz.value_or(0)), 1);
 }
 
+// Where friction hardly holds a rim that rolls, the guard takes the loads at the ends of steps, too.
+TEST(Counters, CountTheContactLawInGuardsThatNeedIt) {
+  Scenario scenario;
+  Parameters& p = scenario.parameters;
+  p.gravity = p.torque = 0;
+  const double speed = 300, clearance = p.stator_radius - p.rotor_radius,
+               rim = p.rotor_radius * speed,
+               rho = clearance + p.mass * rim * rim / clearance / p.contact_stiffness;
+  Instant from = at_rest(p);
+  from.contact = ContactState::rolling;
+  from.state = {rho, 0, 0, 0, -rim - speed * rho, speed};
+  Observer nobody;
+  for (const auto& [friction, is_close] : {std::pair(1., false), {0.03, true}}) {
+    p.friction = friction;
+    const RunEnd end = follow(scenario, from, 1e-4, nobody);
+    EXPECT_EQ(end.last.contact, ContactState::rolling);
+    EXPECT_EQ(end.counters.contact_evaluations > end.counters.right_hand_sides, is_close)
+        << end.counters.contact_evaluations << ' ' << end.counters.right_hand_sides;
+  }
+}
+
 }  // namespace
 }  // namespace rotor
