@@ -68,6 +68,10 @@ TEST_F(Make, HandsItsOptionsOn) {
               has(consistent, "/consistent/fig03.svg"))
       << consistent;
   EXPECT_TRUE(has(pdf, "fig03.pdf.part'; format = 'pdf'") && !has(pdf, "fig04")) << pdf;
+  // A picture is made again if its data, its script or the style of all has changed.
+  EXPECT_TRUE(has(plan("--print-data-base fig03"),
+                  "\nbuild/figures/fig03.svg: build/figures/fig03.csv figures/paper/fig03.gp "
+                  "figures/paper/style.gp"));
 }
 
 // As many points as are asked for along the axes of maps, and a tenth of them for an ensemble.
