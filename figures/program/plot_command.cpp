@@ -83,7 +83,9 @@ void plot_scene(const PlotOptions& options) {
         fmt::format("{}: cannot be written: there is no such folder", folder.string()));
   FileTransaction::require_distinct({out});
 
-  const SceneTables tables = compute_tables({{1, scene}});
+  SceneTables tables = compute_tables({{1, scene}});
+  int number = 0;  // gnuplot cuts names off at their first comma
+  for (NamedTable& table : tables.of.at(1)) table.name = fmt::format("{}", ++number);
   const DraftFolder drafts;
   FileTransaction data;
   data.write(drafts.file("data.csv"), to_csv(provenance(scene.title, scene),

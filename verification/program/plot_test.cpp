@@ -16,7 +16,7 @@ class Plot : public CommandLine {
     CommandLine::SetUp();
     write("it's.toml",
           "title = \"It's 100 %\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n"
-          "[[run]]\nname = \"high_mu\"\n[[run]]\nname = \"mu's 0.1\"\nfriction = 0.1\n"
+          "[[run]]\nname = \"high_mu\"\n[[run]]\nname = \"mu's 0.1, narrow\"\nfriction = 0.1\n"
           "clearance = 2.5e-3\n");
   }
 };
@@ -27,7 +27,7 @@ TEST_F(Plot, DrawsEveryRunOfAScene) {
   EXPECT_EQ(status, 0);
   EXPECT_EQ(output, "it's.svg\n");
   const std::string picture = content("it's.svg");
-  for (const char* shown : {"It's 100 %", "high_mu", "mu's 0.1", "f, Hz", "clearance"})
+  for (const char* shown : {"It's 100 %", "high_mu", "mu's 0.1, narrow", "f, Hz", "clearance"})
     EXPECT_NE(picture.find(shown), std::string::npos) << shown;
   EXPECT_EQ(files(), 2);
 }
@@ -58,7 +58,7 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
       EXPECT_NEAR(std::abs(furthest->second - pixel(drawn.y, 0)),
                   std::abs(pixel(drawn.y, clearance_mm) - pixel(drawn.y, 0)), 0.5);
     }
-    for (const std::string run : {"high_mu", "mu's 0.1"}) {
+    for (const std::string run : {"high_mu", "mu's 0.1, narrow"}) {
       ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,
                 0);
       std::vector<double> values, heights;
