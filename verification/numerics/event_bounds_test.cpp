@@ -117,7 +117,7 @@ TEST(RubReach, IsThatOfTheEndThatReachesFurther) {
   EXPECT_EQ(forwards, rolling.phase.vibration_reach(there, here));
   const auto of_here = rolling.phase.vibration_reach(here, here),
              of_there = rolling.phase.vibration_reach(there, there);
-  for (const int i : {0, 2}) {
+  for (const std::size_t i : {0U, 2U}) {
     EXPECT_EQ(forwards[i], std::max(of_here[i], of_there[i])) << i;
     EXPECT_NE(of_here[i], of_there[i]) << i;
   }

@@ -212,6 +212,16 @@ TEST_F(RunCommand, TabulatesTheRunsOfAScene) {
   const Json schema = Json::parse(file);
   for (const auto& [key, unused] : runs[0].items())
     EXPECT_TRUE(schema["properties"].contains(key)) << key;
+  // With as many digits as are asked for.
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.03\ndigits = 3\n"
+        "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.4\n");
+  std::istringstream sure(rotor("run --scene two.toml 2>messages").output);
+  for (int n = 0; n < 3; ++n) std::getline(sure, row);
+  EXPECT_EQ(std::ranges::count_if(row.substr(row.find_last_of(' ', row.find_last_not_of(' '))),
+                                  [](char c) { return std::isdigit(c) != 0; }),
+            3)
+      << row;
   EXPECT_EQ(runs.size(), 2U);
   EXPECT_NE(runs[0]["outcome"], runs[1]["outcome"]);
   EXPECT_FALSE(std::getline(table, row));
