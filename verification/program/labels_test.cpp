@@ -168,15 +168,16 @@ TEST_F(Drawn, OrbitsHaveArrowsInTheSenseOfTheMotion) {
       const auto later = std::ranges::find_if(rows, [&](const CsvRow& row) {
         return static_cast<double>(row.number("time_s")) > time_s;
       });
-      const auto [x, y] = place(*later);
-      const auto [x_before, y_before] = place(*(later - 1));
+      const std::pair<double, double> here = place(*later), before = place(*(later - 1));
+      const double x = here.first, y = here.second;
+      const double on_x = x - before.first, on_y = y - before.second;
       EXPECT_TRUE(std::ranges::any_of(
           picture.arrows,
           [&](const auto& arrow) {
             const auto& [base, tip] = arrow;
             const double dx = tip.first - base.first, dy = tip.second - base.second;
-            const double along = (dx * (x - x_before) + dy * (y - y_before)) /
-                                 (std::hypot(dx, dy) * std::hypot(x - x_before, y - y_before));
+            const double along =
+                (dx * on_x + dy * on_y) / (std::hypot(dx, dy) * std::hypot(on_x, on_y));
             return std::hypot(tip.first - x, tip.second - y) < 8 && along > 0.9;
           }))
           << number << ' ' << time_s;
@@ -196,7 +197,7 @@ TEST_F(Drawn, PointsThatWereReadOffHaveTheirErrors) {
       R"(M([\d.]+),([\d.]+) L([\d.]+),([\d.]+) M([\d.]+),([\d.]+) L([\d.]+),([\d.]+) )");
   bool is_seen = false;
   for (std::sregex_iterator at(svg.begin(), svg.end(), bars), end; at != end; ++at) {
-    const auto n = [&](int i) { return std::stod((*at)[i]); };
+    const auto n = [&](std::size_t i) { return std::stod((*at)[i]); };
     is_seen = is_seen ||
               (std::abs(n(1) - pixel(picture.x, 0)) < 0.1 &&
                std::abs(std::abs(n(4) - n(2)) - std::abs(pixel(y, 0.2) - pixel(y, 0))) < 0.1 &&
