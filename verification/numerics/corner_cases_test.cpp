@@ -169,7 +169,8 @@ TEST(Summary, HasNoWhirlWhereATouchDownRollsAtOnce) {
   EXPECT_LT(std::abs(observer.summary().whirl_frequency_Hz.value_or(0)), 1);
 }
 
-// Where friction hardly holds a rim that rolls, the guard takes the loads at the ends of steps, too.
+// Where friction hardly holds a rim that rolls, the guard takes the loads at the ends of steps,
+// too.
 TEST(Counters, CountTheContactLawInGuardsThatNeedIt) {
   Scenario scenario;
   Parameters& p = scenario.parameters;
