@@ -83,7 +83,7 @@ do for [p = 0:2*rows - 1] {
   set xlabel (at_bottom ? x_name : "") offset 0,0.4
   set ylabel (at_left ? y_name : "") offset 0.5,0
   if (shows eq "force" && p == 2*rows - 1) {
-    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.165) size screen 0.4, screen 0.018
+    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.175) size screen 0.4, screen 0.018
     set cblabel "largest normal force, kN; white: no contact, or contact before the loss" offset 0,0.4
   }
   drawn = ""
@@ -109,7 +109,7 @@ do for [i = 1:forms] {
 do for [i = 1:classes] {
   colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", tint[i], name[i])
 }
-set key Left reverse spacing 1.05 noopaque font ",11"
+set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox
 set key at screen 0.5, screen low center center samplen 2.5 maxrows 2 width -6
 if (strlen(lines)) { eval "plot ".lines."NaN notitle" }

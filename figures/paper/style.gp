@@ -19,6 +19,7 @@ if (format eq "png") { wide = "pngcairo size 1920,1120 font 'DejaVu Sans,11' fon
                        square = "pngcairo size 1520,1600 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced linewidth 2.4" }
 if (format eq "pdf") { wide = "pdfcairo ".wide_pdf; square = "pdfcairo ".square_pdf }
 eval "set terminal ".wide
+small = sprintf(",%g", 0.8*(format eq "svg" ? 14 : format eq "png" ? 11 : 8))    # a font of keys that say much
 set output output
 
 # Colours that colour-blind readers can tell apart; what is published is grey and dashed.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <regex>
 
@@ -124,6 +126,22 @@ TEST_P(DrawnLabels, AreThoseOfWhatIsShownAndStated) {
     })) << level;
 }
 
+TEST_P(DrawnLabels, LieWithinThePicture) { EXPECT_EQ(drawn(GetParam().number).clipped, Texts()); }
+
+// The formats differ in the size of their letters, which the style alone knows.
+TEST(Labels, AreOfNoSizeOfTheirOwn) {
+  const std::regex size(R"(font *["'][^"']*,[0-9])");
+  int scripts = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(ROTOR_SOURCES "/figures"))
+    if (entry.path().extension() == ".gp" && entry.path().stem() != "style") {
+      std::ifstream file(entry.path());
+      const std::string script{std::istreambuf_iterator<char>(file), {}};
+      EXPECT_FALSE(std::regex_search(script, size)) << entry.path();
+      ++scripts;
+    }
+  EXPECT_GT(scripts, 20);
+}
+
 // In orbits x_a points downwards, y_a to the right.
 TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
   const int number = GetParam().number;
@@ -223,6 +241,7 @@ TEST_F(Drawn, EnergiesOfTheRubAreThoseBetweenItsEvents) {
   expect_said(picture, change(rolling - continuous));
   expect_said(picture, fmt::format("{:.0f} J left", rolling));
 }
+
 TEST_F(Drawn, GreatestDisplacementIsNamedWithItsTime) {
   const DrawnPicture picture = drawn(2);
   double greatest_mm = 0, time_s = 0;
@@ -233,6 +252,7 @@ TEST_F(Drawn, GreatestDisplacementIsNamedWithItsTime) {
   }
   expect_said(picture, fmt::format("largest ρ = {:.2f} mm at {:.2f} s", greatest_mm, time_s));
 }
+
 TEST_F(Drawn, FrequencyOfQ1IsThatOfItsFirstPeriodsOfRolling) {
   const DrawnPicture picture = drawn(7);
   std::vector<double> upwards;
@@ -252,6 +272,7 @@ TEST_F(Drawn, FrequencyOfQ1IsThatOfItsFirstPeriodsOfRolling) {
   expect_said(picture,
               fmt::format("here: {:.0f} Hz", periods / (upwards.back() - upwards.front())));
 }
+
 // In the scheme, from O_a towards K is where O lies: x_a downwards, y_a to the right.
 TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
   const DrawnPicture picture = drawn(10);
@@ -279,5 +300,6 @@ TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
                 }),
             2);
 }
+
 }  // namespace
 }  // namespace rotor

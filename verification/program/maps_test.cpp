@@ -115,6 +115,7 @@ TEST_P(Maps, AreDrawn) {
     };
     for (const std::string& text : axes.at(map).names) EXPECT_TRUE(says(text)) << text;
     for (const std::string& text : axes.at(map).tics) EXPECT_TRUE(says(text)) << text;
+    EXPECT_EQ(picture.clipped, std::vector<std::string>());
   }
   for (const char* tic : {" 1", " 10", " 100", " 1000"})  // of the force's colours, in ratios
     EXPECT_NE(std::ranges::find(of_force.texts, tic), of_force.texts.end()) << tic;

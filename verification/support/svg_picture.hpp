@@ -56,6 +56,38 @@ inline double number_of(std::string label) {
   return std::stod(label);
 }
 
+/// An arrow's head is a triangle that begins and ends in the middle of its base.
+inline bool is_arrowhead(const Points& path) {
+  if (path.size() != 5 || path.front() != path.back()) return false;
+  return std::abs(path[1].first + path[3].first - 2 * path[0].first) < 0.1 &&
+         std::abs(path[1].second + path[3].second - 2 * path[0].second) < 0.1;
+}
+
+/// Whether a text reaches beyond a canvas that begins at 0. Its group states where it is anchored,
+/// its size and whether it stands upright; its letters are taken to be half as wide as they are
+/// high (DejaVu Sans has 0.6 on average).
+inline bool is_clipped(const std::string& group, const std::string& text,
+                       Points::value_type canvas) {
+  const auto after = [&](std::string_view key) {
+    const std::size_t at = group.find(key);
+    return at == std::string::npos ? std::string() : group.substr(at + key.size(), 30);
+  };
+  const auto letters =
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; });
+  const double length = 0.5 * std::stod(after("font-size=\"")) * static_cast<double>(letters);
+  const std::string anchor = after("text-anchor=\"");
+  const double before = anchor.starts_with("start") ? 0 : anchor.starts_with("end") ? 1 : 0.5;
+  const auto [x, y] = corners(after("translate(")).front();
+  if (group.find("rotate(270") != std::string::npos)
+    return y + before * length > canvas.second || y - (1 - before) * length < 0;
+  return x - before * length < 0 || x + (1 - before) * length > canvas.first || y < 0 ||
+         y > canvas.second;
+}
+
+struct Arrow {
+  std::pair<double, double> base, tip;  ///< of its head, pixels
+};
+
 /// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
 /// panel before its curves. All panels have the x axis of the last one.
 struct DrawnPicture {
@@ -63,16 +95,18 @@ struct DrawnPicture {
     Tics y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
     bool in_curve = false, y_is_old = false;
-    std::pair<double, double> place;
+    std::string group;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
       at = svg.find(end, from);
       return svg.substr(from, at - from);
     };
+    std::size_t start = 0;
+    const Points::value_type canvas = corners(between(start, "viewBox=\"0 0 ", "\"")).front();
     for (std::size_t at = 0; (at = svg.find('<', at)) != std::string::npos; ++at) {
       const std::string_view tag(&svg[at], std::min<std::size_t>(30, svg.size() - at));
       if (tag.starts_with("<g transform=\"translate(")) {
-        place = corners(between(at, "translate(", ")")).front();
+        group = between(at, "<g ", ">");
       } else if (tag.starts_with("<g id=\"gnuplot_plot_")) {
         std::string title = without_tags(between(at, "<title>", "</title>"));
         if (!title.starts_with("gnuplot_plot_")) keys.push_back(std::move(title));
@@ -81,23 +115,24 @@ struct DrawnPicture {
       } else if (tag.starts_with("<path")) {
         const std::string head = svg.substr(at, svg.find(" d='", at) - at);
         const Points points = corners(between(at, " d='", "'"));
-        const bool is_closed = points.size() == 5 && points.front() == points.back();
-        if (is_closed && head.find("gridline") == std::string::npos) note_arrow(points);
         if (head.find("gridline") != std::string::npos) {
           line = points;
           in_curve = false;
         } else if (points.size() == 2 && head.find("stroke-dasharray") != std::string::npos &&
                    points[0].second == points[1].second) {
           levels.push_back(points[0].second);
+        } else if (is_arrowhead(points)) {
+          arrows.push_back({points[0], points[2]});
         } else if (in_curve && points.size() > curves.back().points.size()) {
           curves.back().points = points;  // the shorter one is the key's sample
         }
-      } else if (tag.starts_with("<use xlink:href='#gpPt")) {
+      } else if (tag.starts_with("<use xlink:href='#gpPt") && tag.find("' tr") != tag.npos) {
         marks.push_back(corners(between(at, "translate(", ")")).front());
-        if (tag.starts_with("<use xlink:href='#gpPt3' tr")) squares.push_back(marks.back());
+        if (tag.starts_with("<use xlink:href='#gpPt3'")) squares.push_back(marks.back());
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
-        places.push_back(place);
+        places.push_back(corners(group.substr(group.find('(') + 1)).front());
+        if (is_clipped(group, texts.back(), canvas)) clipped.push_back(texts.back());
         if (line.size() >= 2 && !texts.back().empty()) {
           const double value = number_of(texts.back());
           const bool upright = line.front().first == line.back().first;
@@ -110,24 +145,16 @@ struct DrawnPicture {
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
   }
 
-  /// The head of an arrow is a triangle that begins in the middle of its base.
-  void note_arrow(const Points& head) {
-    const auto [x0, y0] = head[0];
-    const bool is_middle = std::abs(head[1].first + head[3].first - 2 * x0) < 0.1 &&
-                           std::abs(head[1].second + head[3].second - 2 * y0) < 0.1;
-    if (is_middle) arrows.push_back({head[0], head[2]});
-  }
-
   Tics x;
   std::vector<DrawnCurve> curves;
-  std::vector<std::pair<std::pair<double, double>, std::pair<double, double>>>
-      arrows;      ///< of their heads, base and tip
+  std::vector<Arrow> arrows;
   Points marks;    ///< all symbols
   Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
-  Points places;                  ///< of the texts
-  std::vector<std::string> keys;  ///< titles of curves, in their order; each key is drawn twice
-  std::vector<double> levels;     ///< of dashed horizontal lines
+  Points places;                     ///< of the texts
+  std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
+  std::vector<std::string> keys;     ///< titles of curves, in their order; each key is drawn twice
+  std::vector<double> levels;        ///< of dashed horizontal lines
 };
 
 }  // namespace rotor
