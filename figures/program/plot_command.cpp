@@ -83,20 +83,20 @@ void plot_scene(const PlotOptions& options) {
         fmt::format("{}: cannot be written: there is no such folder", folder.string()));
   FileTransaction::require_distinct({out});
 
-  SceneTables tables = compute_tables({{1, scene}});
-  int number = 0;  // gnuplot cuts names off at their first comma
-  for (NamedTable& table : tables.of.at(1)) table.name = fmt::format("{}", ++number);
+  std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
+  std::string names;
+  for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
+    const SceneRun& run = scene.runs[n - 1];
+    const Parameters& p = run.scenario.parameters;
+    tables[n - 1].name = fmt::format("{}", n);  // gnuplot cuts names off at their first comma
+    names += fmt::format("run{0} = {1}; clearance_mm{0} = {2}; ", n, quoted(run.name),
+                         1000 * (p.stator_radius - p.rotor_radius));
+  }
   const DraftFolder drafts;
   FileTransaction data;
-  data.write(drafts.file("data.csv"), to_csv(provenance(scene.title, scene),
-                                             headings("run", scene.columns), tables.of.at(1)));
+  data.write(drafts.file("data.csv"),
+             to_csv(provenance(scene.title, scene), headings("run", scene.columns), tables));
   data.commit();
-  std::string names;
-  for (const SceneRun& run : scene.runs) {
-    const Parameters& p = run.scenario.parameters;
-    names += fmt::format("run{0} = {1}; clearance_mm{0} = {2}; ", &run - scene.runs.data() + 1,
-                         quoted(run.name), 1000 * (p.stator_radius - p.rotor_radius));
-  }
   const std::string title = scene.title.empty() ? out.stem().string() : scene.title;
   const fs::path picture = drafts.file("picture");
   run_gnuplot(fmt::format("data = {}; output = {}; format = '{}'; heading = {}; "

@@ -9,9 +9,9 @@
 
 namespace rotor {
 
-/// What a run may end at: its outcome, as soon as an event after the mass loss decides it; the
-/// onset of rolling; rest, which is a second without more than a tenth of a turn per second. After
-/// the onset of rolling it goes on to the first maximum of the force.
+/// What a run may end at: its outcome, as soon as the mass loss or an event after it decides it;
+/// the onset of rolling; rest, which is a second without more than a tenth of a turn per second.
+/// After the onset of rolling it goes on to the first maximum of the force.
 enum class StopOn { outcome, rolling, rest };
 
 class StopObserver : public Observer {

@@ -59,7 +59,8 @@ class MassLossResponse {
   double bound() const { return reach_from(0); }       ///< above |z| for ever, m
 
   /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-5 of it.
-  /// Where damping does not end the vibration, that of the first thousand periods.
+  /// Of a vibration that damping has not ended by then, that of 16,000 periods of the faster
+  /// motion.
   double greatest() const {
     constexpr double none = std::numeric_limits<double>::infinity();  // before the first look
     double found = steady(), last = none, here = std::abs(position(0)), t = 0;
@@ -74,7 +75,7 @@ class MassLossResponse {
     return found;
   }
 
-  /// When |z| reaches the clearance for the first time, if it does within as many periods, s.
+  /// When |z| reaches the clearance for the first time, if it does within so many periods, s.
   std::optional<double> first_contact() const {
     const auto gap = [&](double t) { return clearance_ - std::abs(position(t)); };
     double clear = 0;
@@ -92,7 +93,7 @@ class MassLossResponse {
 
  private:
   static constexpr Complex i{0, 1};
-  static constexpr long most_looks = 1 << 16;
+  static constexpr long most_looks = 1 << 20;
 
   Complex driven(double t) const { return steady_ * std::exp(i * speed_ * t); }
   Complex forward(double t) const { return a_ * std::exp((i * frequency_ - decay_) * t); }

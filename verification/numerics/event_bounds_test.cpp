@@ -11,6 +11,21 @@ namespace rotor {
 namespace {
 
 using Unknowns = ContactChart<double>::Unknowns;
+using FlightPoint = Point<double, FlightChart<double>::Unknowns>;
+
+/// A point of a flight, with its rates.
+FlightPoint point_of(const FreeFlight<double>& phase, double time,
+                     const FlightChart<double>::Unknowns& x) {
+  FlightPoint at{time, x, {}};
+  phase(at.x, at.rates, 0);
+  return at;
+}
+
+/// The same as if nothing had changed some time later.
+FlightPoint later(FlightPoint at, double by) {
+  at.time += by;
+  return at;
+}
 
 // Over steps of no length, at any state in rolling, with eccentricities beyond the rim as well.
 TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
@@ -123,8 +138,8 @@ TEST(RubReach, IsThatOfTheEndThatReachesFurther) {
   }
 }
 
-// A rotor that turns slowly, as it would alone on its supports, with damping that brakes it by a
-// tenth: nothing drives it, whichever way it moves.
+// A rotor that hardly turns moves as it would alone on its supports: nothing drives it, whichever
+// way it moves.
 TEST(FlightBounds, AreThoseOfTheAmplitudeWhereNothingDrives) {
   Parameters p;
   p.eccentricity = p.torque = p.gravity = 0;
@@ -136,10 +151,7 @@ TEST(FlightBounds, AreThoseOfTheAmplitudeWhereNothingDrives) {
                              1e-9};
     const FlightChart<double> chart(rotor, q);
     const FreeFlight<double> phase(rotor, chart);
-    Point<double, FlightChart<double>::Unknowns> from{0, chart.unknowns(q), {}};
-    phase(from.x, from.rates, 0);
-    auto to = from;
-    to.time = h;
+    const FlightPoint from = point_of(phase, 0, chart.unknowns(q)), to = later(from, h);
     const auto bounds = phase.event_bounds(from, to);
     const double acceleration =
         p.support_stiffness / p.mass * speed / frequency + p.support_damping / p.mass * speed;
@@ -160,15 +172,13 @@ TEST(FlightBounds, TakeTheRippleOfTheSpeedIntoIt) {
   chart.recentre(turned_far);
   int faster = 0;
   for (double angle = 0; angle < 6; angle += 0.5) {
-    Point<double, FlightChart<double>::Unknowns> from{0, {0, 0, angle, 0, 0, 0}, {}};
-    const double speed = chart.kinematics(from.x).motion.speed;
-    faster += speed > chart.speed(from.x) + 1e-3;
+    const FlightChart<double>::Unknowns x = {0, 0, angle, 0, 0, 0};
+    const double speed = chart.kinematics(x).motion.speed;
+    faster += speed > chart.speed(x) + 1e-3;
     rotor.motor_off = speed * (1 - 1e-14);
     const FreeFlight<double> phase(rotor, chart);
-    phase(from.x, from.rates, 0);
-    auto to = from;
-    to.time = 1e-7;
-    EXPECT_FALSE(phase.event_bounds(from, to)[1].stays_positive) << angle;
+    const FlightPoint from = point_of(phase, 0, x);
+    EXPECT_FALSE(phase.event_bounds(from, later(from, 1e-7))[1].stays_positive) << angle;
   }
   EXPECT_GT(faster, 3);
 }
@@ -192,9 +202,7 @@ TEST(FlightBounds, AreSharpAboutTheTurningPointOfAnUndampedOscillation) {
                    rate = -amplitude * frequency * std::sin(angle);
       const State<double> q = {rho * c, rho * s, 0, rate * c, rate * s, 0};
       const FlightChart<double> chart(rotor, q);
-      Point<double, FlightChart<double>::Unknowns> at{angle / frequency, chart.unknowns(q), {}};
-      FreeFlight<double>(rotor, chart)(at.x, at.rates, 0);
-      return at;
+      return point_of(FreeFlight<double>(rotor, chart), angle / frequency, chart.unknowns(q));
     };
     const FlightChart<double> chart(rotor, State<double>{});
     const auto reach = FreeFlight<double>(rotor, chart).reach(end(-phase_angle), end(phase_angle));
@@ -232,10 +240,8 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
                              turn / h * std::pow(any(engine), 5)};
     const FlightChart<double> chart(rotor, q);
     const FreeFlight<double> phase(rotor, chart);
-    Point<double, FlightChart<double>::Unknowns> from{0, chart.unknowns(q), {}};
-    phase(from.x, from.rates, 0);
-    auto to = from;
-    to.time = h;
+    const FlightPoint from = point_of(phase, 0, chart.unknowns(q));
+    FlightPoint to = later(from, h);
     // In steps of a tenth of the fastest decay.
     const int steps = 20 + static_cast<int>(10 * p.support_damping / p.mass * h);
     boost::numeric::odeint::runge_kutta4<FlightChart<double>::Unknowns> stepper;

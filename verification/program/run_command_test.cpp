@@ -16,6 +16,11 @@ using Json = nlohmann::json;
 
 using RunCommand = RunSummary;
 
+Json schema_of_summaries() {
+  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
+  return Json::parse(file);
+}
+
 // Nothing of a run is left to be traced if it stops before the window begins.
 TEST_F(RunCommand, RefusesToTraceWhatIsOver) {
   for (const std::string& rows : {std::string(), std::string(" --rows 10")})
@@ -54,8 +59,7 @@ TEST_F(RunCommand, RemarksOnContactBeforeTheLossAndOnDeepIndentation) {
 
 // Every key that is printed stands in the schema, with its type, and the other way round.
 TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
-  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
-  const Json schema = Json::parse(file);
+  const Json schema = schema_of_summaries();
   const std::set<std::string> required(schema["required"].begin(), schema["required"].end());
   const auto type_of = [](const Json& value) -> std::string {
     if (value.is_number_integer()) return "integer";
@@ -208,8 +212,7 @@ TEST_F(RunCommand, TabulatesTheRunsOfAScene) {
     }
     EXPECT_FALSE(cells >> value) << row;
   }
-  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
-  const Json schema = Json::parse(file);
+  const Json schema = schema_of_summaries();
   for (const auto& [key, unused] : runs[0].items())
     EXPECT_TRUE(schema["properties"].contains(key)) << key;
   // With as many digits as are asked for.
@@ -229,8 +232,7 @@ TEST_F(RunCommand, TabulatesTheRunsOfAScene) {
 
 // In JSON each number of the run has its error; everything else is as without.
 TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
-  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
-  const Json schema = Json::parse(file);
+  const Json schema = schema_of_summaries();
   const std::string rolls = "--start-speed-hz 150 --separation-time 1e-3 --until 0.03 ";
   const Json plain = summary(rolls), sure = summary(rolls + "--digits 6");
   EXPECT_TRUE(plain["whirl_frequency_Hz"].is_number());

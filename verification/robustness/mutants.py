@@ -357,10 +357,11 @@ class Run:
         path = pathlib.Path(change.file)
         noticed = self.noticed[change.file if change.number else path.suffix]
         likely = {name for name, _ in noticed.most_common(20)}
-        likely |= {name for name in names if name.endswith('/' + path.stem.capitalize())}
-        likely = {name for name in likely & names if self.tests.seconds[name] < LIKELY_S}
+        likely |= {name for name in names if '/' + path.stem.capitalize() in name}
+        likely = [name for name in self.tests.names  # in the order of their times
+                  if name in likely & names and self.tests.seconds[name] < LIKELY_S]
         caught = []
-        for batch in [*([list(likely)] if likely else []), *self.tests.batches(names - likely)]:
+        for batch in [*([likely] if likely else []), *self.tests.batches(names.difference(likely))]:
             caught += run(batch)
             if caught and not self.thorough:
                 break
