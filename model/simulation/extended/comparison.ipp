@@ -90,6 +90,13 @@ std::size_t common_events(const Computation<S>& a, const Computation<S>& b) {
   return static_cast<std::size_t>(differ.first - a.events.begin());
 }
 
+/// Whether two computations have all events in common, end in the same state and come to the same.
+template <class S>
+bool agree(const Computation<S>& a, const Computation<S>& b) {
+  return a.events.size() == b.events.size() && common_events(a, b) == a.events.size() &&
+         a.end.contact == b.end.contact && a.summary.outcome == b.summary.outcome;
+}
+
 /// How far two instants are apart, relative to the clearance and its velocity.
 template <class S>
 double distance(const BasicInstant<S>& a, const BasicInstant<S>& b, const S& clearance) {
@@ -153,9 +160,7 @@ std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
   result.same_course = true;
   for (const auto* run : {&all.coarse, &all.disturbed, &all.other}) {
     common = std::min(common, common_events(best, *run));
-    result.same_course = result.same_course && common == best.events.size() &&
-                         common == run->events.size() && best.end.contact == run->end.contact &&
-                         best.summary.outcome == run->summary.outcome;
+    result.same_course = result.same_course && agree(best, *run);
   }
   const auto estimates_of = [&](const auto& values_of) {
     return estimates<S>(all, tolerance, values_of);
