@@ -3,7 +3,8 @@
 #   theory  what closed forms say of the same points
 #   shows   outcome or force
 
-if (!exists("rows")) rows = 1
+if (!exists("rows")) { rows = 1; name_of_row(unused) = "" }
+name_of_panel(unused) = strcol("equations_varied")." equations".name_of_row(0)
 if (!exists("x_unit")) x_unit = 1
 if (!exists("y_unit")) y_unit = 1
 if (!exists("x_log")) x_log = 0
@@ -78,7 +79,8 @@ do for [p = 0:2*rows - 1] {
   set rmargin at screen at_left ? 0.515 : 0.98
   set tmargin at screen top - height*(p/2) - 0.03
   set bmargin at screen top - height*(p/2 + 1) + 0.02
-  set title (at_left ? "published equations" : "consistent equations").(rows == 2 ? ", ".row(p/2 + 1) : "") offset 0,-0.6
+  eval sprintf("stats data every ::p*panel::p*panel using (titled = name_of_panel(0), column('%s')) nooutput", abscissa)
+  set title titled offset 0,-0.6
   set format x (at_bottom ? numbers(x_log) : ""); set format y (at_left ? numbers(y_log) : "")
   set xlabel (at_bottom ? x_name : "") offset 0,0.4
   set ylabel (at_left ? y_name : "") offset 0.5,0

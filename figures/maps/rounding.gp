@@ -15,21 +15,22 @@ do for [p = 0:3] {
   set rmargin at screen at_left ? 0.455 : 0.845
   set tmargin at screen top - height*(p/2) - 0.03
   set bmargin at screen top - height*(p/2 + 1) + 0.02
-  set title (at_left ? "published equations" : "consistent equations") offset 0,-0.6
+  first = (p % 2)*panel
+  stats data every ::first::first using (titled = strcol("equations")." equations", column("draws")) nooutput
+  set title titled offset 0,-0.6
   set format x (at_bottom ? "%g" : ""); set format y (at_left ? "%g" : "")
   set xlabel (at_bottom ? "speed at the mass loss, Hz" : "") offset 0,0.4
   set ylabel (at_left ? "coefficient of friction μ" : "") offset 0.5,0
   if (at_bottom) {
     set palette defined (0 "#ffffff", 1 "#707070")
-    set cbrange [0:0.05]; set cblabel "standard error of the share" offset -1,0
+    set cbrange [0:0.05]; set cblabel "standard error of the share" offset 1,0
   } else {
     set palette defined (0 "#f4f4f4", 1 "#f3c9a0", 2 "#d55e00")
-    set cbrange [0:1]; set cblabel "share that rolls" offset -1,0
+    set cbrange [0:1]; set cblabel "share that rolls" offset 1,0
   }
   if (at_left) { unset colorbox } else {
     set colorbox user origin screen 0.86, graph 0 size screen 0.025, graph 1
   }
-  first = (p % 2)*panel
   eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image", \
     first, first + panel - 1, at_bottom ? "standard_error" : "rolling_share")
 }

@@ -26,6 +26,8 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+using Texts = std::vector<std::string>;
+
 struct Maps : CommandLine, testing::WithParamInterface<const char*> {
  protected:
   /// The map with so many points along each axis, as FILE.toml in the folder.
@@ -101,7 +103,7 @@ TEST_P(Maps, AreDrawn) {
             std::string::npos);
   // Axes with their units, the titles of the panels as the data follow each other, tics.
   struct Axes {
-    std::vector<std::string> names, tics;
+    Texts names, tics;
   };
   const std::map<std::string, Axes> axes = {
       {"speed-friction", {{"speed at the mass loss, Hz", "coefficient of friction μ"}, {"0.3"}}},
@@ -115,11 +117,11 @@ TEST_P(Maps, AreDrawn) {
     };
     for (const std::string& text : axes.at(map).names) EXPECT_TRUE(says(text)) << text;
     for (const std::string& text : axes.at(map).tics) EXPECT_TRUE(says(text)) << text;
-    EXPECT_EQ(picture.clipped, std::vector<std::string>());
+    EXPECT_EQ(picture.clipped, Texts());
   }
   for (const char* tic : {" 1", " 10", " 100", " 1000"})  // of the force's colours, in ratios
     EXPECT_NE(std::ranges::find(of_force.texts, tic), of_force.texts.end()) << tic;
-  std::vector<std::string> panels, rows;
+  Texts panels, rows;
   for (const std::string& text : of_outcome.texts)
     if (text.starts_with("published equations") || text.starts_with("consistent equations"))
       if (std::ranges::find(panels, text) == panels.end()) panels.push_back(text);
@@ -286,6 +288,12 @@ TEST_F(Maps, OfRoundingShowSharesWithTheirErrors) {
       "{}rounding.gp",
       ROTOR_SOURCES, maps));
   EXPECT_EQ(output, "");
+  const DrawnPicture picture(content("s.svg"));
+  EXPECT_EQ(picture.clipped, Texts());
+  Texts panels = picture.texts;  // twice, shares above errors
+  std::erase_if(panels, [](const std::string& text) { return !text.ends_with(" equations"); });
+  EXPECT_EQ(panels, Texts({"published equations", "consistent equations", "published equations",
+                           "consistent equations"}));
   // The colours of errors go to 0.05, which is that of a half among a hundred draws.
   for (const char* said : {"4 draws at each point", "standard error of the share", ">0.05<"})
     EXPECT_NE(content("s.svg").find(said), std::string::npos) << said;
