@@ -54,6 +54,17 @@ struct Flight : Phase<S, Chart> {
     const S w = rotor.flight_frequency(chart.speed(x));
     return chart.scale(rotor.ring.clearance / 300, w, w / 100);
   }
+
+  static constexpr std::array extremes_of = {Extreme::displacement, Extreme::bearing_force};
+  static constexpr bool extreme_takes_rates(std::size_t /*i*/) { return false; }
+  std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
+    const Motion<S> m = chart.kinematics(x).motion;
+    const Supports<S>& supports = rotor.supports;
+    const Vector<S> of_O = acceleration_of_centre(acceleration(rotor.body, m, rotor.loads(m)), m);
+    return {{ExtremeValue<S>::length(m.displacement, m.velocity),
+             ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
+                                     supports.bearing_force(m.velocity, of_O))}};
+  }
 };
 
 /// Clear of the ring.
@@ -92,17 +103,6 @@ struct FreeFlight : Flight<S, Chart> {
     const S bend = 2 * (bounds->velocity * bounds->velocity + rotor.ring.clearance * of_O);
     return {{{bounds->displacement < rotor.ring.clearance, bend},
              {!rotor.motor_on || bounds->speed < rotor.motor_off, std::nullopt}}};
-  }
-
-  static constexpr std::array extremes_of = {Extreme::displacement, Extreme::bearing_force};
-  static constexpr bool extreme_takes_rates(std::size_t /*i*/) { return false; }
-  std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
-    const Motion<S> m = chart.kinematics(x).motion;
-    const Supports<S>& supports = rotor.supports;
-    const Vector<S> of_O = acceleration_of_centre(acceleration(rotor.body, m, rotor.loads(m)), m);
-    return {{ExtremeValue<S>::length(m.displacement, m.velocity),
-             ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
-                                     supports.bearing_force(m.velocity, of_O))}};
   }
 
   /// Bounds of them within a step, if they can be told.
