@@ -22,8 +22,8 @@
 ///     N = (m w^2 - k) rho + m w^2 e cos(phi),
 ///     m w^2 e sin(phi) = d w rho + mu N (1 - m r rho / I).
 ///
-/// There is such a phi as long as mu does not exceed synchronous_friction(). Above it nothing but
-/// backward whirl can last.
+/// There is such a phi, with N > 0, as long as mu does not exceed synchronous_friction(). Above it
+/// no forward rub can last.
 ///
 /// All of this is derived here. The literature asks the same questions of a rotor and a stator that
 /// may vibrate (Black 1968), of backward whirl (Jiang 2007) and of the onset of dry whip (Jiang and
@@ -75,20 +75,20 @@ class Whirl {
   }
 
   /// The friction up to which forward synchronous rub can last at a speed, the indentation
-  /// neglected beside the clearance: 0 if the unbalance cannot even overcome the damping, infinite
-  /// if it overcomes any friction.
+  /// neglected beside the clearance: 0 if the unbalance cannot overcome the damping and press O
+  /// against the ring at once, infinite if it overcomes any friction.
   double synchronous_friction(double speed) const {
     const double inertia_force = body_.mass * speed * speed;
     const double unbalance = inertia_force * body_.eccentricity / ring_.clearance;
     const double pressure = inertia_force - stiffness_, drag = damping_ * speed;
-    if (drag >= unbalance) return 0;
     const double slowing = body_.mass * ring_.rotor_radius * ring_.clearance / body_.inertia;
-    if (pressure <= unbalance || slowing >= 1) return std::numeric_limits<double>::infinity();
+    // Negative where the unbalance outdoes the damping as N tends to 0: then mu may be any.
+    const double excess = pressure * pressure + drag * drag - unbalance * unbalance;
+    if (drag >= unbalance || (pressure <= 0 && excess >= 0)) return 0;
+    if (excess <= 0 || slowing >= 1) return std::numeric_limits<double>::infinity();
     // The greatest left-hand side over phi: mu' pressure + drag = unbalance sqrt(1 + mu'^2).
     const double effective =
-        (unbalance * std::sqrt(pressure * pressure + drag * drag - unbalance * unbalance) -
-         pressure * drag) /
-        (pressure * pressure - unbalance * unbalance);
+        (unbalance * unbalance - drag * drag) / (pressure * drag + unbalance * std::sqrt(excess));
     return effective / (1 - slowing);
   }
 

@@ -1,7 +1,11 @@
 /// Where whirl can last: closed forms against runs of single rotors and of many.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <random>
 
 #include "figures/sweep/sweep.hpp"
 #include "model/simulation/summary.hpp"
@@ -139,6 +143,57 @@ TEST_F(SynchronousRub, NeedsAnUnbalanceThatOvercomesTheSupportsDamping) {
   EXPECT_EQ(Whirl(wide).synchronous_friction(speed), std::numeric_limits<double>::infinity());
   p.stator_radius = p.rotor_radius + 0.4e-3;  // less than e: C ahead of O overcomes all friction
   EXPECT_EQ(Whirl(p).synchronous_friction(speed), std::numeric_limits<double>::infinity());
+}
+
+// Below the critical speed, about it and above, with C ahead of O by any angle.
+TEST(SynchronousFriction, IsTheGreatestThatSomePlaceOfTheMassCentreAllows) {
+  std::mt19937_64 lot(3);
+  const auto between = [&](double least, double greatest) {
+    return least * std::pow(greatest / least, std::uniform_real_distribution<double>()(lot));
+  };
+  int none = 0, any = 0, limited = 0, below_critical = 0;
+  for (int n = 0; n < 400; ++n) {
+    Parameters p;
+    p.support_damping = between(1, 700);
+    p.stator_radius = p.rotor_radius + between(1e-4, 5e-3);
+    p.unbalance_factor = between(1, 8);
+    const double speed = between(10, 1000), w2 = speed * speed;
+    const double clearance = p.stator_radius - p.rotor_radius;
+    const Body<double> body = MassLoss<double>(p).after;
+    double greatest = 0;
+    bool is_pressed_in_balance = false;
+    constexpr int places = 100'000;
+    for (int i = 0; i < places; ++i) {
+      const double phi = std::numbers::pi * i / places;
+      const double force = (body.mass * w2 - p.support_stiffness) * clearance +
+                           body.mass * w2 * body.eccentricity * std::cos(phi);
+      const double friction = body.mass * w2 * body.eccentricity * std::sin(phi) -
+                              p.support_damping * speed * clearance;
+      if (!(force > 0 && friction >= 0)) continue;
+      is_pressed_in_balance = true;
+      // The friction slows the rotor down, which brings C ahead.
+      const double spared =
+          1 - body.mass * p.rotor_radius * clearance / body.inertia;  // of the friction
+      greatest = std::max(greatest, friction / force / spared);
+    }
+    const double limit = Whirl(p).synchronous_friction(speed);
+    const bool is_below = body.mass * w2 < p.support_stiffness;
+    if (!is_pressed_in_balance) {
+      ++none;
+      EXPECT_EQ(limit, 0) << n;
+    } else if (std::isinf(limit)) {
+      ++any;
+      EXPECT_GT(greatest, 100) << n;
+      below_critical += is_below;
+    } else {
+      ++limited;
+      EXPECT_NEAR(greatest / limit, 1, 1e-3) << n;
+    }
+  }
+  EXPECT_GT(none, 50);
+  EXPECT_GT(any, 50);
+  EXPECT_GT(limited, 50);
+  EXPECT_GT(below_critical, 10);
 }
 
 }  // namespace

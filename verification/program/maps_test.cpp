@@ -131,6 +131,10 @@ TEST_P(Maps, AreDrawn) {
     if (std::ranges::find(rows, panel) == rows.end()) rows.push_back(panel);
   }
   EXPECT_EQ(panels, rows);
+  if (map == "contact") {
+    EXPECT_EQ(panels, Texts({"published equations, μ = 0.3", "consistent equations, μ = 0.3",
+                             "published equations, μ = 0.08", "consistent equations, μ = 0.08"}));
+  }
   if (is_previewed) {
     EXPECT_TRUE(outcome == text_of(maps + "preview/speed-friction.svg"));
   }
@@ -175,7 +179,8 @@ TEST_P(TheoryOfMaps, KnowsWhatTouchesAndWhatCannotRubForLong) {
     if (touches) {
       EXPECT_GT(response.bound(), clearance) << n;
     }
-    if (touches && p.friction > Whirl(p).synchronous_friction(speed)) {
+    // Below the critical speed a vibration that the loss has left may touch for longer.
+    if (touches && ratio > 1 && p.friction > Whirl(p).synchronous_friction(speed)) {
       ++limited;
       EXPECT_TRUE(row["outcome"] == "rolling" || row["outcome"] == "freed") << n;
     }
@@ -270,7 +275,9 @@ TEST_F(Maps, OfRoundingShowSharesWithTheirErrors) {
       for (const double speed : {3., 9.}) {
         for (int n = 0; n < 4; ++n)
           rows += fmt::format("{},{},{},{},{},\n", equations, friction, speed, n,
-                              n < rolling ? "rolling" : "freed");
+                              n < rolling  ? "rolling"
+                              : n % 2 == 0 ? "sliding"
+                                           : "freed");
         rolling = (rolling + 3) % 5;
       }
   write("r.csv", rows);
