@@ -23,6 +23,7 @@ class StopObserver : public Observer {
 
   void on_instant(const Instant& at) override {
     watch_.note(at);
+    if (at.event == Event::mass_loss) slow_since_s_ = at.time_s;
     separated_ = at.separated;
     if (at.contact == ContactState::rolling) rolled_ = true;
     if (stop_on_ != StopOn::outcome || !loss_is_over()) return;

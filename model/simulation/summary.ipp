@@ -53,6 +53,11 @@ void BasicSummaryObserver<S>::on_step(const BasicDenseOutput<S>& step) {
 
 template <class S>
 bool BasicSummaryObserver<S>::goes_on(const BasicProgress<S>& now) {
+  // Fixed steps are not shown: the speed at the end of the one before has to do.
+  const S& time_s = watch_.time_of_speed_s();
+  if (!watch_.knows_speed() && last_progress_ && last_progress_->time_s <= time_s &&
+      time_s < now.time_s)
+    watch_.note_speed(last_progress_->speed);
   last_progress_ = now;
   if (!rolls_) return true;
   if (!rolls_since_) rolls_since_ = now;

@@ -5,9 +5,12 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <numbers>
+#include <tuple>
 
+#include "figures/scenes/account.hpp"
 #include "figures/scenes/audience.hpp"
 #include "figures/scenes/names.hpp"
+#include "figures/scenes/run_ups.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/start.hpp"
 #include "verification/support/observers.hpp"
@@ -41,6 +44,24 @@ TEST(Outcome, IsOneOfSeven) {
                       p.contact_damping = 1.2e4;
                     }),
             "freed");
+}
+
+// By either method, and wherever the run-up ends that runs share.
+TEST(Outcome, OfARotorThatHangsAtItsCriticalSpeedIsAStallByEitherMethod) {
+  for (const auto& [loss_s, until_s, stalls] :
+       {std::tuple(1., 30., true), {29.5, 30., true}, {2., 6., true}, {29.1, 29.35, false}})
+    for (const Method method : {Method::event, Method::rk4}) {
+      Scenario scenario{.method = method, .until = until_s};
+      scenario.parameters.separation_time = loss_s;
+      if (loss_s > 29.2) scenario.parameters.support_stiffness = 1.2e5;
+      const Outcome outcome = summary_until(until_s, scenario).outcome;
+      EXPECT_EQ(outcome == Outcome::stalled, stalls) << loss_s << ' ' << name_of(method);
+      RunUps run_ups;
+      Observer nobody;
+      EXPECT_EQ(
+          finish(run_ups.depart(scenario, nobody), scenario, std::nullopt, nobody).summary.outcome,
+          outcome);
+    }
 }
 
 // A contact lasts once it is longer than a vibration on the ring.
