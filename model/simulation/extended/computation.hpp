@@ -48,6 +48,7 @@ template <class S>
 struct Computation {
   BasicSummary<S> summary;
   std::vector<BasicInstant<S>> events;
+  BasicInstant<S> before_loss;  ///< if that is among the events
   BasicInstant<S> end;
   Counters counters;
   /// By how much flights missed the ring that came near it, m; by the number of events before.
@@ -67,7 +68,9 @@ class CourseObserver : public BasicSummaryObserver<S> {
   void on_instant(const BasicInstant<S>& at) override {
     BasicSummaryObserver<S>::on_instant(at);
     is_free_ = at.contact == ContactState::free;
+    if (at.event == Event::mass_loss) course.before_loss = previous_;
     if (at.event != Event::none) course.events.push_back(at);
+    previous_ = at;
   }
   bool goes_on(const BasicProgress<S>& now) override {
     return BasicSummaryObserver<S>::goes_on(now) && goes_on_(static_cast<double>(now.time_s));
@@ -91,6 +94,7 @@ class CourseObserver : public BasicSummaryObserver<S> {
   S clearance_;
   const GoesOn& goes_on_;
   bool is_free_ = true;
+  BasicInstant<S> previous_;
 };
 
 template <class S, class Stepper = Verner87<std::array<S, 6>, S>>

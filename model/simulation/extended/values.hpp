@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "model/phases/flight.hpp"
 #include "model/simulation/extended/computation.hpp"
 
 namespace rotor {
@@ -116,23 +117,42 @@ std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const S& clearan
           {"q3_rate_rad_per_s", q[5]}};
 }
 
-/// How far a rotor is from the next event at a stated time, after which that would come too late:
-/// from the ring or from leaving it, from rolling, and from the speed at which the motor is off.
+/// The guards of a phase at a stated time, each positive until the event that it is of: after that
+/// time the event would come too late.
+template <class S, class Phase>
+void add_guards(std::vector<NamedValue<S>>& all, const Phase& phase,
+                const typename Phase::Unknowns& x) {
+  for (std::size_t n = 0; n < Phase::event_count; ++n)
+    all.push_back({"reserve", phase.guard(n, x)});
+}
+
+/// Those of the phase that a rotor is in.
 template <class S>
 void add_reserves(std::vector<NamedValue<S>>& all, const BasicInstant<S>& at,
                   const Scenario& scenario) {
-  using std::abs;
-  const RotorSystem<S> rotor(scenario.parameters, scenario.equations);
-  const RimPoint<S> k = rotor.ring.rim_point(at.motion());
-  const bool is_free = at.contact == ContactState::free;
-  all.push_back({"gap", is_free ? S(-k.indentation) : k.indentation});
-  if (at.contact == ContactState::sliding) all.push_back({"slip", abs(k.slip_velocity)});
-  if (at.motor_on) all.push_back({"speed", rotor.motor_off - at.motion().speed});
+  RotorSystem<S> rotor(scenario.parameters, scenario.equations);
+  rotor.body = at.body;
+  rotor.motor_on = at.motor_on;
+  if (at.contact == ContactState::free) {
+    const FlightChart<S> chart(rotor, at.state);
+    return add_guards(all, FreeFlight<S>(rotor, chart), chart.unknowns(at.state));
+  }
+  const ContactChart<S> chart(rotor, at.state);
+  const auto x = chart.unknowns(at.state);
+  switch (at.contact) {
+    case ContactState::indented:
+      return add_guards(all, IndentedFlight<S>(rotor, chart), x);
+    case ContactState::rolling:
+      return add_guards(all, Rolling<S>(rotor, chart), x);
+    default:
+      return add_guards(all, Sliding<S>(rotor, chart, x[4] > 0 ? 1 : -1), x);
+  }
 }
 
 /// What is positive as long as the course is what it is: the normal velocities of touch-downs, by
-/// how much flights miss the ring, how far the next event is at the mass loss and in the end, and
-/// how far from the clearance that is what a rotor reaches that is free in the end.
+/// how much flights miss the ring, how far the next event is just before the mass loss, just after
+/// it and in the end, and how far from the clearance that is what a rotor reaches that is free in
+/// the end.
 template <class S>
 std::vector<NamedValue<S>> margins_of(const Computation<S>& run, const Scenario& scenario) {
   using std::abs;
@@ -144,7 +164,8 @@ std::vector<NamedValue<S>> margins_of(const Computation<S>& run, const Scenario&
     if (i < run.events.size() && run.events[i].event == Event::touch_down)
       all.push_back({"touch", ring.rim_point(run.events[i].motion()).normal_velocity});
     if (i < run.events.size() && run.events[i].event == Event::mass_loss)
-      add_reserves(all, run.events[i], scenario);
+      for (const BasicInstant<S>* at : {&run.before_loss, &run.events[i]})
+        add_reserves(all, *at, scenario);
   }
   const BasicInstant<S>& end = run.end;
   add_reserves(all, end, scenario);
