@@ -16,7 +16,7 @@ int interrupting_signal();
 
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
-  Interrupted() : std::runtime_error("interrupted; nothing has been written") {}
+  Interrupted() : std::runtime_error("interrupted; no file has been written") {}
 };
 
 }  // namespace rotor

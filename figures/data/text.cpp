@@ -78,4 +78,8 @@ std::string duration(double seconds) {
   return fmt::format("{:.3g} days", seconds / 86'400);
 }
 
+double time_to_go_s(double elapsed_s, double done, double all) {
+  return elapsed_s * (all - done) / done;
+}
+
 }  // namespace rotor

@@ -24,4 +24,7 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
 /// A time, in the unit in which one would say it.
 std::string duration(double seconds);
 
+/// How long the rest takes if it goes on as the part that is done, which took so long.
+double time_to_go_s(double elapsed_s, double done, double all);
+
 }  // namespace rotor

@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 
 #include "figures/data/interruption.hpp"
 #include "figures/data/text.hpp"
@@ -171,7 +173,7 @@ void add_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--rows", options.rows,
                   "so many rows of the trace at equal distances, the first and the last instant "
-                  "included")
+                  "included; less if the run stops early")
       ->needs(trace)
       ->excludes(every);
   command

@@ -37,7 +37,7 @@ bool RunProgress::goes_on(const Progress& now) {
     if (const auto elapsed_s = times_.due())
       times_.print(fmt::format("at {:.6g} s of {:.6g} s after {} steps in {}; about {} to go",
                                now.time_s, until_s_, steps_, duration(*elapsed_s),
-                               duration(*elapsed_s * (until_s_ - now.time_s) / now.time_s)));
+                               duration(time_to_go_s(*elapsed_s, now.time_s, until_s_))));
   return Interruptible::goes_on(now);
 }
 
@@ -54,10 +54,10 @@ void SweepProgress::report(long done) {
   const long worked = done_ - begun_with_;
   if (worked == 0) return;
   if (const auto elapsed_s = times_.due()) {
-    const double rate = static_cast<double>(worked) / *elapsed_s;
+    const auto now = static_cast<double>(worked), then = static_cast<double>(all_ - begun_with_);
     times_.print(fmt::format("{} of {} points in {}, {:.3g} a second; about {} to go", done_, all_,
-                             duration(*elapsed_s), rate,
-                             duration(static_cast<double>(all_ - done_) / rate)));
+                             duration(*elapsed_s), now / *elapsed_s,
+                             duration(time_to_go_s(*elapsed_s, now, then))));
   }
 }
 

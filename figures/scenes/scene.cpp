@@ -83,13 +83,18 @@ class SceneReader : TomlFile {
     }
     if (in.contains("length_s")) fail(in, "window", "length_s goes with from");
     const double from = time(in, "from_s").value_or(0);
-    const double until = time(in, "until_s").value_or(shortest);
-    if (from >= until || until > shortest)
+    const auto stated_until = time(in, "until_s");
+    const double until = stated_until.value_or(shortest);
+    // Options may end the runs elsewhere; shown is what of the window they reach then.
+    const bool lies_in_runs =
+        (from < shortest && until <= shortest) || overrides_.of_runs.numbers.contains("until");
+    if (!lies_in_runs || (stated_until && from >= until))
       fail(in.empty() ? static_cast<const toml::node&>(root) : *root.get("window"), "window",
            fmt::format(
                "must lie inside the run, with 0 <= from_s < until_s <= {} s; it goes from {} "
                "s to {} s",
                shortest, from, until));
+    if (!stated_until) return {.from_s = from};  // to the end of each run
     return {.from_s = from, .length_s = until - from};
   }
 
@@ -119,6 +124,8 @@ std::vector<const Column*> parse_columns(const std::vector<std::string>& names) 
       throw InputError(fmt::format("there is no column \"{}\"{}; there are: {}", shown(name),
                                    suggestion(name, allowed), fmt::join(allowed, ", ")));
     }
+    if (std::find(columns.begin(), columns.end(), column) != columns.end())
+      throw InputError(fmt::format("column \"{}\" stands twice", name));
     columns.push_back(column);
   }
   return columns;

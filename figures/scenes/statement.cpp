@@ -131,6 +131,14 @@ Statement Statement::overridden_by(const Statement& other) const {
       return determines(lower.first) == determines(stated);
     });
   result.numbers.insert(other.numbers.begin(), other.numbers.end());
+  // Above "no mass loss", a time or speed of it states that there is one; below it, none.
+  const auto is_of_loss = [&](const auto& number) {
+    return determines(number.first) == "separation_time";
+  };
+  if (std::any_of(other.numbers.begin(), other.numbers.end(), is_of_loss))
+    result.loses_mass = true;
+  else if (other.loses_mass == false)
+    std::erase_if(result.numbers, is_of_loss);
   if (other.loses_mass) result.loses_mass = other.loses_mass;
   if (other.digits) result.digits = other.digits;
   if (other.equations) {

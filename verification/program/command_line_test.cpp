@@ -116,6 +116,8 @@ TEST(Duration, IsSaidInAUnitThatSuitsIt) {
   EXPECT_EQ(duration(120), "2 min");
   EXPECT_EQ(duration(7200), "2 h");
   EXPECT_EQ(duration(259'200), "3 days");
+  EXPECT_EQ(time_to_go_s(10, 2, 8), 30);
+  EXPECT_EQ(time_to_go_s(10, 8, 8), 0);
 }
 
 // Progress is for those who wait: on a terminal, a run that is over at once leaves no line.
@@ -133,7 +135,7 @@ TEST_F(CommandLine, SaysTheProgressOfALongRunOnATerminal) {
   const auto [status, output] = interrupted_on_terminal(
       "$rotor run --until 1e6 --no-separation --tolerance 1e-14", "in [4-9] s;");
   EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("stops)  ^C\r\nrotor: interrupted; nothing has been written\r\n"),
+  EXPECT_NE(output.find("stops)  ^C\r\nrotor: interrupted; no file has been written\r\n"),
             std::string::npos)
       << output;
   int reports = 0;

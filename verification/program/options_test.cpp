@@ -220,6 +220,46 @@ TEST_F(Options, OfRowsKeepToTheScenesWindow) {
   }
 }
 
+TEST_F(Options, MayEndARunElsewhereThanItsScenesWindow) {
+  write("s.toml",
+        "window = { from_s = 0.004, until_s = 0.012 }\n"
+        "[parameters]\nstart_speed_hz = 30\nuntil = 0.02\nno_separation = true\n");
+  for (const char* rows : {"", "--rows 5"}) {
+    const std::string traced = std::string("run --scene s.toml --trace t.csv ") + rows;
+    for (const auto& [until, last] : {std::pair("0.008", "0.008"), {"0.1", "0.012"}}) {
+      EXPECT_EQ(rotor(traced + " --until " + until).status, 0);
+      EXPECT_TRUE(rows_of("t.csv")[1].starts_with("run,0.004,")) << rows;
+      EXPECT_TRUE(rows_of("t.csv").back().starts_with(fmt::format("run,{},", last))) << rows;
+    }
+    EXPECT_EQ(rotor(traced + " --until 0.003 2> messages").status, 1);
+    EXPECT_EQ(content("messages"), "rotor: --trace t.csv: nothing of the run lies in the window\n");
+  }
+  EXPECT_EQ(summary("--scene s.toml --until 0.003")["final_time_s"], 0.003);
+}
+
+// A window is that of each run, not of the shortest one.
+TEST_F(Options, OfAChosenRunAreNotThoseOfAnother) {
+  write("s.toml",
+        "[parameters]\nstart_speed_hz = 30\nno_separation = true\n"
+        "[[run]]\nname = \"short\"\nuntil = 0.01\n[[run]]\nname = \"long\"\nuntil = 0.02\n");
+  for (const char* rows : {"", "--rows 5"})
+    for (const auto& [run, last] : {std::pair("short", "0.01"), {"long", "0.02"}}) {
+      EXPECT_EQ(
+          rotor(fmt::format("run --scene s.toml --trace t.csv --run {} {}", run, rows)).status, 0);
+      EXPECT_TRUE(rows_of("t.csv").back().starts_with(fmt::format("{},{},", run, last))) << rows;
+    }
+}
+
+// Options stand above what the scene states of the mass loss.
+TEST_F(Options, StateWhetherThereIsAMassLoss) {
+  write("s.toml", "[parameters]\nstart_speed_hz = 30\nuntil = 0.02\nseparation_time = 0.01\n");
+  EXPECT_EQ(inputs("--scene s.toml --no-separation")["no_separation"], true);
+  write("s.toml", "[parameters]\nstart_speed_hz = 30\nuntil = 0.02\nno_separation = true\n");
+  const Json late = inputs("--scene s.toml --separation-time 0.015");
+  EXPECT_EQ(late["no_separation"], false);
+  EXPECT_EQ(late["separation_time"], 0.015);
+}
+
 TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
   write("two.toml",
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0.004, until_s = 0.012 }\n"

@@ -102,6 +102,32 @@ TEST(Statement, GivesWayToOneAboveItThatDeterminesTheSame) {
   EXPECT_EQ(scenario.parameters.friction, 0.1);
 }
 
+TEST(Statement, TakesNamesWholeOrNotAtAll) {
+  for (const std::string_view statable : named_statables())
+    for (const char* name :
+         {"", "p", "publishe", "published ", "onc", "hole", "even", "rk", "rk44"}) {
+      Statement statement;
+      EXPECT_THROW(state(statement, statable, name), InputError) << statable << ' ' << name;
+    }
+}
+
+TEST(Statement, OfAMassLossAboveAnotherTakesWhenAndWhetherItIs) {
+  Statement none = numbers({{"until", 3}});
+  none.loses_mass = false;
+  for (const char* name : {"separation_time", "separation_speed_hz"}) {
+    const Statement at = numbers({{name, 1.5}, {"torque", 3}});
+    EXPECT_FALSE(scenario_of(at.overridden_by(none)).loses_mass()) << name;
+    EXPECT_TRUE(scenario_of(none.overridden_by(at)).loses_mass()) << name;
+    Statement both = at;
+    both.loses_mass = false;
+    EXPECT_EQ(refusal(both), std::string(name) + ": there is no mass loss in this run");
+    EXPECT_EQ(refusal(at.overridden_by(both)), refusal(both));
+  }
+  EXPECT_EQ(scenario_of(numbers({{"separation_time", 1.5}}).overridden_by(numbers({{"until", 3}})))
+                .parameters.separation_time,
+            1.5);
+}
+
 TEST(Statement, OfTheEquationsAboveAnotherTakesBothCorrections) {
   Statement below, above;
   below.velocity_jump = VelocityJump::once;
@@ -234,6 +260,11 @@ TEST_F(CommandLine, SaysWhichEquationsItUsedForARotorThatIsNotThePapers) {
        {"--equations published", "--velocity-jump once", "--gravity-moment whole"})
     EXPECT_EQ(rotor(start + "--mass 6 " + option).output.find(told), std::string::npos) << option;
   EXPECT_EQ(rotor("run --until 0.001").output.find(told), std::string::npos);
+  const std::string runs = "[parameters]\nuntil = 0.001\n[[run]]\nname = \"";
+  for (const auto& [second, is_told] : {std::pair("mass = 6", true), {"friction = 0.3", false}}) {
+    write("two.toml", runs + "a\"\n[[run]]\nname = \"b\"\n" + second);
+    EXPECT_EQ(rotor("run --scene two.toml").output.find(told) != std::string::npos, is_told);
+  }
 }
 
 }  // namespace
