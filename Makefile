@@ -157,7 +157,7 @@ figures/paper/%.gp:
 
 # Maps of outcomes over two quantities. Coarser ones stand in a folder of their own. A sweep that was
 # stopped goes on where it was.
-MAPS   := speed-friction speed-clearance clearance-stiffness contact
+MAPS         := $(filter-out rounding,$(patsubst figures/maps/%.toml,%,$(wildcard figures/maps/*.toml)))
 MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
 MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
 maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (minutes)

@@ -102,6 +102,23 @@ TEST(Estimates, HaveTheRoundingOfWhatIsPrintedInTheirError) {
   EXPECT_EQ(error(), rounding);
 }
 
+// Of a run to a finer tolerance, in steps of other lengths, with other roundings.
+TEST(EstimatedError, IsSoManyTimesTheDistanceOfAFinerRun) {
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    Scenario scenario = short_run(0.02);
+    scenario.tolerance = tolerance;
+    SummaryObserver observer(scenario);
+    run(scenario, observer);
+    const auto finer = compute<double>(
+        scenario, {tolerance / 20, 0.375, Disturbance<double>{8 * 0x1p-52, 0x135a8f}}, always);
+    const double ours = *observer.summary().peak_normal_force_N,
+                 theirs = *finer.summary.peak_normal_force_N;
+    const double estimate = estimated_relative_error(scenario, observer.summary(), always);
+    EXPECT_GE(estimate, 20 * std::abs(ours / theirs - 1) * (1 - 1e-12)) << tolerance;
+    EXPECT_LT(estimate, 1e4 * tolerance);
+  }
+}
+
 // A run with another number of touch-downs, or another outcome, is another one altogether.
 TEST(EstimatedError, IsThatOfTheWholeWhereTheCourseDiffers) {
   const Scenario scenario = short_run(0.02);

@@ -29,7 +29,7 @@ class Make : public CommandLine {
 };
 
 TEST_F(Make, SaysWhatItCannotMake) {
-  for (const std::string format : {"jpg", "svg pdf", "%"})
+  for (const std::string format : {"jpg", "eps", "svg pdf", "%"})
     expect_line("FORMAT='" + format + "' figures",
                 "FORMAT=" + format + ": must be one of: svg pdf png");
   expect_line("EQUATIONS=printed figures",
@@ -72,6 +72,70 @@ TEST_F(Make, HandsItsOptionsOn) {
   EXPECT_TRUE(has(plan("--print-data-base fig03"),
                   "\nbuild/figures/fig03.svg: build/figures/fig03.csv figures/paper/fig03.gp "
                   "figures/paper/style.gp"));
+}
+
+// The page shows both sets of equations; ensembles have as many draws as README says.
+TEST_F(Make, OfThePageAndOfEnsemblesIsWhole) {
+  const std::string report = shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n report").output,
+                    drawn = shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n ensembles").output;
+  EXPECT_NE(report.find("for set in published consistent; do"), std::string::npos) << report;
+  EXPECT_NE(drawn.find("ensembles reference-data 10000\n"), std::string::npos) << drawn;
+}
+
+// Data that come out the same are left as they are, so that no picture is drawn again.
+TEST_F(Make, ReplacesDataThatHaveChanged) {
+  fs::create_directories(folder_ / "build/figures");
+  const auto made_of = [&](const std::string& data) {
+    write("build/rotor", "#!/bin/sh\nmkdir -p build/figures/new\necho " + data +
+                             " > build/figures/new/fig18.csv\n");
+    fs::permissions(folder_ / "build/rotor", fs::perms::owner_all);
+    fs::remove(folder_ / "build/figures/.data");
+    const auto [status, output] = shell(
+        "env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o build/rotor build/figures/.data");
+    EXPECT_EQ(status, 0) << output;
+    EXPECT_EQ(content("build/figures/fig18.csv"), data + "\n");
+    return fs::last_write_time(folder_ / "build/figures/fig18.csv");
+  };
+  const auto first = made_of("a");
+  EXPECT_EQ(made_of("a"), first);
+  EXPECT_NE(made_of("b"), first);
+}
+
+// Each map that there is, by its outcomes and by its forces.
+TEST_F(Make, DrawsEachMapTwice) {
+  remove("figures/paper/fig18.toml");
+  fs::copy(fs::path(ROTOR_SOURCES) / "figures/maps", folder_ / "figures/maps");
+  write("figures/paper/style.gp", "");
+  const std::string plan = shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n maps").output;
+  int maps = 0;
+  for (const auto& entry : fs::directory_iterator(folder_ / "figures/maps")) {
+    const std::string map = entry.path().stem();
+    if (entry.path().extension() != ".toml" || map == "rounding") continue;
+    ++maps;
+    for (const char* shows : {"outcome", "force"})
+      EXPECT_NE(plan.find(fmt::format("data = 'build/maps/{0}.csv'; output = "
+                                      "'build/maps/{0}-{1}.svg.part'; format = 'svg'; theory = "
+                                      "'build/maps/{0}-theory.csv'; shows = '{1}'\" "
+                                      "figures/paper/style.gp figures/maps/{0}.gp",
+                                      map, shows)),
+                std::string::npos)
+          << map << plan;
+  }
+  EXPECT_GE(maps, 4);
+}
+
+// What fails leaves nothing that a later make would take for made.
+TEST_F(Make, KeepsNothingOfWhatHasFailed) {
+  fs::create_directories(folder_ / "figures/maps");
+  fs::create_directories(folder_ / "build/maps");
+  write("figures/maps/some.toml", "");
+  write("build/map-theory", "#!/bin/sh\necho half\nexit 1\n");
+  fs::permissions(folder_ / "build/map-theory", fs::perms::owner_all);
+  EXPECT_NE(shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o build/rotor -o map-theory "
+                  "-o build/map-theory build/maps/some-theory.csv")
+                .status,
+            0);
+  EXPECT_FALSE(fs::exists(folder_ / "build/maps/some-theory.csv"));
 }
 
 // As many points as are asked for along the axes of maps, and a tenth of them for an ensemble.

@@ -57,6 +57,10 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
       });
       EXPECT_NEAR(std::abs(furthest->second - pixel(drawn.y, 0)),
                   std::abs(pixel(drawn.y, clearance_mm) - pixel(drawn.y, 0)), 0.5);
+      if (panel.column != "x_a_m") continue;  // in the orbit a circle
+      const auto [left, right] = std::ranges::minmax_element(drawn.points);
+      EXPECT_NEAR(right->first - left->first,
+                  pixel(drawn.y, clearance_mm) - pixel(drawn.y, -clearance_mm), 1);
     }
     for (const std::string run : {"high_mu", "mu's 0.1, narrow"}) {
       ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,

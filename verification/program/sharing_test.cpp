@@ -46,6 +46,7 @@ std::vector<Scenario> scenarios() {
     if (n % 8 == 0) {
       scenario.method = Method::rk4;
       p.separation_time = one_of(1.0, 2.0, 2.00003);
+      scenario.step_rub = one_of(5e-6, 2e-5);
       scenario.until = p.separation_time + 0.01;
     }
     if (scenario.start_speed_Hz > 0) p.support_stiffness = 5e4;

@@ -56,6 +56,11 @@ inline double number_of(std::string label) {
   return std::stod(label);
 }
 
+inline bool is_closed(const Points& path) {
+  return std::hypot(path.front().first - path.back().first,
+                    path.front().second - path.back().second) < 0.1;
+}
+
 /// An arrow's head is a triangle that begins and ends in the middle of its base.
 inline bool is_arrowhead(const Points& path) {
   if (path.size() != 5 || path.front() != path.back()) return false;
@@ -121,6 +126,9 @@ struct DrawnPicture {
         } else if (points.size() == 2 && head.find("stroke-dasharray") != std::string::npos &&
                    points[0].second == points[1].second) {
           levels.push_back(points[0].second);
+        } else if (!in_curve && points.size() > 20 && is_closed(points) &&
+                   head.find("stroke-dasharray") != std::string::npos) {
+          circles.push_back(points);
         } else if (is_arrowhead(points)) {
           arrows.push_back({points[0], points[2]});
         } else if (in_curve && points.size() > curves.back().points.size()) {
@@ -148,8 +156,9 @@ struct DrawnPicture {
   Tics x;
   std::vector<DrawnCurve> curves;
   std::vector<Arrow> arrows;
-  Points marks;    ///< all symbols
-  Points squares;  ///< symbols of points that were read off, the key's included
+  std::vector<Points> circles;  ///< dashed and closed, that are no curves
+  Points marks;                 ///< all symbols
+  Points squares;               ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
   Points places;                     ///< of the texts
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
