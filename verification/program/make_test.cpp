@@ -19,9 +19,15 @@ class Make : public CommandLine {
     write("figures/paper/fig18.toml", "");
   }
 
+  /// Not as a part of the make that may run the tests.
+  Outcome make(const std::string& arguments) const {
+    return shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make " + arguments);
+  }
+  /// What it would do.
+  std::string plan(const std::string& arguments) const { return make("-n " + arguments).output; }
+
   void expect_line(const std::string& arguments, const std::string& line) const {
-    // Not as a part of the make that may run the tests.
-    const auto [status, output] = shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make " + arguments);
+    const auto [status, output] = make(arguments);
     EXPECT_NE(status, 0) << arguments;
     EXPECT_NE(output.find(line), std::string::npos) << output;
     EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
@@ -47,10 +53,7 @@ TEST_F(Make, HandsItsOptionsOn) {
     write(std::string("figures/paper/") + name + ".gp", "");
   for (const char* name : {"fig03", "fig04", "fig08"})
     write(std::string("figures/paper/") + name + ".toml", "");
-  remove("figures/paper/fig18.toml");
-  const auto plan = [&](const std::string& arguments) {
-    return shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n " + arguments).output;
-  };
+  fs::remove(folder_ / "figures/paper/fig18.toml");
   const auto has = [](const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
   };
@@ -74,12 +77,35 @@ TEST_F(Make, HandsItsOptionsOn) {
                   "figures/paper/style.gp"));
 }
 
-// The page shows both sets of equations; ensembles have as many draws as README says.
-TEST_F(Make, OfThePageAndOfEnsemblesIsWhole) {
-  const std::string report = shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n report").output,
-                    drawn = shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n ensembles").output;
-  EXPECT_NE(report.find("for set in published consistent; do"), std::string::npos) << report;
-  EXPECT_NE(drawn.find("ensembles reference-data 10000\n"), std::string::npos) << drawn;
+// Both sets of equations on the page, as many draws as README says, another compiler elsewhere.
+TEST_F(Make, DoesAllThatItsTargetsPromise) {
+  fs::remove(folder_ / "figures/paper/fig18.toml");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> targets = {
+      {"verify", {"--target all", "verification/verify.sh build\n"}},
+      {"CXX=clang++ verify", {"-B build/clang++ ", "verification/verify.sh build/clang++\n"}},
+      {"report", {"for set in published consistent; do", "verification/report/report.sh build\n"}},
+      {"check-report", {"verification/report/check.sh build\n"}},
+      {"lint", {"--target all", "verification/lint.sh build\n"}},
+      {"sanitize", {"--preset sanitize -B build/sanitize", "verification/tests.sh build/sanitize"}},
+      {"mpi", {"-DROTOR_MPI=ON", "verification/program/mpi.sh build/mpi/rotor"}},
+      {"portable", {"verification/program/portable.sh build\n"}},
+      {"explore", {"figures/explore/build.sh build\n"}},
+      {"mutants", {"verification/robustness/mutants.py --seed 1 --count 100\n"}},
+      {"SEED=7 COUNT=50 mutants", {"mutants.py --seed 7 --count 50\n"}},
+      {"reference",
+       {"digits-reference reference-data/random-runs.csv\n",
+        "reference reference-data/high-precision.csv reference-data/figure-values.csv\n"}},
+      {"ensembles", {"ensembles reference-data 10000\n"}},
+      {"reasons", {"reasons reference-data 1000\n"}},
+      {"bench", {"benchmark build/bench ", "scene-costs figures/paper", "sweep-costs"}},
+      {"SEED=3 stress",
+       {"stress rotors 100000 build/stress-results\n", "stress steps build/stress-results\n",
+        "precision reference-data/high-precision.csv build/stress-results\n",
+        "digits-reference stress 1000 3 build/stress-results\n"}},
+      {"clean", {"rm -rf build\n"}}};
+  for (const auto& [target, done] : targets)
+    for (const std::string& step : done)
+      EXPECT_NE(plan(target).find(step), std::string::npos) << target << ": " << step;
 }
 
 // Data that come out the same are left as they are, so that no picture is drawn again.
@@ -90,8 +116,7 @@ TEST_F(Make, ReplacesDataThatHaveChanged) {
                              " > build/figures/new/fig18.csv\n");
     fs::permissions(folder_ / "build/rotor", fs::perms::owner_all);
     fs::remove(folder_ / "build/figures/.data");
-    const auto [status, output] = shell(
-        "env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o build/rotor build/figures/.data");
+    const auto [status, output] = make("-o build -o build/rotor build/figures/.data");
     EXPECT_EQ(status, 0) << output;
     EXPECT_EQ(content("build/figures/fig18.csv"), data + "\n");
     return fs::last_write_time(folder_ / "build/figures/fig18.csv");
@@ -103,23 +128,24 @@ TEST_F(Make, ReplacesDataThatHaveChanged) {
 
 // Each map that there is, by its outcomes and by its forces.
 TEST_F(Make, DrawsEachMapTwice) {
-  remove("figures/paper/fig18.toml");
+  fs::remove(folder_ / "figures/paper/fig18.toml");
   fs::copy(fs::path(ROTOR_SOURCES) / "figures/maps", folder_ / "figures/maps");
   write("figures/paper/style.gp", "");
-  const std::string plan = shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -n maps").output;
+  const std::string maps_plan = plan("maps");
   int maps = 0;
   for (const auto& entry : fs::directory_iterator(folder_ / "figures/maps")) {
     const std::string map = entry.path().stem();
     if (entry.path().extension() != ".toml" || map == "rounding") continue;
     ++maps;
     for (const char* shows : {"outcome", "force"})
-      EXPECT_NE(plan.find(fmt::format("data = 'build/maps/{0}.csv'; output = "
-                                      "'build/maps/{0}-{1}.svg.part'; format = 'svg'; theory = "
-                                      "'build/maps/{0}-theory.csv'; shows = '{1}'\" "
-                                      "figures/paper/style.gp figures/maps/{0}.gp",
-                                      map, shows)),
-                std::string::npos)
-          << map << plan;
+      EXPECT_NE(
+          maps_plan.find(fmt::format("data = 'build/maps/{0}.csv'; output = "
+                                     "'build/maps/{0}-{1}.svg.part'; format = 'svg'; theory = "
+                                     "'build/maps/{0}-theory.csv'; shows = '{1}'\" "
+                                     "figures/paper/style.gp figures/maps/{0}.gp",
+                                     map, shows)),
+          std::string::npos)
+          << map << maps_plan;
   }
   EXPECT_GE(maps, 4);
 }
@@ -131,10 +157,10 @@ TEST_F(Make, KeepsNothingOfWhatHasFailed) {
   write("figures/maps/some.toml", "");
   write("build/map-theory", "#!/bin/sh\necho half\nexit 1\n");
   fs::permissions(folder_ / "build/map-theory", fs::perms::owner_all);
-  EXPECT_NE(shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o build/rotor -o map-theory "
-                  "-o build/map-theory build/maps/some-theory.csv")
-                .status,
-            0);
+  EXPECT_NE(
+      make("-o build -o build/rotor -o map-theory -o build/map-theory build/maps/some-theory.csv")
+          .status,
+      0);
   EXPECT_FALSE(fs::exists(folder_ / "build/maps/some-theory.csv"));
 }
 
@@ -144,10 +170,7 @@ TEST_F(Make, HandsThePointsOfMapsOn) {
   write("figures/maps/some.toml", "points = 400\npoints = 40\npoints = 4000\n");
   for (const int points : {20, 100, 4000}) {
     const std::string file = fmt::format("build/maps/{}/some.toml", points);
-    EXPECT_EQ(
-        shell(fmt::format("env -u MAKEFLAGS -u MAKELEVEL -u CXX make POINTS={} {}", points, file))
-            .status,
-        0);
+    EXPECT_EQ(make(fmt::format("POINTS={} {}", points, file)).status, 0);
     EXPECT_EQ(content(file),
               fmt::format("points = {}\npoints = {}\npoints = 4000\n", points, points / 10));
   }
@@ -180,9 +203,7 @@ TEST_F(Make, SaysThatTestsHaveFailed) {
 }
 
 TEST_F(Make, NamesTheFiguresThatThereAre) {
-  EXPECT_NE(
-      shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make help").output.find("one figure: fig18\n"),
-      std::string::npos);
+  EXPECT_NE(make("help").output.find("one figure: fig18\n"), std::string::npos);
 }
 
 }  // namespace

@@ -191,9 +191,10 @@ def without_errors(changes, pool):
         (WORK / 'errors.log').write_text(''.join(output.stderr for output in outputs))
         if waiting and not wrong:
             sys.exit(f'The changes do not compile; see {WORK}/errors.log')
-        if hand := [c for c in changes if id(c) in wrong and c.kind == 'by hand']:
-            sys.exit('\n'.join(f'{c.file}: does not compile: {c.summary()}' for c in hand))
-        changes = [change for change in changes if id(change) not in wrong]
+        left = [change for change in changes if id(change) not in wrong or change.kind == 'by hand']
+        if len(left) == len(changes):  # an error of a mechanical one may name others, too
+            sys.exit('\n'.join(f'{c.file}: does not compile: {c.summary()}' for c in changes if id(c) in wrong))
+        changes = left
     return changes
 
 
