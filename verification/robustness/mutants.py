@@ -192,7 +192,7 @@ def without_errors(changes, pool):
         if waiting and not wrong:
             sys.exit(f'The changes do not compile; see {WORK}/errors.log')
         left = [change for change in changes if id(change) not in wrong or change.kind == 'by hand']
-        if len(left) == len(changes):  # an error of a mechanical one may name others, too
+        if waiting and len(left) == len(changes):  # an error of a mechanical one may name others, too
             sys.exit('\n'.join(f'{c.file}: does not compile: {c.summary()}' for c in changes if id(c) in wrong))
         changes = left
     return changes
