@@ -68,9 +68,9 @@ class CsvReader {
 
 std::string csv_field(std::string_view text) {
   const bool plain = std::none_of(text.begin(), text.end(), [](char c) {
-    return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    return c == ',' || c == '"' || c == '#' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
   });
-  if (plain && !text.starts_with('#')) return std::string(text);
+  if (plain) return std::string(text);
   std::string field = "\"";
   for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
   return field + '"';

@@ -30,15 +30,16 @@ fs::path resolved(fs::path file) {
     const fs::path to = fs::read_symlink(file, error);
     file = to.is_absolute() ? to : file.parent_path() / to;
   }
-  const fs::path absolute = fs::absolute(file, error).lexically_normal();
-  const fs::path folder = fs::weakly_canonical(absolute.parent_path(), error);
-  return folder / absolute.filename();
+  const fs::path absolute = fs::absolute(file, error);  // behind a link, .. is not its parent
+  return fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename();
 }
 
 /// Whether a file is written in its place: no regular file, or one that stands for a descriptor.
 bool is_written_in_place(const fs::path& file) {
   struct stat status {};
-  const std::string name = fs::absolute(file).lexically_normal().string();
+  const fs::path absolute = fs::absolute(file);
+  const std::string name =
+      (fs::weakly_canonical(absolute.parent_path()) / absolute.filename()).string();
   const bool is_of_devices = name.starts_with("/dev/") && !name.starts_with("/dev/shm/");
   if (is_of_devices || name.starts_with("/proc/")) return true;
   return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
@@ -177,10 +178,14 @@ void OutputFile::fail_by_errno() const {
   fail(std::strerror(errno));
 }
 
-void FileTransaction::require_distinct(const std::vector<fs::path>& files) {
+void FileTransaction::require_distinct(const std::vector<fs::path>& files, const fs::path& source) {
   std::vector<std::string> identities;
+  const std::string of_source = source.empty() ? "" : identity(source);
   for (const fs::path& file : files) {
     const std::string its = identity(file);
+    if (!its.empty() && its == of_source)
+      throw std::runtime_error(fmt::format(
+          "{}: cannot be written: it is what the runs are read from", shown(file.string())));
     if (!its.empty() && std::find(identities.begin(), identities.end(), its) != identities.end())
       throw std::runtime_error(
           fmt::format("{}: cannot be written: it is asked for twice", shown(file.string())));

@@ -48,7 +48,8 @@ class OutputFile {
 class FileTransaction {
  public:
   /// To be called before any work, for the files that will be opened: throws if two are the same.
-  static void require_distinct(const std::vector<std::filesystem::path>& files);
+  static void require_distinct(const std::vector<std::filesystem::path>& files,
+                               const std::filesystem::path& source = {});
 
   OutputFile& open(const std::filesystem::path& file);
   void write(const std::filesystem::path& file, std::string_view text) { open(file).write(text); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "figures/data/text.hpp"
+#include "model/mechanics/mass_loss.hpp"
 
 namespace rotor {
 namespace {
@@ -53,15 +54,22 @@ std::string_view determined_by(const Statable& statable) {
   return statable.instead_of.empty() ? statable.quantity.name : statable.instead_of;
 }
 
-/// Whether the printed value is the one in effect.
-bool is_in_effect(std::string_view quantity, double printed, const Statement& statement) {
+/// Whether the printed value is the one in effect; of what follows from other numbers, whether it
+/// is within the printed digits.
+bool is_in_effect(std::string_view quantity, const CsvRow& row, const Statement& statement) {
   const Statable& drawn = *find_statable(quantity);
+  const auto printed = static_cast<double>(row.number("printed"));
   if (determined_by(drawn) == "separation_time" && !statement.loses_mass.value_or(true))
     return false;
   for (const auto& [name, value] : statement.numbers)
     if (determined_by(*find_statable(name)) == determined_by(drawn))
       return name == quantity && value == printed;
-  return !drawn.quantity.in || drawn.quantity.of(Scenario{}) == printed;
+  const Scenario scenario = scenario_of(statement);
+  if (drawn.quantity.in) return drawn.quantity.of(scenario) == printed;
+  const Parameters& p = scenario.parameters;
+  const double value =
+      quantity == "clearance" ? p.stator_radius - p.rotor_radius : MassLoss<double>(p).lost_mass;
+  return row.number("least") <= value && value <= row.number("greatest");
 }
 
 }  // namespace
@@ -79,7 +87,7 @@ Sweep over_printed_digits(const Statement& statement, const std::vector<CsvRow>&
   sweep.sample.seed = 1;
   for (const CsvRow& row : printed_inputs) {
     const std::string_view quantity = quantity_of(row["input"]);
-    if (is_in_effect(quantity, static_cast<double>(row.number("printed")), statement))
+    if (is_in_effect(quantity, row, statement))
       sweep.sample.over.push_back({std::string(quantity), Distribution::uniform,
                                    static_cast<double>(row.number("least")),
                                    static_cast<double>(row.number("greatest"))});

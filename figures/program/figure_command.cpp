@@ -43,9 +43,10 @@ std::map<int, Scene> read_scenes(const FigureOptions& options) {
   std::map<int, Scene> scenes;
   for (const int number : options.numbers.empty() ? all : options.numbers) {
     if (!files.contains(number))
-      throw InputError(fmt::format("figure {}: there is no {}; the figures are {}", number,
-                                   (fs::path(options.scenes) / "figNN.toml").string(),
-                                   fmt::join(all, ", ")));
+      throw InputError(
+          fmt::format("figure {}: there is no {}; the figures are {}", number,
+                      (fs::path(options.scenes) / fmt::format("fig{:02}.toml", number)).string(),
+                      fmt::join(all, ", ")));
     scenes.emplace(number, read_scene(files.at(number), {options.equations_and_method, {}}));
   }
   return scenes;

@@ -31,7 +31,7 @@ CLI::Validator parsed_by(Parse parse) {
           "", ""};
 }
 
-/// Figures are numbered 02, 03 and so on, which is not octal.
+/// Whole numbers such as 02, the number of a figure, are not octal.
 CLI::Validator without_leading_zeros() {
   return {[](std::string& text) -> std::string {
             text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
@@ -105,6 +105,7 @@ void add_options(CLI::App& command, SweepOptions& options) {
           .add_option("--out", options.out, "write the results, a row a point, to this CSV file")
           ->check(not_empty());
   command.add_option("--jobs", options.jobs, "threads; as many as there are cores, if not given")
+      ->transform(without_leading_zeros())
       ->check(CLI::Range(1, 4096));
   command
       .add_flag("--dry-run", options.dry_run,
@@ -174,6 +175,7 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_option("--rows", options.rows,
                   "so many rows of the trace at equal distances, the first and the last instant "
                   "included; less if the run stops early")
+      ->transform(without_leading_zeros())
       ->needs(trace)
       ->excludes(every);
   command

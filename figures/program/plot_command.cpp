@@ -81,7 +81,7 @@ void plot_scene(const PlotOptions& options) {
   if (!fs::is_directory(folder))
     throw InputError(
         fmt::format("{}: cannot be written: there is no such folder", folder.string()));
-  FileTransaction::require_distinct({out});
+  FileTransaction::require_distinct({out}, options.scene);
 
   std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
   std::string names;

@@ -37,7 +37,9 @@ Scene scene_of(const RunOptions& options) {
             .columns = {},
             .runs = {{"run", scenario_of(stated), stated.states_equations(), stated.digits}}};
   }
-  Scene scene = read_scene(options.scene, {options.equations_and_method, options.numbers});
+  Overrides overrides;
+  overrides.of_runs = options.equations_and_method.overridden_by(options.numbers);
+  Scene scene = read_scene(options.scene, overrides);
   if (options.run_name.empty()) return scene;
   std::vector<std::string> names;
   for (const SceneRun& run : scene.runs) names.push_back(run.name);
@@ -73,6 +75,10 @@ Scene requested_scene(const RunOptions& options) {
   if (result.runs.size() > 1 && !(options.trace.empty() && options.events.empty()))
     throw InputError(fmt::format("{}: --trace and --events are of one run; choose it with --run",
                                  options.scene));
+  if (result.runs.size() > 1 && !options.json && (options.energy || options.estimate_error))
+    throw InputError(
+        fmt::format("{}: of several runs --energy and --estimate-error are told by --json alone",
+                    options.scene));
   for (const SceneRun& run : result.runs) {
     if (!options.events.empty() && run.scenario.method == Method::rk4)
       throw InputError("--events: only --method event locates events");
@@ -104,7 +110,8 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
   const double length_s = end_of(scene) - scene.window.from_s;
   constexpr double most_rows = 1e9;
   if (options.every_s) {
-    if (!(*options.every_s > 0 && length_s / *options.every_s < most_rows))
+    if (!(*options.every_s > 0 && std::isfinite(*options.every_s) &&
+          length_s / *options.every_s < most_rows))
       throw InputError(fmt::format("--every {}: must be above 0 s, and leave less than {} rows",
                                    *options.every_s, most_rows));
     return options.every_s;
@@ -172,7 +179,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   std::vector<std::filesystem::path> outputs;
   for (const std::string& file : {options.trace, options.events})
     if (!file.empty()) outputs.emplace_back(file);
-  FileTransaction::require_distinct(outputs);
+  FileTransaction::require_distinct(outputs, options.scene);
 
   // What is written goes out as it is computed: a long trace takes no memory.
   FileTransaction files;
@@ -244,7 +251,7 @@ void run_rotor(const RunOptions& options) {
     throw InputError("--columns requires --trace, or is help");
   const Scene scene = requested_scene(options);
   auto runs = nlohmann::ordered_json::array();
-  std::vector<std::string> missed, short_of_digits;
+  std::vector<std::string> told, short_of_digits;
   RunUps run_ups;
   for (const SceneRun& run : scene.runs) {
     Scene alone = scene;
@@ -252,14 +259,23 @@ void run_rotor(const RunOptions& options) {
     const Printed printed =
         run.digits ? certain_run(options, run) : run_one(options, alone, run_ups);
     const bool one_of_many = scene.runs.size() > 1;
-    for (const Remark& remark : printed.remarks)
-      if (remark.missed) missed.push_back((one_of_many ? run.name + ": " : "") + remark.sentence);
+    for (const Remark& remark : printed.remarks)  // of which a table has none
+      if (remark.missed || (one_of_many && !options.json))
+        told.push_back((one_of_many ? run.name + ": " : "") + remark.sentence);
     if (!printed.short_of_digits.empty())
       short_of_digits.push_back((one_of_many ? run.name + ": " : "") + printed.short_of_digits);
     nlohmann::ordered_json row;
     if (one_of_many) row["run"] = run.name;
     row.update(printed.summary);
     runs.push_back(row);
+    if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
+      if (one_of_many)
+        told.push_back(
+            fmt::format("{}: cut short at {} s by an interruption; runs behind it have "
+                        "not begun",
+                        run.name, cut->get<double>()));
+      break;
+    }
   }
   const auto is_standard_output = [](const std::string& file) {
     return file == "-" || file == "/dev/stdout" || file == "/dev/fd/1";
@@ -268,7 +284,7 @@ void run_rotor(const RunOptions& options) {
       is_standard_output(options.trace) || is_standard_output(options.events);
   std::FILE* const to = standard_output_is_taken ? stderr : stdout;
   print_summaries(runs, options.json, to);
-  for (const std::string& message : missed) fmt::print(stderr, "rotor: {}\n", message);
+  for (const std::string& message : told) fmt::print(stderr, "rotor: {}\n", message);
   if (std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
     say_which_equations();
   if (!short_of_digits.empty())

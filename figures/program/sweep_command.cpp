@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <thread>
 
+#include "figures/data/files.hpp"
 #include "figures/data/interruption.hpp"
 #include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
@@ -22,18 +25,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Says how long some points take that are spread over the sweep.
+/// Says how long some points take that are spread over the sweep, out of step with its axes.
 void estimate(const Sweep& sweep, int jobs) {
   constexpr long most = 64;
   constexpr double patience_s = 3;
-  const long points = sweep.points(), distance = std::max(1L, points / most);
+  const long points = sweep.points(), tries = std::min(points, most);
+  const auto nth = [&](long n) {
+    const double turns = static_cast<double>(n) * std::numbers::phi;
+    const double spread = static_cast<double>(points) * (turns - std::floor(turns));
+    return tries < points ? static_cast<long>(spread) : n;
+  };
   SweepRows row(sweep);
   const auto start = std::chrono::steady_clock::now();
   double elapsed_s = 0;
   long tried = 0;
-  for (long n = 0; n < points && elapsed_s < patience_s; n += distance) {
-    static_cast<void>(row(n));
-    ++tried;
+  for (; tried < tries && elapsed_s < patience_s; ++tried) {
+    static_cast<void>(row(nth(tried)));
     elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   const double each_s = elapsed_s / static_cast<double>(tried);
@@ -103,6 +110,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   std::optional<Writer> writer;
   try {
     require_sense(options, ranks);
+    FileTransaction::require_distinct({options.out}, options.file);
     writer.emplace(sweep, options.out);
   } catch (...) {
     ranks.told_by_first(false);

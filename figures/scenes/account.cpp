@@ -126,7 +126,8 @@ nlohmann::ordered_json to_json(const EnergyObserver& energy) {
   nlohmann::ordered_json json;
   json["until_rolling"] = nullptr;
   if (energy.until_rolling()) json["until_rolling"] = of(*energy.until_rolling());
-  json["until_end"] = of(energy.balance());
+  json["until_end"] = nullptr;
+  if (energy.has_begun()) json["until_end"] = of(energy.balance());
   return json;
 }
 

@@ -85,9 +85,9 @@ class SceneReader : TomlFile {
     const double from = time(in, "from_s").value_or(0);
     const auto stated_until = time(in, "until_s");
     const double until = stated_until.value_or(shortest);
-    // Options may end the runs elsewhere; shown is what of the window they reach then.
-    const bool lies_in_runs =
-        (from < shortest && until <= shortest) || overrides_.of_runs.numbers.contains("until");
+    // Options may move the runs' ends; shown is what of the window they reach then.
+    const bool lies_in_runs = (from < shortest && until <= shortest) ||
+                              !overrides_.of_runs.numbers.empty() || overrides_.of_runs.loses_mass;
     if (!lies_in_runs || (stated_until && from >= until))
       fail(in.empty() ? static_cast<const toml::node&>(root) : *root.get("window"), "window",
            fmt::format(

@@ -33,7 +33,8 @@ class TomlFile {
   std::optional<T> value(const toml::table& in, std::string_view key, std::string_view kind) const {
     const toml::node* node = in.get(key);
     if (!node) return std::nullopt;
-    std::optional<T> found = node->value<T>();
+    std::optional<T> found;
+    if (node->is_boolean() == std::is_same_v<T, bool>) found = node->value<T>();
     if (!found) fail(*node, key, std::string("must be ") + std::string(kind));
     return found;
   }

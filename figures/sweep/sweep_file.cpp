@@ -255,6 +255,14 @@ class SweepReader : TomlFile {
       if (is_named(quantity) && table(root(), "parameters").contains(quantity))
         fail(root(), quantity, "varies, and [parameters] states it");
     }
+    const auto is_stated = [&](const char* correction) {
+      return table(root(), "parameters").contains(correction) ||
+             std::find(varied.begin(), varied.end(), correction) != varied.end();
+    };
+    if (std::find(varied.begin(), varied.end(), "equations") != varied.end() &&
+        is_stated("velocity_jump") && is_stated("gravity_moment"))
+      fail(root(), "equations",
+           "varies, and velocity_jump and gravity_moment are stated, which it is");
   }
 
   /// The corners of the axes and of the draws, a normal one being at its mean.

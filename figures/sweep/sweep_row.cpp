@@ -54,7 +54,10 @@ std::string sweep_head(const Sweep& sweep) {
       sweep.title.empty() ? "Sweep" : "Sweep: " + sweep.title, "rotor " ROTOR_VERSION,
       fmt::format("{} points, as this file has them, a row each:", sweep.points())};
   std::istringstream text(sweep.text);
-  for (std::string line; std::getline(text, line);) provenance.push_back("  " + line);
+  for (std::string line; std::getline(text, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    provenance.push_back("  " + line);
+  }
   std::vector<std::string> names = sweep.quantities();
   for (std::string& name : names)  // beside a result of the same name, such as the method's
     if (std::find(result_columns().begin(), result_columns().end(), name) != result_columns().end())

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <regex>
 #include <tuple>
 
@@ -119,6 +120,27 @@ TEST_F(Drawn, FrequencyOfQ1IsThatOfItsFirstPeriodsOfRolling) {
   expect_said(picture, fmt::format("frequency of q1, first {:.0f} periods of rolling", periods));
   expect_said(picture,
               fmt::format("here: {:.0f} Hz", periods / (upwards.back() - upwards.front())));
+}
+
+TEST_F(Drawn, WhirlOfRollingIsTheMeanOverItsWindow) {
+  const DrawnPicture picture = drawn(10);
+  double turned = 0, x = 0, y = 0, first_s = -1, last_s = 0;
+  for (const CsvRow& row : data_of(10)) {
+    const auto at_x = static_cast<double>(row.number("x_a_m")),
+               at_y = static_cast<double>(row.number("y_a_m"));
+    last_s = static_cast<double>(row.number("time_s"));
+    if (first_s < 0)
+      first_s = last_s;
+    else
+      turned += std::atan2(x * at_y - y * at_x, x * at_x + y * at_y);
+    x = at_x;
+    y = at_y;
+  }
+  const std::string whirl = fmt::format(
+      "whirl of O {:.1f} Hz", std::abs(turned) / (2 * std::numbers::pi) / (last_s - first_s));
+  EXPECT_TRUE(std::ranges::any_of(picture.texts, [&](const std::string& text) {
+    return text.find(whirl) != std::string::npos;
+  })) << whirl;
 }
 
 // In the scheme, from O_a towards K is where O lies: x_a downwards, y_a to the right.

@@ -9,6 +9,7 @@
 
 #include "model/simulation/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -143,6 +144,30 @@ TEST(Column, HasNoSlipAndNoWhirlWhereTheRotorIsCentred) {
 }
 
 // Whose largest magnitudes a trace contains.
+// Friction does not jump where the rim breaks away, or turns round, but to the side that it slides
+// to.
+TEST(Column, OfFrictionHasTheSignOfTheSlipThatFollows) {
+  Scenario scenario{.start_speed_Hz = 150, .until = 1.6};
+  scenario.parameters.separation_time = 0;
+  const ColumnContext context(scenario);
+  EventRecorder recorder;
+  run(scenario, recorder);
+  int at_rest = 0;
+  for (const Instant& at : recorder.events()) {
+    if (at.event != Event::break_away && at.event != Event::slip_reversal) continue;
+    ++at_rest;
+    double after = 0;
+    MotionObserver look(at.time_s, at.time_s + 1e-3, [&](const DenseOutput& motion) {
+      if (after != 0 || motion.from_s < at.time_s) return;
+      const Instant later = motion.at(motion.from_s + 1e-3 * (motion.until_s - motion.from_s));
+      after = View(later, context).friction();
+    });
+    run(scenario, at, look);
+    EXPECT_EQ(std::signbit(View(at, context).friction()), std::signbit(after)) << at.time_s;
+  }
+  EXPECT_GT(at_rest, 0);
+}
+
 TEST(Column, OfAnExtremeIsThatExtreme) {
   for (const Column& column : all_columns()) {
     const auto expected = column.name == "rho_m"             ? std::optional(Extreme::displacement)

@@ -12,7 +12,7 @@ namespace rotor {
 namespace {
 
 TEST(Csv, QuotesWhatWouldNotBeOneField) {
-  for (const char* text : {",", "\n", "\r", "\t", "\x01", "\x7f", "a\nb"})
+  for (const char* text : {",", "\n", "\r", "\t", "\x01", "\x7f", "a\nb", "case #1"})
     EXPECT_EQ(csv_field(text), '"' + std::string(text) + '"');
   EXPECT_EQ(csv_field("\""), "\"\"\"\"");
   EXPECT_EQ(csv_field("2 k_t; µ"), "2 k_t; µ");

@@ -202,12 +202,30 @@ TEST_F(Explore, DrawsThePrintedInputsThatAreInEffect) {
       {{{"unbalance-factor", "3"}}, "lost_mass 0.02475 0.02485"},
       {{{"separation-speed-hz", "100"}}, "separation_time 29.05 29.15"},
       {{{"no-separation", ""}, {"until", "3"}}, "separation_time 29.05 29.15"},
+      {{{"start-speed-hz", "60"}}, "separation_time 29.05 29.15"},
   };
   for (const auto& [options, missing] : without) {
     auto expected = all;
     expected.erase(missing);
+    if (options.contains("mass")) expected.erase("lost_mass 0.02475 0.02485");  // which follows
     EXPECT_EQ(drawn(options), expected) << missing;
   }
+}
+
+TEST_F(Explore, ShowsNothingBeforeTheStart) {
+  EXPECT_EQ(explorer_.run({{"start-speed-hz", "100"}}, unconcerned_).told["from_s"], 0);
+}
+
+TEST_F(Explore, TellsThePapersValuesAndDrawsFromItsSeed) {
+  int printed = 0;
+  for (const Json& quantity : explorer_.describe_numbers())
+    for (const CsvRow& row : printed_inputs())
+      if (row["input"] == quantity["name"].get<std::string>()) {
+        EXPECT_EQ(quantity["paper"], static_cast<double>(row.number("printed"))) << row["input"];
+        ++printed;
+      }
+  EXPECT_GT(printed, 10);
+  EXPECT_EQ(over_printed_digits({}, printed_inputs(), 3).sample.seed, 1U);
 }
 
 TEST_F(Explore, ShowsTheSamePartOfEachDraw) {

@@ -235,6 +235,8 @@ TEST_F(Options, MayEndARunElsewhereThanItsScenesWindow) {
     EXPECT_EQ(content("messages"), "rotor: --trace t.csv: nothing of the run lies in the window\n");
   }
   EXPECT_EQ(summary("--scene s.toml --until 0.003")["final_time_s"], 0.003);
+  write("s.toml", "window = { from_s = 29.1, until_s = 29.3 }\n");
+  EXPECT_EQ(summary("--scene s.toml --start-speed-hz 100")["final_time_s"], 0.25);
 }
 
 // A window is that of each run, not of the shortest one.

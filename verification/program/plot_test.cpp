@@ -81,6 +81,16 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   EXPECT_EQ(curve, picture.curves.size());
 }
 
+// Where one works, under the scene's name, which is its heading if it has no title.
+TEST_F(Plot, IsCalledAfterItsScene) {
+  ASSERT_EQ(shell("mkdir scenes").status, 0);
+  write("scenes/plain.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n");
+  const auto [status, output] = rotor("plot scenes/plain.toml --equations published");
+  EXPECT_EQ(output, "plain.svg\n");
+  EXPECT_FALSE(fs::exists(folder_ / "scenes/plain.svg"));
+  EXPECT_NE(content("plain.svg").find(">plain<"), std::string::npos);
+}
+
 TEST_F(Plot, RefusesDigits) {
   write("d.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\ndigits = 6\n");
   expect_refusal("plot d.toml", "digits: those of curves are not known");

@@ -135,26 +135,6 @@ TEST_F(RunCommand, BalancesNothingUntilARollingThatWasBefore) {
   EXPECT_TRUE(printed["energy_J"]["until_rolling"].is_null());
 }
 
-// A scene's runs, each the same as on its own.
-TEST_F(RunCommand, RunsAllRunsOfAScene) {
-  write("two.toml",
-        "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n[[run]]\nname = \"a\"\n"
-        "[[run]]\nname = \"b\"\nfriction = 0.2\n");
-  const Json runs = summary("--scene two.toml")["runs"];
-  ASSERT_EQ(runs.size(), 2U);
-  for (const Json& run : runs) {
-    Json alone = summary("--scene two.toml --run " + run["run"].get<std::string>());
-    alone["run"] = run["run"];
-    EXPECT_EQ(run, alone);
-  }
-  EXPECT_NE(runs[0]["collisions"], runs[1]["collisions"]);
-  EXPECT_TRUE(rotor("run --scene two.toml --json").output.starts_with("{\n  \"runs\": [\n    {\n"));
-  const std::string table = rotor("run --scene two.toml").output;
-  EXPECT_NE(table.find("\na  "), std::string::npos);
-  EXPECT_NE(table.find("\nb  "), std::string::npos);
-  expect_refusal("run --scene two.toml --trace t.csv", "choose it with --run");
-}
-
 // The case whose q2 has five digits at the default tolerance, which prints sixteen.
 TEST_F(RunCommand, PrintsTheDigitsThatAreAskedForAndSure) {
   const std::string chaotic = "--friction 0.05 --until 29.23 ";
@@ -196,51 +176,6 @@ TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {
   EXPECT_NE(messages.find("a disturbance is multiplied by "), std::string::npos) << messages;
   EXPECT_NE(printed.find("\ncollisions               14\n"), std::string::npos) << printed;
   EXPECT_EQ(printed.find("final_q2_m               0.00156615194306"), std::string::npos);
-}
-
-// Of several runs a row each, with the numbers of the JSON.
-TEST_F(RunCommand, TabulatesTheRunsOfAScene) {
-  write("two.toml",
-        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.03\n"
-        "[[run]]\nname = \"rolls\"\n[[run]]\nname = \"misses\"\nlost_mass = 1e-3\n");
-  const Json runs = summary("--scene two.toml")["runs"];
-  std::istringstream table(rotor("run --scene two.toml 2>messages").output);
-  std::string row, name, value;
-  std::vector<std::string> names;
-  std::getline(table, row);
-  for (std::istringstream cells(row); cells >> name;) names.push_back(name);
-  EXPECT_EQ(names,
-            std::vector<std::string>({"run", "outcome", "collisions", "first_contact_s",
-                                      "rolling_onset_s", "peak_normal_force_N", "final_speed_Hz"}));
-  for (const Json& run : runs) {
-    ASSERT_TRUE(std::getline(table, row));
-    std::istringstream cells(row);
-    for (const std::string& key : names) {
-      ASSERT_TRUE(cells >> value) << key << row;
-      const Json& stated = run[key];
-      EXPECT_EQ(value, stated.is_null()     ? "-"
-                       : stated.is_string() ? stated.get<std::string>()
-                                            : stated.dump())
-          << key << row;
-    }
-    EXPECT_FALSE(cells >> value) << row;
-  }
-  const Json schema = schema_of_summaries();
-  for (const auto& [key, unused] : runs[0].items())
-    EXPECT_TRUE(schema["properties"].contains(key)) << key;
-  // With as many digits as are asked for.
-  write("two.toml",
-        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.03\ndigits = 3\n"
-        "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.4\n");
-  std::istringstream sure(rotor("run --scene two.toml 2>messages").output);
-  for (int n = 0; n < 3; ++n) std::getline(sure, row);
-  EXPECT_EQ(std::ranges::count_if(row.substr(row.find_last_of(' ', row.find_last_not_of(' '))),
-                                  [](char c) { return std::isdigit(c) != 0; }),
-            3)
-      << row;
-  EXPECT_EQ(runs.size(), 2U);
-  EXPECT_NE(runs[0]["outcome"], runs[1]["outcome"]);
-  EXPECT_FALSE(std::getline(table, row));
 }
 
 // In JSON each number of the run has its error; everything else is as without.

@@ -1,6 +1,7 @@
 /// What is stated of a scenario, and the scenario that this makes.
 #include "figures/scenes/statement.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -225,8 +226,9 @@ TEST(StartSpeed, FindsTheMotorOffWhereItWouldBeSwitchedOff) {
   EXPECT_TRUE(start_of(scenario_of(numbers({{"start_speed_hz", 149}}))).motor_on);
 }
 
-// What the program says that it used, from nothing stated to everything.
-TEST_F(CommandLine, PutsEquationsAboveParametersAndBelowARunsOwn) {
+// What the program says that it used, from nothing stated to everything. A figure keeps what its
+// runs state themselves; a run is asked for by its options.
+TEST_F(CommandLine, PutsEquationsAboveParametersAndInFiguresBelowARunsOwn) {
   write("fig21.toml",
         "[parameters]\nequations = \"published\"\nstart_speed_hz = 100\n[[run]]\nname = \"a\"\n"
         "[[run]]\nname = \"b\"\nvelocity_jump = \"once\"\n");
@@ -235,21 +237,26 @@ TEST_F(CommandLine, PutsEquationsAboveParametersAndBelowARunsOwn) {
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     return outcome.output;
   };
-  for (const auto& [option, a, b] :
-       {std::tuple("", "published", "mixed (velocity jump once, gravity moment whole)"),
-        {"--equations consistent", "consistent", "consistent"},
+  for (const auto& [option, a, b, run_of_b] :
+       {std::tuple("", "published", "mixed (velocity jump once, gravity moment whole)", "mixed"),
+        {"--equations consistent", "consistent", "consistent", "consistent"},
         {"--gravity-moment balanced", "mixed (velocity jump twice, gravity moment balanced)",
-         "consistent"},
-        {"--velocity-jump twice", "published",
-         "mixed (velocity jump once, gravity moment whole)"}}) {
+         "consistent", "consistent"},
+        {"--velocity-jump twice", "published", "mixed (velocity jump once, gravity moment whole)",
+         "published"}}) {
     used(std::string("figure --scenes . --out . ") + option);
     EXPECT_NE(content("fig21.csv").find(std::string("# a: equations ") + a), std::string::npos);
     EXPECT_NE(content("fig21.csv").find(std::string("# b: equations ") + b), std::string::npos);
     const std::string summary = used(std::string("run --scene fig21.toml --run b ") + option);
-    const std::string name = std::string(b).substr(0, std::string(b).find(' '));
-    EXPECT_NE(summary.find("equations                \"" + name + '"'), std::string::npos)
+    EXPECT_NE(summary.find(fmt::format("equations                \"{}\"", run_of_b)),
+              std::string::npos)
         << summary;
   }
+  write(
+      "s.toml",
+      "[parameters]\nstart_speed_hz = 100\nuntil = 0.01\n[[run]]\nname = \"a\"\nmethod = \"rk4\"");
+  EXPECT_NE(used("run --scene s.toml --method event").find("method                   \"event\""),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, SaysWhichEquationsItUsedForARotorThatIsNotThePapers) {

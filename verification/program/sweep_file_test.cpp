@@ -38,6 +38,9 @@ TEST_F(SweepFile, IsRefusedWhereItMeansNothing) {
            std::pair(axis(friction + "values = []\n"), "something in it"),
            std::pair(axis(friction + "values = [0.1]\npoints = 2\n"), "stand instead of"),
            std::pair(axis("quantity = \"method\"\nvalues = [\"euler\"]\n"), "must be one of"),
+           std::pair("[parameters]\nvelocity_jump = \"once\"\ngravity_moment = \"whole\"\n" +
+                         axis("quantity = \"equations\"\nvalues = [\"published\"]\n"),
+                     "equations: varies, and velocity_jump and gravity_moment are stated"),
            std::pair(axis("quantity = \"method\"\nfrom = 1\n"), "must be stated"),
            std::pair(axis(friction + "values = [0.1]\n") + axis(friction + "values = [0.2]\n"),
                      "varies, and so does friction"),

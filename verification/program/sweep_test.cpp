@@ -289,20 +289,5 @@ TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
   }
 }
 
-// A rotor at rest whose greatest reach is the clearance to the last digit: with what it has, the
-// row says what it lacks.
-TEST_F(SweepCommand, SaysWhichDigitsCannotBeHad) {
-  write("d.toml",
-        "stop_on = \"end\"\n[parameters]\ntorque = 0\ngravity = 0\nrotor_radius = 0.0625\n"
-        "stator_radius = 0.06298828125\nno_separation = true\nuntil = 0.001\ndigits = 3\n"
-        "[[axis]]\nquantity = \"eccentricity\"\nvalues = [0.000244140625]\n");
-  ASSERT_EQ(rotor("sweep d.toml --out d.csv").status, 0);
-  const auto rows = read_csv(folder_ / "d.csv");
-  ASSERT_EQ(rows.size(), 1U);
-  EXPECT_TRUE(rows[0]["refusal"].starts_with("counts and outcome hang on digits"))
-      << rows[0]["refusal"];
-  EXPECT_NE(rows[0]["final_speed_Hz"], "");
-}
-
 }  // namespace
 }  // namespace rotor

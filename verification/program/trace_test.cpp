@@ -92,6 +92,7 @@ TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
 }
 
 TEST_F(Trace, RefusesDistancesThatMeanNothing) {
+  expect_refusal("run --until 0.1 --trace t.csv --every inf", "--every inf: must be above 0 s");
   const std::string trace = "run --until 1 --no-separation --trace t.csv ";
   expect_refusal(trace + "--every 0", "--every 0: must be above 0 s");
   expect_refusal(trace + "--every 1e-12", "must be above 0 s, and leave less than");

@@ -1,26 +1,14 @@
 /// What the program writes, and what it leaves alone.
+#include "verification/support/writing.hpp"
+
 #include <sys/stat.h>
 
 #include <sstream>
 
 #include "figures/data/csv.hpp"
-#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
-
-/// A short run, and one that takes longer than any test waits.
-const std::string short_run = "run --until 0.1 --columns time_s,rho_m";
-const std::string long_run = "run --no-separation --until 1e6 --columns time_s,rho_m";
-
-class Writing : public CommandLine {
- protected:
-  void TearDown() override {
-    EXPECT_EQ(files(), 0) << "something was left behind";
-    CommandLine::TearDown();
-  }
-  void remove(const std::string& name) const { EXPECT_TRUE(fs::remove(folder_ / name)) << name; }
-};
 
 TEST_F(Writing, GoesThroughWhatIsNoRegularFile) {
   EXPECT_EQ(shell("mkfifo pipe && (cat pipe > copy &) && $rotor " + short_run +
@@ -101,6 +89,34 @@ TEST_F(Writing, RefusesWhatItsOwnerMayNotWrite) {
   remove("t.csv");
 }
 
+TEST_F(Writing, ReplacesNothingThatItReads) {
+  const std::string scene = "[parameters]\nuntil = 0.1\n";
+  write("s.toml", scene);
+  for (const char* outputs : {"run --scene s.toml --trace ./s.toml",
+                              "run --scene s.toml --events s.toml", "plot s.toml --out s.toml"})
+    EXPECT_NE(rotor(outputs).status, 0) << outputs;
+  expect_refusal("run --scene s.toml --trace ./s.toml",
+                 "./s.toml: cannot be written: it is what the runs are read from");
+  const std::string sweep =
+      "[parameters]\nuntil = 0.1\n[[axis]]\nquantity = \"mass\"\nvalues = [5]\n";
+  write("w.toml", sweep);
+  expect_refusal("sweep w.toml --out w.toml", "it is what the runs are read from");
+  EXPECT_EQ(content("s.toml"), scene);
+  EXPECT_EQ(content("w.toml"), sweep);
+  remove("s.toml");
+  remove("w.toml");
+}
+
+// Behind a link, two dots are the folder above where it leads.
+TEST_F(Writing, LeavesALinkedFolderUpwardsWhereItLeads) {
+  ASSERT_EQ(shell("mkdir -p other/sub && ln -s other/sub link").status, 0);
+  EXPECT_EQ(rotor(short_run + " --trace link/../t.csv").status, 0);
+  EXPECT_GT(rows_of("other/t.csv").size(), 10U);
+  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+  fs::remove_all(folder_ / "other");
+  remove("link");
+}
+
 TEST_F(Writing, LeavesNoFolderOfARunThatFails) {
   EXPECT_EQ(rotor("run --stop-on rolling --from 29.3 --trace new/folder/t.csv").status, 1);
   EXPECT_FALSE(fs::exists(folder_ / "new"));
@@ -124,6 +140,16 @@ TEST_F(Writing, ToStandardOutputLeavesTheSummaryToStandardError) {
   EXPECT_EQ(content("trace").find('{'), std::string::npos);
   remove("summary");
   remove("trace");
+}
+
+TEST_F(Writing, OfEventsToStandardOutputLeavesTheSummaryToStandardError) {
+  const auto [status, output] =
+      shell("$rotor run --until 29.12 --events - 2>/dev/null | tail -n 1");
+  EXPECT_TRUE(output.find("outcome") == std::string::npos &&
+              output.find(",29.1") != std::string::npos)
+      << output;
+  EXPECT_NE(shell("$rotor run --until 29.12 --events - 2>&1 >/dev/null").output.find("outcome"),
+            std::string::npos);
 }
 
 TEST_F(Writing, ToStandardOutputByItsNameLeavesTheSummaryToStandardError) {
@@ -203,81 +229,6 @@ TEST_F(Writing, LetsOneOfTwoProcessesWinWhole) {
     EXPECT_TRUE(content("t") == content("a") || content("t") == content("b"));
   }
   for (const char* name : {"a", "b", "t"}) remove(name);
-}
-
-TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
-  for (const std::string signal : {"INT", "TERM"}) {
-    write("t.csv", "precious");
-    const auto [status, output] = shell("bash -c 'set -m; \"$0\" " + long_run +
-                                        " --trace t.csv & sleep 0.3; ls -A | wc -l; kill -" +
-                                        signal + " %1; wait %1; echo status $?' \"$rotor\"");
-    EXPECT_TRUE(output.starts_with("2\n")) << output;  // the draft was there
-    EXPECT_NE(output.find("rotor: interrupted; no file has been written"), std::string::npos);
-    EXPECT_NE(output.find(signal == "INT" ? "status 130" : "status 143"), std::string::npos);
-    EXPECT_EQ(content("t.csv"), "precious");
-    remove("t.csv");
-  }
-}
-
-// Even if nobody reads what it writes, all of it or a rest.
-TEST_F(Writing, EndsWhenInterruptedWhileAPipeIsFull) {
-  for (const char* there : {"", "head -c 65536 /dev/zero >&4;"}) {
-    const std::string output =
-        shell(std::string("rm -f pipe; mkfifo pipe; exec 4<>pipe; ") + there +
-              "timeout --foreground --signal=INT --kill-after=10 1 $rotor run --until 1e5 "
-              "--no-separation --trace pipe; echo status $?")
-            .output;
-    EXPECT_EQ(output.find("status 137"), std::string::npos) << output;
-    EXPECT_NE(output.find("interrupted"), std::string::npos) << output;
-  }
-  remove("pipe");
-}
-
-// The speed would be reached in hours: that it is not is no finding.
-TEST_F(Writing, EndsTheSearchForASpeedWhenInterrupted) {
-  const std::string output =
-      shell(
-          "timeout --foreground --signal=INT --kill-after=10 1 $rotor run --torque 1e-6 --gravity "
-          "0 --separation-speed-hz 1; echo status $?")
-          .output;
-  EXPECT_EQ(output, "rotor: interrupted; no file has been written\nstatus 124\n");
-}
-
-// Its run would take minutes; what it had computed so far is no figure.
-TEST_F(Writing, EndsAFigureWhenInterrupted) {
-  write("fig01.toml",
-        "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0, until_s = 1e5 }\n"
-        "[parameters]\nfriction = 0.05\nseparation_time = 1\nuntil = 1e5\n");
-  const auto [status, output] = shell(
-      "timeout --signal=KILL 60 bash -c 'set -m; \"$0\" figure --scenes . --out out & sleep "
-      "0.5; kill -INT %1; wait %1; echo status $?' \"$rotor\"");
-  EXPECT_NE(output.find("rotor: interrupted; no file has been written"), std::string::npos)
-      << output;
-  EXPECT_NE(output.find("status 130"), std::string::npos) << output;
-  EXPECT_FALSE(fs::exists(folder_ / "out/fig01.csv"));
-  remove("fig01.toml");
-}
-
-TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
-  const auto [status, output] =
-      shell("bash -c 'set -m; \"$0\" " + long_run +
-            " --json --keep-partial --trace t.csv & sleep 0.5; kill -INT %1; wait %1' \"$rotor\"");
-  EXPECT_EQ(status, 0) << output;
-  EXPECT_NE(output.find("\"cut_short_at_s\": "), std::string::npos) << output;
-  const std::string trace = content("t.csv");
-  EXPECT_NE(trace.find("\n# cut short at "), std::string::npos);
-  EXPECT_EQ(trace.back(), '\n');
-  EXPECT_GT(rows_of("t.csv").size(), 100U);
-  remove("t.csv");
-}
-
-TEST_F(Writing, RemovesWhatAKilledRunHasLeft) {
-  shell("bash -c '\"$0\" " + long_run +
-        " --trace t.csv & sleep 0.3; kill -KILL $!; wait' \"$rotor\"");
-  EXPECT_EQ(files(), 1);  // its draft
-  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
-  EXPECT_EQ(rotor(short_run + " --trace t.csv").status, 0);
-  remove("t.csv");
 }
 
 TEST_F(Writing, QuotesNamesAsRfc4180HasIt) {

@@ -13,4 +13,9 @@ inline Summary summary_of(const Scenario& scenario) {
   return observer.summary();
 }
 
+inline Summary summary_until(double until_s, Scenario scenario) {
+  scenario.until = until_s;
+  return summary_of(scenario);
+}
+
 }  // namespace rotor

@@ -1,0 +1,85 @@
+/// What is left of work that somebody interrupts, or kills.
+#include <gtest/gtest.h>
+
+#include "verification/support/writing.hpp"
+
+namespace rotor {
+namespace {
+
+TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    write("t.csv", "precious");
+    const auto [status, output] = shell("bash -c 'set -m; \"$0\" " + long_run +
+                                        " --trace t.csv & sleep 0.3; ls -A | wc -l; kill -" +
+                                        signal + " %1; wait %1; echo status $?' \"$rotor\"");
+    EXPECT_TRUE(output.starts_with("2\n")) << output;  // the draft was there
+    EXPECT_NE(output.find("rotor: interrupted; no file has been written"), std::string::npos);
+    EXPECT_NE(output.find(signal == "INT" ? "status 130" : "status 143"), std::string::npos);
+    EXPECT_EQ(content("t.csv"), "precious");
+    remove("t.csv");
+  }
+}
+
+// Even if nobody reads what it writes, all of it or a rest.
+TEST_F(Writing, EndsWhenInterruptedWhileAPipeIsFull) {
+  for (const char* there : {"", "head -c 65536 /dev/zero >&4;"}) {
+    const std::string output =
+        shell(std::string("rm -f pipe; mkfifo pipe; exec 4<>pipe; ") + there +
+              "timeout --foreground --signal=INT --kill-after=10 1 $rotor run --until 1e5 "
+              "--no-separation --trace pipe; echo status $?")
+            .output;
+    EXPECT_EQ(output.find("status 137"), std::string::npos) << output;
+    EXPECT_NE(output.find("interrupted"), std::string::npos) << output;
+  }
+  remove("pipe");
+}
+
+// The speed would be reached in hours: that it is not is no finding.
+TEST_F(Writing, EndsTheSearchForASpeedWhenInterrupted) {
+  const std::string output =
+      shell(
+          "timeout --foreground --signal=INT --kill-after=10 1 $rotor run --torque 1e-6 --gravity "
+          "0 --separation-speed-hz 1; echo status $?")
+          .output;
+  EXPECT_EQ(output, "rotor: interrupted; no file has been written\nstatus 124\n");
+}
+
+// Its run would take minutes; what it had computed so far is no figure.
+TEST_F(Writing, EndsAFigureWhenInterrupted) {
+  write("fig01.toml",
+        "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0, until_s = 1e5 }\n"
+        "[parameters]\nfriction = 0.05\nseparation_time = 1\nuntil = 1e5\n");
+  const auto [status, output] = shell(
+      "timeout --signal=KILL 60 bash -c 'set -m; \"$0\" figure --scenes . --out out & sleep "
+      "0.5; kill -INT %1; wait %1; echo status $?' \"$rotor\"");
+  EXPECT_NE(output.find("rotor: interrupted; no file has been written"), std::string::npos)
+      << output;
+  EXPECT_NE(output.find("status 130"), std::string::npos) << output;
+  EXPECT_FALSE(fs::exists(folder_ / "out/fig01.csv"));
+  remove("fig01.toml");
+}
+
+TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
+  const auto [status, output] =
+      shell("bash -c 'set -m; \"$0\" " + long_run +
+            " --json --keep-partial --trace t.csv & sleep 0.5; kill -INT %1; wait %1' \"$rotor\"");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("\"cut_short_at_s\": "), std::string::npos) << output;
+  const std::string trace = content("t.csv");
+  EXPECT_NE(trace.find("\n# cut short at "), std::string::npos);
+  EXPECT_EQ(trace.back(), '\n');
+  EXPECT_GT(rows_of("t.csv").size(), 100U);
+  remove("t.csv");
+}
+
+TEST_F(Writing, RemovesWhatAKilledRunHasLeft) {
+  shell("bash -c '\"$0\" " + long_run +
+        " --trace t.csv & sleep 0.3; kill -KILL $!; wait' \"$rotor\"");
+  EXPECT_EQ(files(), 1);  // its draft
+  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
+  EXPECT_EQ(rotor(short_run + " --trace t.csv").status, 0);
+  remove("t.csv");
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,138 @@
+/// `rotor run` of a scene with several runs.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "figures/scenes/names.hpp"
+#include "verification/support/run_summary.hpp"
+
+namespace rotor {
+namespace {
+
+using Json = nlohmann::json;
+
+using RunCommand = RunSummary;
+
+Json schema_of_summaries() {
+  std::ifstream file(ROTOR_SOURCES "/figures/program/summary.schema.json");
+  return Json::parse(file);
+}
+
+// A scene's runs, each the same as on its own.
+TEST_F(RunCommand, RunsAllRunsOfAScene) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n[[run]]\nname = \"a\"\n"
+        "[[run]]\nname = \"b\"\nfriction = 0.2\n");
+  const Json runs = summary("--scene two.toml")["runs"];
+  ASSERT_EQ(runs.size(), 2U);
+  for (const Json& run : runs) {
+    Json alone = summary("--scene two.toml --run " + run["run"].get<std::string>());
+    alone["run"] = run["run"];
+    EXPECT_EQ(run, alone);
+  }
+  EXPECT_NE(runs[0]["collisions"], runs[1]["collisions"]);
+  EXPECT_TRUE(rotor("run --scene two.toml --json").output.starts_with("{\n  \"runs\": [\n    {\n"));
+  const std::string table = rotor("run --scene two.toml").output;
+  EXPECT_NE(table.find("\na  "), std::string::npos);
+  EXPECT_NE(table.find("\nb  "), std::string::npos);
+  expect_refusal("run --scene two.toml --trace t.csv", "choose it with --run");
+}
+
+// Of several runs a row each, with the numbers of the JSON.
+TEST_F(RunCommand, TabulatesTheRunsOfAScene) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.03\n"
+        "[[run]]\nname = \"rolls\"\n[[run]]\nname = \"misses\"\nlost_mass = 1e-3\n");
+  const Json runs = summary("--scene two.toml")["runs"];
+  std::istringstream table(rotor("run --scene two.toml 2>messages").output);
+  std::string row, name, value;
+  std::vector<std::string> names;
+  std::getline(table, row);
+  for (std::istringstream cells(row); cells >> name;) names.push_back(name);
+  EXPECT_EQ(names,
+            std::vector<std::string>({"run", "outcome", "collisions", "first_contact_s",
+                                      "rolling_onset_s", "peak_normal_force_N", "final_speed_Hz"}));
+  for (const Json& run : runs) {
+    ASSERT_TRUE(std::getline(table, row));
+    std::istringstream cells(row);
+    for (const std::string& key : names) {
+      ASSERT_TRUE(cells >> value) << key << row;
+      const Json& stated = run[key];
+      EXPECT_EQ(value, stated.is_null()     ? "-"
+                       : stated.is_string() ? stated.get<std::string>()
+                                            : stated.dump())
+          << key << row;
+    }
+    EXPECT_FALSE(cells >> value) << row;
+  }
+  const Json schema = schema_of_summaries();
+  for (const auto& [key, unused] : runs[0].items())
+    EXPECT_TRUE(schema["properties"].contains(key)) << key;
+  // With as many digits as are asked for.
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.03\ndigits = 3\n"
+        "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.4\n");
+  std::istringstream sure(rotor("run --scene two.toml 2>messages").output);
+  for (int n = 0; n < 3; ++n) std::getline(sure, row);
+  EXPECT_EQ(std::ranges::count_if(row.substr(row.find_last_of(' ', row.find_last_not_of(' '))),
+                                  [](char c) { return std::isdigit(c) != 0; }),
+            3)
+      << row;
+  EXPECT_EQ(runs.size(), 2U);
+  EXPECT_NE(runs[0]["outcome"], runs[1]["outcome"]);
+  EXPECT_FALSE(std::getline(table, row));
+}
+
+// What a table has no room for is told beside it, or refused.
+TEST_F(RunCommand, TellsWhatATableHasNoRoomFor) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 60\nclearance = 2e-4\n[[run]]\nname = \"a\"\n"
+        "[[run]]\nname = \"b\"\nfriction = 0.1\n");
+  EXPECT_EQ(rotor("run --scene two.toml --equations published 2>messages").status, 0);
+  for (const char* run :
+       {"rotor: a: the ring is indented by ", "rotor: b: the ring is indented by "})
+    EXPECT_NE(content("messages").find(run), std::string::npos) << content("messages");
+  EXPECT_EQ(rotor("run --scene two.toml --equations published --json 2>messages").status, 0);
+  EXPECT_EQ(content("messages"), "");
+  for (const char* option : {"--energy", "--estimate-error"}) {
+    expect_refusal(std::string("run --scene two.toml ") + option,
+                   "two.toml: of several runs --energy and --estimate-error are told by --json "
+                   "alone");
+    EXPECT_EQ(rotor(std::string("run --scene two.toml --json --run a ") + option).status, 0);
+  }
+  EXPECT_TRUE(summary("--scene two.toml --energy")["runs"][1].contains("energy_J"));
+}
+
+// Runs behind the one that was cut short have not begun, and are not told.
+TEST_F(RunCommand, EndsWithTheRunThatIsCutShort) {
+  write("slow.toml",
+        "[parameters]\nno_separation = true\nuntil = 1e6\n[[run]]\nname = \"a\"\n"
+        "[[run]]\nname = \"b\"\n");
+  const std::string output =
+      shell(
+          "timeout --foreground --preserve-status --signal=INT --kill-after=10 1 $rotor run "
+          "--scene slow.toml --keep-partial")
+          .output;
+  EXPECT_NE(output.find("rotor: a: cut short at "), std::string::npos) << output;
+  EXPECT_EQ(output.find("\nb "), std::string::npos) << output;
+}
+
+// Before the mass loss there is nothing to account for.
+TEST_F(RunCommand, HasNoBalanceOfARunThatStopsBeforeItsLoss) {
+  const Json energy = summary(
+      "--friction 0.8 --clearance 3e-4 --until 29.2 --stop-on rolling --energy")["energy_J"];
+  EXPECT_TRUE(energy["until_rolling"].is_null());
+  EXPECT_TRUE(energy["until_end"].is_null());
+}
+
+// Numbers with zeros before them are no octal ones.
+TEST_F(RunCommand, ReadsWholeNumbersAsTheyStand) {
+  EXPECT_EQ(rotor("run --start-speed-hz 60 --trace t.csv --rows 010").status, 0);
+  EXPECT_EQ(rows_of("t.csv").size(), 1U + 10);
+}
+
+}  // namespace
+}  // namespace rotor
