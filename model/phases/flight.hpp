@@ -22,7 +22,8 @@ Transition meet_ring(const RotorSystem<S>& rotor, const State<S>& q, Event event
   return next;
 }
 
-/// How a motion goes on that is taken up in contact with the ring, perhaps after a jump.
+/// How a motion goes on that is taken up in contact with the ring, perhaps after a jump. A rim that
+/// rolls has no slip, whatever rounding makes of it.
 template <class S>
 Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, ContactState contact) {
   const auto k = rotor.ring.rim_point(RotatingFrame<S>::motion(rotor.body, q));
@@ -147,7 +148,7 @@ struct FreeFlight : Flight<S, Chart> {
     const S farther = sqrt(
         max(from.x[0] * from.x[0] + from.x[1] * from.x[1], to.x[0] * to.x[0] + to.x[1] * to.x[1]));
     const S of_C =
-        min(deviation / frequency, farther + bend * h * h / 8) + synchronous.displacement;
+        min(farther + bend * h * h / 8, deviation / frequency) + synchronous.displacement;
     const S of_O = of_C + e;
 
     // The angular acceleration and the velocity that damping makes of each other's bounds.

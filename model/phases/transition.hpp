@@ -8,7 +8,7 @@ namespace rotor {
 enum class Event {
   none,
   touch_down,       ///< the rim meets the ring
-  release,          ///< F_n = 0, the ring still being indented
+  release,          ///< F_n = 0; a damped ring is still indented
   ring_clear,       ///< the ring has come back, the rotor is clear of it
   renewed_contact,  ///< the rim meets the ring again before that
   rolling_onset,    ///< the slip ends, and friction can hold the rim

@@ -43,6 +43,7 @@ class EnergyObserver : public Observer {
   bool wants_dense_output(const double& from_s, const double& until_s) const override;
   void on_step(const DenseOutput& motion) override;
 
+  bool has_begun() const { return begun_; }  ///< that the mass loss has been, if there is one
   const EnergyBalance& balance() const { return balance_; }
   const std::optional<EnergyBalance>& until_rolling() const { return until_rolling_; }
 

@@ -10,10 +10,10 @@ namespace rotor {
 
 /// Decided at the end of a run by the first of these that holds:
 enum class Outcome {
-  rolling,     ///< the onset of rolling has occurred, whatever followed
-  stalled,     ///< the motor drives and cannot raise the speed, which is near the critical one
-  sliding,     ///< the contact lasts: longer by now than a natural period of the contact
-  freed,       ///< there were contacts, and the free rotor reaches the ring no more at this speed
+  rolling,  ///< the onset of rolling has occurred, whatever followed
+  stalled,  ///< the motor drives and hardly raises the speed, which is below 1.5 times the critical
+  sliding,  ///< the contact lasts: longer by now than a natural period of the contact
+  freed,    ///< there were contacts, and the free rotor reaches the ring no more at this speed
   no_contact,  ///< there were none, and the free rotor does not reach the ring at this speed
   bouncing,    ///< there were contacts, and there can be more
   undecided,   ///< there were none, and there can be some

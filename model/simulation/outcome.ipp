@@ -29,7 +29,7 @@ S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motio
   const Vector<S> deviation = motion.mass_centre() - steady;
   const Vector<S> velocity = motion.mass_centre_velocity() - motion.speed * quarter_turn(steady);
   const S amplitude = hypot(deviation.norm(), velocity.norm() / frequency);
-  return amplitude + steady.norm() + body.eccentricity;
+  return amplitude + (steady - motion.eccentricity).norm();  // O turns with C
 }
 
 template <class S>

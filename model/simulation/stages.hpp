@@ -23,7 +23,8 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
   at.body = loss.after;
   at.separated = true;
   at.event = Event::mass_loss;
-  if (at.contact == ContactState::rolling) at.contact = ContactState::sliding;  // until it proves
+  const bool jumps = scenario.equations.velocity_jump == VelocityJump::twice;
+  if (at.contact == ContactState::rolling && jumps) at.contact = ContactState::sliding;
   method.restart(at);
   at.contact = method.instant().contact;
   observer.on_instant(at);

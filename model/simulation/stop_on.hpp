@@ -17,7 +17,11 @@ enum class StopOn { outcome, rolling, rest };
 class StopObserver : public Observer {
  public:
   StopObserver(StopOn stop_on, const Scenario& scenario)
-      : stop_on_(stop_on), loses_mass_(scenario.loses_mass()), watch_(scenario) {}
+      : stop_on_(stop_on),
+        loses_mass_(scenario.loses_mass()),
+        has_fixed_steps_(scenario.method == Method::rk4),
+        ring_(scenario.parameters),
+        watch_(scenario) {}
 
   bool is_reached() const { return reached_; }
 
@@ -26,6 +30,7 @@ class StopObserver : public Observer {
     if (at.event == Event::mass_loss) slow_since_s_ = at.time_s;
     separated_ = at.separated;
     if (at.contact == ContactState::rolling) rolled_ = true;
+    if (has_fixed_steps_) note_force(at);
     if (stop_on_ != StopOn::outcome || !loss_is_over()) return;
     const Outcome outcome = watch_.outcome();
     const bool rolled_before = at.event == Event::mass_loss && rolled_ && !at.touches();
@@ -51,6 +56,12 @@ class StopObserver : public Observer {
   }
 
  private:
+  /// Fixed steps show no maxima, but the ends of all steps.
+  void note_force(const Instant& at) {
+    const double force = at.touches() ? -ring_.touching_force(ring_.rim_point(at.motion())) : 0;
+    if (awaits_maximum() && force < last_force_) reached_ = true;
+    last_force_ = awaits_maximum() ? force : 0;
+  }
   bool loss_is_over() const { return separated_ || !loses_mass_; }
   bool awaits_maximum() const {
     const bool rolling_decides =
@@ -59,9 +70,10 @@ class StopObserver : public Observer {
   }
 
   StopOn stop_on_;
-  bool loses_mass_;
+  bool loses_mass_, has_fixed_steps_;
+  Ring<double> ring_;
   OutcomeWatch watch_;
-  double slow_since_s_ = 0;
+  double slow_since_s_ = 0, last_force_ = 0;
   bool separated_ = false, rolled_ = false, reached_ = false;
 };
 

@@ -69,6 +69,15 @@ class UntilContact : public Observer {
   Patience& monitor_;
 };
 
+/// The moment by which gravity and the springs drive and brake the rotor as it turns, N m.
+double ripple(const Parameters& p, const Instant& at) {
+  const Motion<double> m = at.motion();
+  const double displacement = m.displacement.norm() + p.eccentricity;
+  return p.mass * p.gravity * displacement +
+         p.eccentricity *
+             (p.support_stiffness * displacement + p.support_damping * m.velocity.norm());
+}
+
 }  // namespace
 
 Scenario run_up_to_speed(const Scenario& scenario) {
@@ -95,11 +104,12 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
   };
   if (patience.is_over) return nothing();
   // The speed may still be a ripple away from where it is without.
-  const Simulation before = [&] {
+  const auto whole_steps_to = [&](double time_s) {
     Simulation whole_steps = from;
-    whole_steps.run_up(watch.after_s, patience);
+    whole_steps.run_up(time_s, patience);
     return whole_steps;
-  }();
+  };
+  Simulation before = whole_steps_to(watch.after_s);
   Scenario run_up = run_up_to_speed(scenario);
   std::optional<UntilContact> look;
   const auto excess = [&](double time_s) {
@@ -110,14 +120,27 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
     constexpr double rounding = 1e-12;  // of the speed at which the motor is switched off
     return std::abs(share) < rounding && watch.motor_off ? 0 : share;
   };
-  const double before_s = before.instant().time_s;
-  double after_s = way.stopped() ? watch.after_s : end_s;
+  double before_s = before.instant().time_s, after_s = way.stopped() ? watch.after_s : end_s;
   const auto may_become_faster = [&] { return !watch.motor_off && !look->touches; };
   while (after_s < end_s && excess(after_s) < 0 && may_become_faster() && !patience.is_over)
     after_s = std::min(end_s, after_s + (watch.after_s - before_s));
   if (excess(after_s) < 0)
     return {std::nullopt, look->until_s, std::max(watch.greatest_Hz, look->greatest_Hz),
             look->touches};
+  // If that brakes the rotor more than the motor drives it, the speed may be reached several times.
+  if (const double moment = ripple(p, before.instant()); moment > p.torque / 2) {
+    const double back_s = 4 * moment / (2 * std::numbers::pi * speed_Hz * p.torque);
+    before = whole_steps_to(std::max(before_s - back_s, from.instant().time_s));
+    before_s = before.instant().time_s;
+    const double part_s = 1 / (16 * speed_Hz);
+    for (double next_s = before_s + part_s; next_s < after_s && !patience.is_over;
+         next_s += part_s) {
+      if (excess(next_s) >= 0)
+        after_s = next_s;
+      else
+        before_s = next_s;
+    }
+  }
   std::uintmax_t iterations = 100;
   const auto [low_s, high_s] = boost::math::tools::toms748_solve(
       excess, before_s, after_s, boost::math::tools::eps_tolerance<double>(), iterations);

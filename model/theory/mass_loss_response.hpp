@@ -58,7 +58,7 @@ class MassLossResponse {
   double steady() const { return std::abs(steady_); }  ///< what |z| tends to, m
   double bound() const { return reach_from(0); }       ///< above |z| for ever, m
 
-  /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-5 of it.
+  /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-4 of it.
   /// Of a vibration that damping has not ended by then, that of 16,000 periods of the faster
   /// motion.
   double greatest() const {
@@ -75,7 +75,8 @@ class MassLossResponse {
     return found;
   }
 
-  /// When |z| reaches the clearance for the first time, if it does within so many periods, s.
+  /// When |z| reaches the clearance for the first time, if it does within so many periods,
+  /// s. A glance by less than 1e-4 may be missed.
   std::optional<double> first_contact() const {
     const auto gap = [&](double t) { return clearance_ - std::abs(position(t)); };
     double clear = 0;

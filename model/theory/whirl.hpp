@@ -13,7 +13,9 @@
 /// mu (m Omega^2 - k) > d Omega, thus above the rate of separatrix_rate(). That lies below the
 /// rate at which the ring yields if mu exceeds whip_friction(); then the whirl feeds itself, which
 /// the literature calls dry whip, until the rim rolls. Rolling, r w = Omega rho: the free rotor
-/// slows down, F = d rho Omega I / (I + m r^2), which friction can give if mu exceeds
+/// slows down, and rho shrinks with it, by s = Omega/rho drho/dOmega = 2 m Omega^2 / (k + k_t -
+/// m Omega^2). Then m (rho Omega' + 2 rho' Omega) = F - d rho Omega and r w' = (1 + s) rho Omega',
+/// thus F = d rho Omega / (1 + m r^2/I (1 + 2s)/(1 + s)), which friction can give if mu exceeds
 /// rolling_friction().
 ///
 /// **Forward**, at the rotor's own speed, pressed on and dragged along by its unbalance. With C
@@ -66,12 +68,19 @@ class Whirl {
     return 2 * c / (b + std::sqrt(b * b + 4 * body_.mass * rim * c));
   }
 
+  /// s of backward rolling at a rate in rad/s.
+  double shrinking(double rate) const {
+    const double inertia_force = body_.mass * rate * rate;
+    return 2 * inertia_force / (stiffness_ + ring_.stiffness - inertia_force);
+  }
+
   /// The friction that backward rolling needs at a speed; infinite where it would leave the ring.
   double rolling_friction(double speed) const {
     const double rate = rolling_rate(speed), pressure = body_.mass * rate * rate - stiffness_;
     if (!(pressure > 0)) return std::numeric_limits<double>::infinity();
-    const double r = ring_.rotor_radius;
-    return body_.inertia / (body_.inertia + body_.mass * r * r) * damping_ * rate / pressure;
+    const double r = ring_.rotor_radius, s = shrinking(rate);
+    const double rim = body_.mass * r * r * (1 + 2 * s) / (1 + s);
+    return body_.inertia / (body_.inertia + rim) * damping_ * rate / pressure;
   }
 
   /// The friction up to which forward synchronous rub can last at a speed, the indentation

@@ -42,9 +42,17 @@ struct BackwardRolling : testing::Test {
   EventRecorder rolled(double duration_s) const {
     const Whirl whirl(scenario.parameters);
     const double rate = whirl.rolling_rate(speed);
-    const double rho = scenario.parameters.rotor_radius * speed / rate;
+    const Parameters& p = scenario.parameters;
+    const double rho = p.rotor_radius * speed / rate;
+    Instant at = pressed(scenario, ContactState::rolling, rho, -rate, speed);
+    // As fast as it shrinks where friction slows it down: r w' = (1 + s) rho Omega'.
+    const double s = whirl.shrinking(rate);
+    const double pressure = at.body.mass * rate * rate - p.support_stiffness;
+    const double slowing =
+        whirl.rolling_friction(speed) * pressure * rho * p.rotor_radius / at.body.inertia;
+    at.state[3] = -s * p.rotor_radius * slowing / ((1 + s) * rate);
     EventRecorder run;
-    follow(scenario, pressed(scenario, ContactState::rolling, rho, -rate, speed), duration_s, run);
+    follow(scenario, at, duration_s, run);
     return run;
   }
 };
@@ -64,10 +72,10 @@ TEST_F(BackwardRolling, NeedsTheFrictionOfTheClosedForm) {
   scenario.parameters.support_damping = 200;  // so that friction has something to do
   const double least = Whirl(scenario.parameters).rolling_friction(speed);
   EXPECT_GT(least, 2e-3);
-  // rho begins to shrink as the rotor slows down, which swings the force by 0.5 %.
-  scenario.parameters.friction = 1.01 * least;
+  // The start is not quite the motion that settles, which swings the force by 2 %.
+  scenario.parameters.friction = 1.03 * least;
   EXPECT_EQ(rolled(1e-3).count(Event::break_away), 0);
-  scenario.parameters.friction = 0.99 * least;
+  scenario.parameters.friction = 0.97 * least;
   EXPECT_GT(rolled(1e-3).count(Event::break_away), 0);
 }
 
@@ -81,10 +89,11 @@ TEST_F(BackwardRolling, IsHeldAgainstTheSpringsByTheCentrifugalForceAlone) {
   EXPECT_TRUE(std::isinf(whirl.rolling_friction(0.99 * natural * clearance / p.rotor_radius)));
   const double slow = 1.02 * natural * clearance / p.rotor_radius, rate = whirl.rolling_rate(slow);
   const double pressure = body.mass * rate * rate - p.support_stiffness;
-  const double rim = body.mass * p.rotor_radius * p.rotor_radius;
+  const double of_spring = body.mass * rate * rate / p.contact_stiffness, s = 2 * of_spring;
+  const double rim = body.mass * p.rotor_radius * p.rotor_radius * (1 + 2 * s) / (1 + s);
   EXPECT_NEAR(whirl.rolling_friction(slow) /
                   (body.inertia / (body.inertia + rim) * p.support_damping * rate / pressure),
-              1, 1e-12);
+              1, 1e-6);
 }
 
 /// Forward rub, with C where friction can be greatest.

@@ -159,6 +159,10 @@ TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
       if (value.estimate) least = std::min(least, sure_digits(value));
   EXPECT_TRUE(short_of_digits(*found, least).empty());
   EXPECT_FALSE(short_of_digits(*found, least + 1).empty());
+  const auto short_ones = short_of_digits(*found, most_digits);  // which lacks most stands first
+  ASSERT_GT(short_ones.size(), 10U);
+  EXPECT_EQ(short_ones.front().digits, least);
+  EXPECT_TRUE(std::ranges::is_sorted(short_ones, {}, &ShortOfDigits::digits));
   const auto without = [&](int values) {
     Comparison lacking = *found;
     for (NamedEstimate& value : lacking.summary)

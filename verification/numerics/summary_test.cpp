@@ -1,90 +1,19 @@
-/// What is gathered along a run: its outcome and the quantities of its summary.
+/// What is gathered along a run: the quantities of its summary.
 #include "model/simulation/summary.hpp"
 
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <numbers>
-#include <tuple>
 
-#include "figures/scenes/account.hpp"
 #include "figures/scenes/audience.hpp"
-#include "figures/scenes/names.hpp"
-#include "figures/scenes/run_ups.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/start.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/summary_of.hpp"
 
 namespace rotor {
 namespace {
-
-Summary summary_until(double until_s, Scenario scenario) {
-  scenario.until = until_s;
-  SummaryObserver summary(scenario);
-  run(scenario, summary);
-  return summary.summary();
-}
-
-TEST(Outcome, IsOneOfSeven) {
-  const auto outcome = [](double until_s, const auto& change) {
-    Scenario scenario;
-    change(scenario.parameters);
-    return name_of(summary_until(until_s, scenario).outcome);
-  };
-  EXPECT_EQ(outcome(29.35, [](Parameters&) {}), "rolling");
-  EXPECT_EQ(outcome(29.1005, [](Parameters&) {}), "undecided");  // on its way to the ring
-  EXPECT_EQ(outcome(29.11, [](Parameters&) {}), "bouncing");
-  EXPECT_EQ(outcome(9.65, [](Parameters& p) { p.separation_time = 9.4; }), "no_contact");
-  EXPECT_EQ(outcome(30, [](Parameters& p) { p.separation_time = 1; }), "stalled");  // at 11 Hz
-  EXPECT_EQ(outcome(6, [](Parameters& p) { p.separation_time = 2; }), "stalled");   // bouncing
-  EXPECT_EQ(outcome(29.35, [](Parameters& p) { p.friction = 0.08; }), "sliding");
-  EXPECT_EQ(outcome(29.35,
-                    [](Parameters& p) {
-                      p.friction = 0.08;
-                      p.contact_damping = 1.2e4;
-                    }),
-            "freed");
-}
-
-// By either method, and wherever the run-up ends that runs share.
-TEST(Outcome, OfARotorThatHangsAtItsCriticalSpeedIsAStallByEitherMethod) {
-  for (const auto& [loss_s, until_s, stalls] :
-       {std::tuple(1., 30., true), {29.5, 30., true}, {2., 6., true}, {29.1, 29.35, false}})
-    for (const Method method : {Method::event, Method::rk4}) {
-      Scenario scenario{.method = method, .until = until_s};
-      scenario.parameters.separation_time = loss_s;
-      if (loss_s > 29.2) scenario.parameters.support_stiffness = 1.2e5;
-      const Outcome outcome = summary_until(until_s, scenario).outcome;
-      EXPECT_EQ(outcome == Outcome::stalled, stalls) << loss_s << ' ' << name_of(method);
-      RunUps run_ups;
-      Observer nobody;
-      EXPECT_EQ(
-          finish(run_ups.depart(scenario, nobody), scenario, std::nullopt, nobody).summary.outcome,
-          outcome);
-    }
-}
-
-// A contact lasts once it is longer than a vibration on the ring.
-TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
-  Scenario scenario;
-  const Parameters& p = scenario.parameters;
-  OutcomeWatch watch(scenario);
-  Instant at = at_rest<double>(p);
-  at.state[0] = p.stator_radius - p.rotor_radius;
-  at.contact = ContactState::sliding;
-  const double period = 2 * std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness);
-  for (const auto& [periods, outcome] :
-       {std::pair(0.0, Outcome::bouncing), {0.99, Outcome::bouncing}, {1.01, Outcome::sliding}}) {
-    at.time_s = periods * period;
-    watch.note(at);
-    EXPECT_EQ(watch.outcome(), outcome) << periods;
-  }
-  at.contact = ContactState::free;  // a new contact begins anew
-  watch.note(at);
-  at.contact = ContactState::sliding;
-  watch.note(at);
-  EXPECT_EQ(watch.outcome(), Outcome::bouncing);
-}
 
 // Koenig's theorem, from the state alone: O moves with the rotating axes, C turns about O.
 TEST(Summary, EndsWithTheEnergyOfTranslationAndRotation) {
@@ -101,40 +30,18 @@ TEST(Summary, EndsWithTheEnergyOfTranslationAndRotation) {
   EXPECT_NEAR(summary.summary().final_kinetic_energy_J, energy, 1e-12 * energy);  // rounding
 }
 
-// Still at the critical speed, but on its way through it.
-TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
-  Scenario scenario;
-  scenario.parameters.separates = false;
-  EXPECT_NE(summary_until(1.9, scenario).outcome, Outcome::stalled);
-}
-
-// What drives nothing does not fail to drive.
-TEST(Outcome, OfARotorThatRunsDownNearItsCriticalSpeedIsNoStall) {
-  Scenario scenario{.start_speed_Hz = 9};
-  scenario.parameters.separates = false;
-  scenario.parameters.torque = 0;
-  EXPECT_EQ(summary_until(5, scenario).outcome, Outcome::no_contact);
-}
-
-// Exactly as far as it says: a free rotor that is let go with a vibration reaches it, and not more.
-TEST(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
-  Scenario scenario{.until = 3};
+// Nothing holds it: the mass centre stays where it is, and O circles about it.
+TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
+  Scenario scenario{.until = 1.5};
   Parameters& p = scenario.parameters;
-  p.support_damping = p.gravity = p.torque = 0;
+  p.support_stiffness = p.support_damping = p.gravity = 0;
+  p.eccentricity = 2e-3;
   p.separates = false;
-  p.motor_off_Hz = 0;
-  p.stator_radius = 0.08;
-  scenario.start_speed_Hz = 60;
-  Instant start = start_of(scenario);
-  start.state[1] += 0.8e-3;
-  start.state[4] += 0.05;
-  const Supports<double> supports(p, scenario.equations);
-  const double bound = reach(start.body, supports, start.motion());
-  SummaryObserver summary(scenario);
-  run(scenario, start, summary);
-  const double greatest = summary.summary().max_displacement_before_loss_m;
-  EXPECT_LE(greatest, bound);
-  EXPECT_GT(greatest, 0.97 * bound);  // of amplitudes that only add up when they happen to meet
+  p.stator_radius = p.rotor_radius + 5e-3;
+  EXPECT_NEAR(summary_until(1.5, scenario).max_displacement_before_loss_m, 2 * p.eccentricity,
+              1e-3 * p.eccentricity);
+  p.stator_radius = p.rotor_radius + 3.999e-3;
+  EXPECT_GT(summary_until(1.5, scenario).collisions, 0);
 }
 
 // What the supports carry is largest where the velocity is as well, far from the displacement's
