@@ -40,7 +40,9 @@ TEST_F(Make, SaysWhatItCannotMake) {
                 "FORMAT=" + format + ": must be one of: svg pdf png");
   expect_line("EQUATIONS=printed figures",
               "EQUATIONS=printed: must be one of: published consistent");
-  expect_line("POINTS=many maps", "POINTS=many: must be a whole number, 20 at least");
+  for (const std::string points : {"many", "040", "19", "2.5e1", "-30"})
+    expect_line("POINTS=" + points + " maps",
+                "POINTS=" + points + ": must be a whole number, 20 at least");
   write("build", "a file in the place of the folder");
   expect_line("build", "build: cannot be written");
   expect_line("figures/paper/fig18.gp",
@@ -82,6 +84,7 @@ TEST_F(Make, DoesAllThatItsTargetsPromise) {
   fs::remove(folder_ / "figures/paper/fig18.toml");
   const std::vector<std::pair<std::string, std::vector<std::string>>> targets = {
       {"verify", {"--target all", "verification/verify.sh build\n"}},
+      {"CXX='ccache clang++' verify", {"verification/verify.sh build/clang++\n"}},
       {"CXX=clang++ verify", {"-B build/clang++ ", "verification/verify.sh build/clang++\n"}},
       {"report", {"for set in published consistent; do", "verification/report/report.sh build\n"}},
       {"check-report", {"verification/report/check.sh build\n"}},
