@@ -34,7 +34,7 @@ v_O = 2*pi*f_rol*rho                               # m/s, against the sense of r
 u = 0.55/v_O                                       # length of an arrow per m/s
 
 set size ratio -1
-set xrange [-1.25:1.25]
+set xrange [-1.25:1.35]
 set yrange [-1.55:1.12]
 unset border; unset tics; unset grid; unset key
 set style arrow 1 linecolor rgb vermilion linewidth 2.2 filled size 0.06,18

@@ -72,6 +72,9 @@ void add_options(CLI::App& command, CommonOptions& options) {
             "event (located contacts, error control) or rk4 (the paper's fixed steps)");
 }
 
+constexpr const char* precedence =
+    "What a [[run]] of a scene states itself takes precedence over these options.";
+
 void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = ROTOR_SCENES;
   command.add_option("numbers", options.numbers, "figures; all if none is given")
@@ -82,7 +85,7 @@ void add_options(CLI::App& command, FigureOptions& options) {
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->capture_default_str();
   add_options(command, static_cast<CommonOptions&>(options));
-  command.footer("What a [[run]] of a scene states itself takes precedence over these options.");
+  command.footer(precedence);
 }
 
 void add_options(CLI::App& command, PlotOptions& options) {
@@ -93,6 +96,7 @@ void add_options(CLI::App& command, PlotOptions& options) {
           "picture, svg, pdf or png by its ending; the scene's name with .svg, if not given")
       ->check(not_empty());
   add_options(command, static_cast<CommonOptions&>(options));
+  command.footer(precedence);
 }
 
 void add_options(CLI::App& command, SweepOptions& options) {
