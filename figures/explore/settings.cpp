@@ -56,7 +56,8 @@ std::string_view determined_by(const Statable& statable) {
 
 /// Whether the printed value is the one in effect; of what follows from other numbers, whether it
 /// is within the printed digits.
-bool is_in_effect(std::string_view quantity, const CsvRow& row, const Statement& statement) {
+bool is_in_effect(std::string_view quantity, const CsvRow& row, const Statement& statement,
+                  const Scenario& scenario) {
   const Statable& drawn = *find_statable(quantity);
   const auto printed = static_cast<double>(row.number("printed"));
   if (determined_by(drawn) == "separation_time" && !statement.loses_mass.value_or(true))
@@ -64,7 +65,6 @@ bool is_in_effect(std::string_view quantity, const CsvRow& row, const Statement&
   for (const auto& [name, value] : statement.numbers)
     if (determined_by(*find_statable(name)) == determined_by(drawn))
       return name == quantity && value == printed;
-  const Scenario scenario = scenario_of(statement);
   if (drawn.quantity.in) return drawn.quantity.of(scenario) == printed;
   const Parameters& p = scenario.parameters;
   const double value =
@@ -85,9 +85,10 @@ Sweep over_printed_digits(const Statement& statement, const std::vector<CsvRow>&
   Sweep sweep{.title = {}, .text = {}, .base = statement, .axes = {}, .sample = {}};
   sweep.sample.count = count;
   sweep.sample.seed = 1;
+  const Scenario scenario = scenario_of(statement);
   for (const CsvRow& row : printed_inputs) {
     const std::string_view quantity = quantity_of(row["input"]);
-    if (is_in_effect(quantity, row, statement))
+    if (is_in_effect(quantity, row, statement, scenario))
       sweep.sample.over.push_back({std::string(quantity), Distribution::uniform,
                                    static_cast<double>(row.number("least")),
                                    static_cast<double>(row.number("greatest"))});
