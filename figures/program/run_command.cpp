@@ -271,9 +271,8 @@ void run_rotor(const RunOptions& options) {
     if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
       if (one_of_many)
         told.push_back(
-            fmt::format("{}: cut short at {} s by an interruption; runs behind it have "
-                        "not begun",
-                        run.name, cut->get<double>()));
+            fmt::format("{}: cut short at {} s by an interruption{}", run.name, cut->get<double>(),
+                        &run == &scene.runs.back() ? "" : "; those behind it have not begun"));
       break;
     }
   }
