@@ -178,7 +178,7 @@ void add_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--rows", options.rows,
                   "so many rows of the trace at equal distances, the first and the last instant "
-                  "included; less if the run stops early")
+                  "included; fewer if the run stops early")
       ->transform(without_leading_zeros())
       ->needs(trace)
       ->excludes(every);

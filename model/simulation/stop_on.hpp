@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "model/simulation/observer.hpp"
 #include "model/simulation/outcome.hpp"
@@ -56,11 +57,17 @@ class StopObserver : public Observer {
   }
 
  private:
-  /// Fixed steps show no maxima, but the ends of all steps.
+  /// Fixed steps show no maxima, but the ends of all steps: the force has risen and falls.
   void note_force(const Instant& at) {
+    if (!awaits_maximum()) {
+      last_force_ = std::nullopt;
+      return;
+    }
     const double force = at.touches() ? -ring_.touching_force(ring_.rim_point(at.motion())) : 0;
-    if (awaits_maximum() && force < last_force_) reached_ = true;
-    last_force_ = awaits_maximum() ? force : 0;
+    const bool falls = last_force_ && force < *last_force_;
+    if (falls && rises_) reached_ = true;
+    rises_ = last_force_ && (rises_ || force > *last_force_);
+    last_force_ = force;
   }
   bool loss_is_over() const { return separated_ || !loses_mass_; }
   bool awaits_maximum() const {
@@ -73,8 +80,9 @@ class StopObserver : public Observer {
   bool loses_mass_, has_fixed_steps_;
   Ring<double> ring_;
   OutcomeWatch watch_;
-  double slow_since_s_ = 0, last_force_ = 0;
-  bool separated_ = false, rolled_ = false, reached_ = false;
+  double slow_since_s_ = 0;
+  std::optional<double> last_force_;  ///< while its maximum is awaited
+  bool rises_ = false, separated_ = false, rolled_ = false, reached_ = false;
 };
 
 }  // namespace rotor

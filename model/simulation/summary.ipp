@@ -123,7 +123,8 @@ void BasicSummaryObserver<S>::note_contact(const BasicInstant<S>& at, const Moti
     summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
     summary_.rolling_onset_force_N = -ring_.touching_force(ring_.rim_point(motion));
   }
-  if (at.event == Event::mass_loss) rolls_since_ = std::nullopt;  // its angle is counted anew
+  if (at.event == Event::mass_loss)
+    rolls_since_ = std::nullopt;  // in a new chart, whose angle may be turns away
   if (rolls) summary_.rolling_until_s = std::nullopt;
   if (rolls_ && !rolls) summary_.rolling_until_s = at.time_s;
   if (!rolls) {

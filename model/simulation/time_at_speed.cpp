@@ -133,14 +133,18 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
     before = whole_steps_to(std::max(before_s - back_s, from.instant().time_s));
     before_s = before.instant().time_s;
     const double part_s = 1 / (16 * speed_Hz);
-    for (double next_s = before_s + part_s; next_s < after_s && !patience.is_over;
-         next_s += part_s) {
-      if (excess(next_s) >= 0)
+    double next_s = before_s + part_s;
+    while (next_s < after_s && !patience.is_over) {
+      if (excess(next_s) >= 0) {
         after_s = next_s;
-      else
+      } else {
+        before.run_up(next_s, patience);
         before_s = next_s;
+        next_s += part_s;
+      }
     }
   }
+  if (patience.is_over) return nothing();
   std::uintmax_t iterations = 100;
   const auto [low_s, high_s] = boost::math::tools::toms748_solve(
       excess, before_s, after_s, boost::math::tools::eps_tolerance<double>(), iterations);
