@@ -13,7 +13,7 @@ FIGURES   := $(SCENES:figures/paper/%.toml=%)
 
 # Another compiler builds in a folder of its own: make verify CXX=clang++
 ifneq ($(origin CXX),default)
-  BUILD := build/$(notdir $(lastword $(CXX)))
+  BUILD := build/$(notdir $(lastword $(filter-out -%,$(CXX))))
   export CXX
 endif
 ROTOR := $(BUILD)/rotor
@@ -22,7 +22,7 @@ ROTOR := $(BUILD)/rotor
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
 $(call one_of,EQUATIONS,published consistent)
-$(if $(shell [[ "$(POINTS)" =~ ^[1-9][0-9]+$$ && $(POINTS) -ge 20 ]] && echo yes),,$(error POINTS=$(POINTS): must be a whole number, 20 at least))
+$(if $(shell [[ "$(POINTS)" =~ ^[1-9][0-9]+$$ && "$(POINTS)" -ge 20 ]] && echo yes),,$(error POINTS=$(POINTS): must be a whole number, 20 at least))
 
 # Figures of the published equations stand in build/figures, others in a folder of their own.
 OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))

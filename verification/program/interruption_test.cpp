@@ -44,6 +44,16 @@ TEST_F(Writing, EndsTheSearchForASpeedWhenInterrupted) {
   EXPECT_EQ(output, "rotor: interrupted; no file has been written\nstatus 124\n");
 }
 
+// Where the speed ripples it is looked for in parts of a turn, which takes minutes here.
+TEST_F(Writing, EndsTheSearchWithinTurnsWhenInterrupted) {
+  const std::string output =
+      shell(
+          "timeout --foreground --signal=INT --kill-after=10 1 $rotor run --torque 1e-8 "
+          "--support-damping 0 --start-speed-hz 55 --separation-speed-hz 55.003; echo status $?")
+          .output;
+  EXPECT_EQ(output, "rotor: interrupted; no file has been written\nstatus 124\n");
+}
+
 // Its run would take minutes; what it had computed so far is no figure.
 TEST_F(Writing, EndsAFigureWhenInterrupted) {
   write("fig01.toml",

@@ -40,7 +40,7 @@ TEST_F(Make, SaysWhatItCannotMake) {
                 "FORMAT=" + format + ": must be one of: svg pdf png");
   expect_line("EQUATIONS=printed figures",
               "EQUATIONS=printed: must be one of: published consistent");
-  for (const std::string points : {"many", "040", "19", "2.5e1", "-30"})
+  for (const std::string points : {"many", "040", "19", "2.5e1", "-30", ""})
     expect_line("POINTS=" + points + " maps",
                 "POINTS=" + points + ": must be a whole number, 20 at least");
   write("build", "a file in the place of the folder");
