@@ -74,14 +74,14 @@ TEST_F(Writing, FollowsARelativeLinkInAnotherFolder) {
   fs::remove_all(folder_ / "other");
 }
 
-// Whoever may write anywhere, as tests in containers do, is nobody for once.
+// Whoever may write anywhere, as tests in containers do, does without that right for once.
 TEST_F(Writing, RefusesWhatItsOwnerMayNotWrite) {
   write("t.csv", "precious");
   const auto [status, output] = shell(
-      "chmod 444 t.csv; chmod 777 .; nobody=; "
-      "[ $(id -u) -ne 0 ] || { chown 65534 t.csv; "
-      "nobody='setpriv --reuid 65534 --regid 65534 --clear-groups'; }; "
-      "$nobody $rotor " +
+      "chmod 444 t.csv; owner=; "
+      "[ $(id -u) -ne 0 ] || owner='setpriv --inh-caps -dac_override --bounding-set "
+      "-dac_override'; "
+      "$owner $rotor " +
       short_run + " --trace t.csv");
   EXPECT_EQ(status, 1);
   EXPECT_EQ(output, "rotor: t.csv: cannot be written: Permission denied\n");
