@@ -79,6 +79,11 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
                        fmt::join(allowed, ", ")));
 }
 
+std::optional<double> TomlFile::number(const toml::node& node) {
+  if (const auto* const whole = node.as_integer()) return static_cast<double>(whole->get());
+  return node.value<double>();
+}
+
 std::optional<std::string> TomlFile::text(const toml::table& in, std::string_view key) const {
   return value<std::string>(in, key, "a string in quotes");
 }

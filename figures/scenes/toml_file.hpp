@@ -35,10 +35,15 @@ class TomlFile {
     const toml::node* node = in.get(key);
     if (!node) return std::nullopt;
     std::optional<T> found;
-    if (node->is_boolean() == std::is_same_v<T, bool>) found = node->value<T>();
+    if constexpr (std::is_same_v<T, double>)
+      found = number(*node);
+    else if (node->is_boolean() == std::is_same_v<T, bool>)
+      found = node->value<T>();
     if (!found) fail(*node, key, std::string("must be ") + std::string(kind));
     return found;
   }
+  /// If it is one: rounded, as every number, even where it is stated as a whole one.
+  static std::optional<double> number(const toml::node& node);
   std::optional<std::string> text(const toml::table& in, std::string_view key) const;
   /// In seconds: finite and not below zero.
   std::optional<double> time(const toml::table& in, std::string_view key) const;

@@ -138,7 +138,7 @@ class SweepReader : TomlFile {
   std::vector<double> numbers(const toml::array& array, const Quantity& quantity) const {
     std::vector<double> all;
     for (const toml::node& item : array) {
-      const auto found = item.value<double>();
+      const auto found = TomlFile::number(item);
       if (!found) fail(item, "values", "must be numbers");
       require_allowed(item, "values", *found, quantity);
       all.push_back(*found);
@@ -218,7 +218,7 @@ class SweepReader : TomlFile {
   std::vector<double> numbers_of(const toml::array& array) const {
     std::vector<double> all;
     for (const toml::node& item : array) {
-      const auto found = item.value<double>();
+      const auto found = TomlFile::number(item);
       if (!found) fail(item, "sample.over", "must be numbers");
       all.push_back(*found);
     }

@@ -82,5 +82,13 @@ TEST(Scene, ThatDoesNotExistIsRefused) {
   EXPECT_THROW(read_scene("/nowhere/scene.toml"), InputError);
 }
 
+// Double has a number near each.
+TEST_F(InFolder, ReadsWholeNumbersAsOthers) {
+  const Scene scene = read_scene(
+      write("s.toml",
+            "[parameters]\ncontact_damping = 9007199254740993\nstart_speed_hz = 150\nuntil = 1\n"));
+  EXPECT_EQ(scene.runs.front().scenario.parameters.contact_damping, 9007199254740992.);
+}
+
 }  // namespace
 }  // namespace rotor
