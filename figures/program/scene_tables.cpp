@@ -20,7 +20,9 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
       if (run.digits)
-        throw InputError("digits: those of curves are not known; state a tolerance to draw them");
+        throw InputError(
+            fmt::format("{}: digits: those of curves are not known; state a tolerance to draw them",
+                        scene.file.string()));
       const Scenario& scenario = run.scenario;
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
       requests.push_back(
@@ -34,8 +36,8 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
   for (auto& [number, own] : tables.of)
     for (NamedTable& table : own) {
       if (table.table.rows() == 0)
-        throw InputError(fmt::format("scene {}: nothing of the run \"{}\" lies in the window",
-                                     number, table.name));
+        throw InputError(fmt::format("{}: nothing of the run \"{}\" lies in the window",
+                                     scenes.at(number).file.string(), table.name));
       table.table = thinned(table.table, thinning - sampling);
     }
   return tables;

@@ -22,6 +22,7 @@ class SceneReader : TomlFile {
     const toml::table& root = this->root();
     expect_keys(root, {"title", "columns", "window", "parameters", "run"});
     Scene scene;
+    scene.file = path();
     scene.title = text(root, "title").value_or("");
     scene.columns = columns(root);
     scene.runs = runs(

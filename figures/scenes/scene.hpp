@@ -25,6 +25,7 @@ struct Scene {
   Window window;
   std::vector<const Column*> columns;
   std::vector<SceneRun> runs;
+  std::filesystem::path file{};  ///< that states it, if one does
 };
 
 /// What stands above a scene file.

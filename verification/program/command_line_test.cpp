@@ -177,7 +177,7 @@ TEST_F(CommandLine, DrawsNoFigureOfARunThatNeverRolls) {
         "window = { from = \"rolling_onset\", length_s = 0.01 }\n"
         "[parameters]\nuntil = 0.05\n[[run]]\nname = \"at rest\"\n");
   expect_refusal("figure 31 --scenes . --out .",
-                 "scene 31: nothing of the run \"at rest\" lies in the window");
+                 "./fig31.toml: nothing of the run \"at rest\" lies in the window");
 }
 
 TEST_F(CommandLine, LeavesAFiguresSceneItsOwnMethod) {

@@ -93,7 +93,7 @@ TEST_F(Plot, IsCalledAfterItsScene) {
 
 TEST_F(Plot, RefusesDigits) {
   write("d.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\ndigits = 6\n");
-  expect_refusal("plot d.toml", "digits: those of curves are not known");
+  expect_refusal("plot d.toml", "d.toml: digits: those of curves are not known");
 }
 
 TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {
