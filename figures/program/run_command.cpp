@@ -181,6 +181,10 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     if (!file.empty()) outputs.emplace_back(file);
   FileTransaction::require_distinct(outputs, options.scene);
 
+  const std::string of_run =
+      " of a run" +
+      (options.stop_on ? fmt::format(" that stops on {}", name_of(*options.stop_on)) : "");
+
   // What is written goes out as it is computed: a long trace takes no memory.
   FileTransaction files;
   RunProgress progress(scenario.until);
@@ -192,7 +196,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   std::optional<Sampler> samples;
   if (!options.trace.empty()) {
     OutputFile& file = files.open(options.trace);
-    file.write(csv_head(provenance("Trace of a run", scene), headings("run", scene.columns)));
+    file.write(csv_head(provenance("Trace" + of_run, scene), headings("run", scene.columns)));
     const RowSink sink = [&](auto row) { file.write(csv_row(name, row)); };
     if (const auto every_s = distance(options, scene))
       audience.add(samples.emplace(scene.window.from_s, end_of(scene), *every_s, scene.columns,
@@ -205,7 +209,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     OutputFile& file = files.open(options.events);
     Scene log = scene;
     log.columns = EventLog::columns();
-    file.write(csv_head(provenance("Events of a run", log), headings("event", log.columns)));
+    file.write(csv_head(provenance("Events" + of_run, log), headings("event", log.columns)));
     events.emplace(scenario,
                    [&](std::string_view event, auto row) { file.write(csv_row(event, row)); });
     audience.add(*events);

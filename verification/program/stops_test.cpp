@@ -40,6 +40,16 @@ TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {
   EXPECT_LT(stopped["final_time_s"], 12.1);
 }
 
+TEST_F(Stops, StandAboveWhatIsWritten) {
+  const std::string run = "run --until 1e-2 --start-speed-hz 150 --trace t.csv --events e.csv";
+  ASSERT_EQ(rotor(run).status, 0);
+  EXPECT_TRUE(content("t.csv").starts_with("# Trace of a run\n"));
+  EXPECT_TRUE(content("e.csv").starts_with("# Events of a run\n"));
+  ASSERT_EQ(rotor(run + " --stop-on rolling").status, 0);
+  EXPECT_TRUE(content("t.csv").starts_with("# Trace of a run that stops on rolling\n"));
+  EXPECT_TRUE(content("e.csv").starts_with("# Events of a run that stops on rolling\n"));
+}
+
 TEST_F(Stops, AreAtRest) {
   // So weak a motor that the speed stays below 0.1 Hz: a rotor at its start has not come to rest.
   for (const std::string method : {"event", "rk4"}) {
