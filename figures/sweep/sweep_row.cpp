@@ -56,6 +56,7 @@ std::string sweep_head(const Sweep& sweep) {
   std::istringstream text(sweep.text);
   for (std::string line; std::getline(text, line);) {
     if (line.ends_with('\r')) line.pop_back();
+    std::replace(line.begin(), line.end(), '\t', ' ');
     provenance.push_back("  " + line);
   }
   std::vector<std::string> names = sweep.quantities();

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "figures/data/csv.hpp"
+#include "figures/sweep/sweep_row.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -105,6 +106,14 @@ TEST_F(SweepCommand, RunsEachToItsEndWhereItIsAskedTo) {
   };
   EXPECT_EQ(final_time("stop_on = \"end\"\n" + axis), 29.35);
   EXPECT_LT(final_time(axis), 29.2);  // rolling, 23 ms after the first contact
+}
+
+// A tab is no more than a blank there.
+TEST_F(SweepCommand, HasTheSweepFileAboveItsRows) {
+  const Sweep sweep = this->sweep("[[axis]]\r\nquantity\t= \"friction\"\nvalues = [0.3]\n");
+  EXPECT_NE(
+      sweep_head(sweep).find("\n#   [[axis]]\n#   quantity = \"friction\"\n#   values = [0.3]\n"),
+      std::string::npos);
 }
 
 // The same cells as in the whole rows, a refusal beside them.
