@@ -53,6 +53,25 @@ std::vector<double> reserves(const Scenario& scenario, const Instant& at) {
   }
 }
 
+/// Those of a run are how hard it touches down, and what is left before the next event at the mass
+/// loss, on both sides, and in the end.
+void expect_margins(const Scenario& scenario, const EventRecorder& recorder) {
+  const auto found = compare<double>(scenario, 1e-10, always);
+  ASSERT_TRUE(found && found->same_course);
+  const auto hits = margins_of(*found, "touch"), left = margins_of(*found, "reserve");
+  const auto touches = recorder.events(Event::touch_down);
+  ASSERT_EQ(hits.size(), touches.size());
+  const Ring<double> ring(scenario.parameters);
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    EXPECT_NEAR(hits[i], ring.rim_point(touches[i].motion()).normal_velocity, 1e-6 * hits[i]);
+  std::vector<double> expected;
+  for (const Instant& at :
+       {recorder.before_mass_loss(), recorder.first(Event::mass_loss), recorder.last()})
+    for (const double reserve : reserves(scenario, at)) expected.push_back(reserve);
+  ASSERT_EQ(left.size(), expected.size());
+  for (std::size_t i = 0; i < left.size(); ++i) EXPECT_NEAR(left[i] / expected[i], 1, 1e-5) << i;
+}
+
 TEST(Margins, AreTakenWhereTheCourseCouldHaveBeenAnother) {
   Scenario scenario = short_run(0.03);
   EventRecorder whole;
@@ -63,27 +82,35 @@ TEST(Margins, AreTakenWhereTheCourseCouldHaveBeenAnother) {
     if (!ends.insert(from.contact).second) continue;
     const bool is_last = n + 1 == whole.events().size();
     scenario.until = (from.time_s + (is_last ? 0.03 : whole.events()[n + 1].time_s)) / 2;
-    const auto found = compare<double>(scenario, 1e-10, always);
-    ASSERT_TRUE(found && found->same_course);
     EventRecorder recorder;
     run(scenario, recorder);
-    // How hard it touches down,
-    const auto hits = margins_of(*found, "touch"), left = margins_of(*found, "reserve");
-    const auto touches = recorder.events(Event::touch_down);
-    ASSERT_EQ(hits.size(), touches.size());
-    const Ring<double> ring(scenario.parameters);
-    for (std::size_t i = 0; i < hits.size(); ++i)
-      EXPECT_NEAR(hits[i], ring.rim_point(touches[i].motion()).normal_velocity, 1e-6 * hits[i]);
-    // and what is left before the next event at the mass loss, on both sides, and in the end.
-    std::vector<double> expected;
-    for (const Instant& at :
-         {recorder.before_mass_loss(), recorder.first(Event::mass_loss), recorder.last()})
-      for (const double reserve : reserves(scenario, at)) expected.push_back(reserve);
-    ASSERT_EQ(left.size(), expected.size());
-    for (std::size_t i = 0; i < left.size(); ++i)
-      EXPECT_NEAR(left[i] / expected[i], 1, 1e-5) << n << ' ' << i;
+    SCOPED_TRACE(n);
+    expect_margins(scenario, recorder);
   }
   EXPECT_EQ(ends.size(), 4U);
+}
+
+// A loss in rolling changes what is left; from it the rim slides to either side.
+TEST(Margins, AreThoseOfBothSidesOfALossInContact) {
+  Scenario scenario{.equations = Equations::published};
+  Parameters& p = scenario.parameters;
+  p.stator_radius = p.rotor_radius + 1e-3;
+  p.friction = 0.8;
+  int forward = 0, backward = 0;
+  for (const double loss_s : {2.4, 2.4025, 2.405, 2.4075}) {
+    p.separation_time = loss_s;
+    scenario.until = loss_s + 1e-6;
+    EventRecorder recorder;
+    run(scenario, recorder);
+    ASSERT_EQ(recorder.before_mass_loss().contact, ContactState::rolling);
+    const Instant& after = recorder.first(Event::mass_loss);
+    if (after.contact == ContactState::sliding)
+      ++(Ring<double>(p).rim_point(after.motion()).slip_velocity > 0 ? forward : backward);
+    SCOPED_TRACE(loss_s);
+    expect_margins(scenario, recorder);
+  }
+  EXPECT_GT(forward, 0);
+  EXPECT_GT(backward, 0);
 }
 
 // Each computation still touches the ring, but none knows for how long.

@@ -51,6 +51,11 @@ TEST(Suggestion, CountsLettersThatChangedPlacesAsOneMistake) {
   EXPECT_EQ(suggestion("bxdcef", {"abcdef"}), "");
 }
 
+TEST(Suggestion, IsWhatHasTheMistypedAsAPart) {
+  EXPECT_EQ(suggestion("stiffness", {"mass", "support_stiffness"}),
+            "; did you mean support_stiffness?");
+}
+
 TEST_F(CommandLine, ReadsScenesFromRegularFilesAlone) {
   fs::create_directory(folder_ / "scenes");
   expect_refusal("run --scene nowhere.toml", "nowhere.toml: cannot be read: there is no such file");

@@ -87,6 +87,7 @@ TEST_F(Make, DoesAllThatItsTargetsPromise) {
       {"CXX='ccache clang++' verify", {"verification/verify.sh build/clang++\n"}},
       {"CXX=clang++ verify", {"-B build/clang++ ", "verification/verify.sh build/clang++\n"}},
       {"report", {"for set in published consistent; do", "verification/report/report.sh build\n"}},
+      {"FORMAT=pdf report", {"pictures FORMAT=svg EQUATIONS="}},
       {"check-report", {"verification/report/check.sh build\n"}},
       {"lint", {"--target all", "verification/lint.sh build\n"}},
       {"sanitize", {"--preset sanitize -B build/sanitize", "verification/tests.sh build/sanitize"}},
@@ -151,6 +152,7 @@ TEST_F(Make, DrawsEachMapTwice) {
           << map << maps_plan;
   }
   EXPECT_GE(maps, 4);
+  EXPECT_EQ(maps_plan.find("\nrm "), std::string::npos) << maps_plan;  // what took minutes is kept
 }
 
 // What fails leaves nothing that a later make would take for made.
@@ -171,7 +173,7 @@ TEST_F(Make, KeepsNothingOfWhatHasFailed) {
 TEST_F(Make, HandsThePointsOfMapsOn) {
   fs::create_directories(folder_ / "figures/maps");
   write("figures/maps/some.toml", "points = 400\npoints = 40\npoints = 4000\n");
-  for (const int points : {20, 100, 4000}) {
+  for (const int points : {20, 40, 100, 4000}) {
     const std::string file = fmt::format("build/maps/{}/some.toml", points);
     EXPECT_EQ(make(fmt::format("POINTS={} {}", points, file)).status, 0);
     EXPECT_EQ(content(file),

@@ -164,6 +164,8 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
                             "--trace new/t.csv --events new/../new/t.csv", "--trace - --events -",
                             "--trace - --events /dev/stdout"})
     expect_refusal(long_run + " " + twice, "it is asked for twice");
+  EXPECT_EQ(shell("$rotor " + long_run + " --trace - --events - 2>&1 >/dev/null").output,
+            "rotor: -: cannot be written: it is asked for twice\n");
   write("t.csv", "precious");
   fs::create_symlink("t.csv", folder_ / "link");
   expect_refusal(long_run + " --trace t.csv --events link", "it is asked for twice");
@@ -215,6 +217,19 @@ TEST_F(Writing, TouchesNobodysOwnDrafts) {
   remove(".t.csv.4194305.part");
   remove("t.csv.part");
   remove(".t.csv.part");
+  remove("t.csv");
+}
+
+// It tells by the names of drafts, which stand beside the file itself, and by who still runs.
+TEST_F(Writing, ClearsAwayTheDraftsOfProcessesThatWereKilled) {
+  fs::create_symlink("t.csv", folder_ / "link");
+  write(".t.csv.4194305-0.part", "half");
+  write(".t.csv.1-0.part", "being written");
+  EXPECT_EQ(rotor(short_run + " --trace link").status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / ".t.csv.4194305-0.part"));
+  EXPECT_EQ(content(".t.csv.1-0.part"), "being written");
+  remove(".t.csv.1-0.part");
+  remove("link");
   remove("t.csv");
 }
 
