@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "model/mechanics/rotating_frame.hpp"
 #include "model/phases/synchronous_motion.hpp"
@@ -127,7 +128,7 @@ class FlightChart {
     }
     const bool holds = synchronous_.exists()
                            ? synchronous_.holds(speed(x)) && (is_near || synchronous_.is_complete())
-                           : !is_fast(speed(x));
+                           : !is_fast(speed(x)) || (has_none_ && is_near_where_laid(x));
     if (!holds) renew(x);
     return !is_near || !holds;
   }
@@ -144,14 +145,38 @@ class FlightChart {
   }
 
  private:
-  /// Works the synchronous motion out for the present speed.
+  /// Works the synchronous motion out for the present speed. There is none where the rotor is not
+  /// fast, or where its speed changes or ripples too much.
   void renew(Unknowns& x) {
     const Kinematics at = kinematics(x);
     const S angle = this->angle(x, at);
     speed_ = at.motion.speed;
-    synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_, Synchronous::Terms::all)
-                                   : Synchronous();
+    has_none_ = false;
+    synchronous_ = Synchronous();
+    if (is_fast(speed_)) {
+      synchronous_ = {rotor_, speed_, down_, Synchronous::Terms::all};
+      x = without_synchronous(at.motion, angle);
+      has_none_ = !(synchronous_.is_good() && is_that_of(at.motion, angle, x));
+      if (!has_none_) return;
+      synchronous_ = Synchronous();
+    }
     x = without_synchronous(at.motion, angle);
+  }
+
+  /// Whether the ripple could be taken out: it is small, and what is left leads back.
+  bool is_that_of(const Motion<S>& m, const S& angle, const Unknowns& x) const {
+    using std::abs;
+    const S few = 1000 * std::numeric_limits<S>::epsilon();
+    const Kinematics at = kinematics(x);
+    return abs(this->speed(x) - m.speed) <= Synchronous::range() * abs(m.speed) &&
+           abs(at.motion.speed - m.speed) <= few * abs(m.speed) &&
+           abs(this->angle(x, at) - angle) <= few * (1 + abs(angle));
+  }
+
+  /// The speed has hardly changed since then.
+  bool is_near_where_laid(const Unknowns& x) const {
+    using std::abs;
+    return abs(x[5]) <= Synchronous::range() * abs(speed_);
   }
 
   /// The unknowns of a motion in these axes, the rotor having turned from them by an angle.
@@ -161,7 +186,7 @@ class FlightChart {
     S theta = angle, speed = m.speed;
     if (synchronous_.exists()) {
       auto at = synchronous_.at(Vector<S>(cos(theta), sin(theta)), speed);
-      for (int n = 0; n < 100; ++n) {  // each time ten times closer, as the ripple is small
+      for (int n = 0; n < 100; ++n) {  // each time ten times closer where the ripple is small
         const S last_theta = theta, last_speed = speed;
         theta = angle - 2 * atan(at.value.real(Synchronous::angle_ripple) / 2);
         speed = m.speed - at.value.real(Synchronous::speed_ripple);
@@ -193,6 +218,7 @@ class FlightChart {
   S angle_, speed_;
   Vector<S> down_;
   Synchronous synchronous_;
+  bool has_none_ = false;  ///< though the rotor is fast
 };
 
 }  // namespace rotor

@@ -11,8 +11,9 @@
 /// change of speed per turn, and to the second order of the ripple, as polynomials of W about one
 /// speed.
 ///
-/// To subtract this motion from another is an exact change of unknowns, whatever the functions are:
-/// they only have to leave little that turns with the rotor.
+/// To subtract this motion from another is an exact change of unknowns, whatever the functions are,
+/// as long as theta and W follow from phi and w: they only have to leave little that turns with the
+/// rotor.
 #pragma once
 
 #include <algorithm>
@@ -46,6 +47,11 @@ class SynchronousMotion {
 
   bool exists() const { return exists_; }
   bool is_complete() const { return is_complete_; }
+  /// Whether the speed changes slowly, and ripples little.
+  bool is_good() const { return is_good_; }
+
+  /// How far the speed may change, relative to it.
+  static S range() { return S(1) / 100; }
 
   /// Whether the polynomials are good at that speed.
   bool holds(const S& speed) const {
@@ -155,8 +161,6 @@ class SynchronousMotion {
     std::array<Vectors, Degree + 1> terms_;
   };
 
-  /// How far the speed may change, relative to it.
-  static S range() { return S(1) / 100; }
   static S ahead(const S& speed) {
     using std::abs;
     return speed + range() * abs(speed);
@@ -195,7 +199,7 @@ class SynchronousMotion {
   }
 
   void expand(const RotorSystem<S>& rotor, const Vector<S>& down) {
-    using std::sqrt;
+    using std::abs, std::sqrt;
     const Supports<S>& supports = rotor.supports;
     const S k = supports.stiffness, d = supports.damping, m = rotor.body.mass;
     const S e = rotor.body.eccentricity, inertia = rotor.body.inertia;
@@ -225,6 +229,8 @@ class SynchronousMotion {
         rate.alpha[1] -= d * e * e / inertia;
         return lacking(1, force, A);
       });
+    const S slowly = centre_ * centre_ / 20;  // a third in a turn
+    is_good_ = abs(rate.alpha[0]) < slowly;
     first_.lay(displacement, A);
     first_.lay(velocity, rate(1, A));
     has_ripple_ = is_complete_ && supports.gravity != 0;
@@ -248,7 +254,8 @@ class SynchronousMotion {
       H = integral(n, g + pull * K - drag * H);
       K = integral(n, H);
       const S strong = S(1) / 10;
-      if (!(K[0].norm() < strong)) return Series();
+      is_good_ = is_good_ && K[0].norm() < strong;
+      if (!is_good_) return Series();
       harmonic.lay(speed_ripple, H);
       harmonic.lay(angle_ripple, K);
       return K;
@@ -266,7 +273,7 @@ class SynchronousMotion {
     make_ripple(2, second_, balanced ? shift : A2);
   }
 
-  bool exists_ = false, is_complete_ = false, has_ripple_ = false;
+  bool exists_ = false, is_complete_ = false, is_good_ = true, has_ripple_ = false;
   S centre_{0};
   Harmonic<degree> first_;
   Harmonic<2> second_;  ///< smaller by the ripple

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/phases/flight.hpp"
+#include "model/simulation/simulation.hpp"
 
 namespace rotor {
 namespace {
@@ -160,6 +161,43 @@ INSTANTIATE_TEST_SUITE_P(UpInSpeed, Run,
                            return equations.param == Equations::published ? "Published"
                                                                           : "Consistent";
                          });
+
+/// As far as the steps of the published method tell, which are of fourth order without contact.
+void expect_end_of_fixed_steps(Scenario scenario) {
+  Observer nobody;
+  const double speed = run(scenario, nobody).last.state[5];
+  scenario.method = Method::rk4;
+  scenario.step_run_up = scenario.step_rub = 1e-4;
+  EXPECT_NEAR(run(scenario, nobody).last.state[5] / speed, 1, 1e-9)
+      << scenario.start_speed_Hz << ' ' << speed;
+}
+
+// Heavy for its inertia, which gravity makes run slow and fast again within a few turns.
+TEST(SpeedThatChangesFast, IsThatOfFixedSteps) {
+  Scenario scenario{.equations = Equations::published, .until = 1};
+  Parameters& p = scenario.parameters;
+  p.stator_radius = p.rotor_radius + 0.0152;
+  p.eccentricity = 1.7e-4;
+  p.torque = 0;
+  p.support_stiffness = 280;
+  p.support_damping = 0;
+  p.inertia = 0.0036;
+  p.unbalance_factor = 4.7;
+  p.separation_time = 0;
+  for (int n = 0; n <= 26; ++n) {
+    scenario.start_speed_Hz = 4.465 + 0.01 * n;
+    expect_end_of_fixed_steps(scenario);
+  }
+}
+
+TEST(SpeedThatChangesFast, IsThatOfFixedStepsWithoutSupports) {
+  Scenario scenario{.equations = Equations::published, .until = 1};
+  Parameters& p = scenario.parameters;
+  p.support_stiffness = 0;
+  p.eccentricity = 1e-5;
+  p.separates = false;
+  expect_end_of_fixed_steps(scenario);
+}
 
 }  // namespace
 }  // namespace rotor
