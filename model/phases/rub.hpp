@@ -193,6 +193,14 @@ struct Rolling : Rub<S, Chart> {
     }
   }
 
+  /// Whether friction is too weak to hold the rim, by more than rounding: without the motor, say,
+  /// or after a mass loss.
+  bool has_no_grip(const Unknowns& x) const {
+    const S surely = 1 - 1000 * std::numeric_limits<S>::epsilon();
+    const Pressed p(*this, x);
+    return this->grip(p, S(surely * this->holding_friction(p))) < 0;
+  }
+
   using Point = rotor::Point<S, Unknowns>;
 
   /// In most steps friction stays far from its limit, and the guard that costs most needs no look:
@@ -216,11 +224,15 @@ struct Rolling : Rub<S, Chart> {
       case 0:
         return this->release(x);
       case 1:
-        return {Event::break_away, ContactState::sliding,
-                this->holding_friction(Pressed(*this, x)) > 0 ? -1 : 1};
+        return break_away(x);
       default:
         return {Event::motor_off, ContactState::rolling};
     }
+  }
+
+  Transition break_away(const Unknowns& x) const {
+    return {Event::break_away, ContactState::sliding,
+            this->holding_friction(Pressed(*this, x)) > 0 ? -1 : 1};
   }
 
   /// The radial oscillation is so much faster than the whirl that its errors average out.

@@ -132,7 +132,9 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
     case ContactState::rolling: {
       auto& chart = this->chart<ContactChart<S>>();
       start_.x = chart.without_slip(start_.x);
-      return in(Rolling<S>(rotor_, chart), chart, contact_step_);
+      const Rolling<S> rolling(rotor_, chart);
+      if (phase_is_new_ && rolling.has_no_grip(start_.x)) return rolling.break_away(start_.x);
+      return in(rolling, chart, contact_step_);
     }
   }
   return std::nullopt;

@@ -127,11 +127,16 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
   if (excess(after_s) < 0)
     return {std::nullopt, look->until_s, std::max(watch.greatest_Hz, look->greatest_Hz),
             look->touches};
-  // If that brakes the rotor more than the motor drives it, the speed may be reached several times.
-  if (const double moment = ripple(p, before.instant()); moment > p.torque / 2) {
+  // If the ripple brakes the rotor more than the motor drives it, the speed may be reached several
+  // times; if it drives the rotor, before the last step begins.
+  const double moment = ripple(p, before.instant());
+  const bool may_slow_down = moment > p.torque / 2;
+  if (may_slow_down || excess(before_s) >= 0) {
     const double back_s = 4 * moment / (2 * std::numbers::pi * speed_Hz * p.torque);
     before = whole_steps_to(std::max(before_s - back_s, from.instant().time_s));
     before_s = before.instant().time_s;
+  }
+  if (may_slow_down) {
     const double part_s = 1 / (16 * speed_Hz);
     double next_s = before_s + part_s;
     while (next_s < after_s && !patience.is_over) {

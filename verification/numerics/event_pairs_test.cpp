@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "figures/scenes/columns.hpp"
 #include "verification/support/balanced_run.hpp"
 
 namespace rotor {
@@ -311,6 +312,32 @@ TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
     run(located, from, events);
     EXPECT_LT(deviation(steps.all.back().state, events.last().state), 0.05);
   }
+}
+
+// The motor holds the rim for as long as it drives; without it friction is asked for more than it
+// has.
+TEST_F(EventPairs, MotorOffWhileRollingEndsItWhereFrictionAloneIsTooWeak) {
+  Instant from = pressed(100, 0);
+  scenario.parameters.friction = 10;
+  const auto needed = [&](bool motor_on) {  // mu
+    from.motor_on = motor_on;
+    const ColumnContext context(scenario);
+    View view(from, context);
+    return std::abs(view.friction() / view.normal_force());
+  };
+  const double driven = needed(true), alone = needed(false);
+  from.motor_on = true;
+  const double least = std::min(driven, alone), greatest = std::max(driven, alone);
+  ASSERT_LT(least, 0.5 * greatest);
+  scenario.parameters.friction = std::sqrt(least * greatest);
+  switch_off_at(100 + 1e-6);
+  EventRecorder events;
+  follow(scenario, from, 1e-4, events);
+  ASSERT_GE(events.events().size(), 2U);
+  const Instant &first = events.events()[0], &second = events.events()[1];
+  EXPECT_EQ(first.event, driven < alone ? Event::motor_off : Event::break_away);
+  EXPECT_EQ(second.event, driven < alone ? Event::break_away : Event::motor_off);
+  EXPECT_LT(second.time_s, 1e-6);
 }
 
 }  // namespace

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <tuple>
 
+#include "figures/scenes/columns.hpp"
+#include "model/simulation/extended/comparison.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/stop_on.hpp"
 #include "model/simulation/summary.hpp"
@@ -93,6 +97,83 @@ TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
     });
     run(way, look);
     EXPECT_NEAR(*found.time_s, first_s, 2e-4) << speed_Hz;
+  }
+}
+
+/// Of instants in rolling the largest share of mu |F_n| that friction has, and of those just before
+/// and at the loss.
+struct Grip : Observer {
+  explicit Grip(const Scenario& scenario)
+      : context(scenario), friction(scenario.parameters.friction) {}
+  void on_instant(const Instant& at) override {
+    if (at.event == Event::mass_loss) {
+      before_loss = last;
+      loss_s = at.time_s;
+      at_loss = share(at);
+    }
+    if (at.contact == ContactState::rolling) last = share(at);
+    if (at.time_s > loss_s && at.contact == ContactState::rolling)
+      largest_after = std::max(largest_after, last);
+  }
+  double share(const Instant& at) const {
+    View view(at, context);
+    return std::abs(view.friction()) / (friction * std::abs(view.normal_force()));
+  }
+
+  ColumnContext context;
+  double friction, loss_s = std::numeric_limits<double>::infinity(), last = 0, before_loss = 0,
+                   at_loss = 0, largest_after = 0;
+};
+
+// The lighter rotor needs more friction than there is: it breaks away where it loses its mass.
+TEST(LossInRolling, IsItsEndWhereFrictionCannotHoldTheRimAnyMore) {
+  Scenario scenario{.equations = Equations::consistent, .until = 0.1708};
+  Parameters& p = scenario.parameters;
+  p.stator_radius = p.rotor_radius + 0.001475357217480754;
+  p.friction = 0.37190941845000236;
+  p.eccentricity = 0.0020541422388225413;
+  p.torque = 3.34606887213461;
+  p.contact_stiffness = 531646519.4155671;
+  p.contact_damping = 129.3553134786258;
+  p.inertia = 0.0032870302767832728;
+  p.unbalance_factor = 1.5;
+  p.separation_time = 0.17064984521861742;
+  Grip grip(scenario);
+  run(scenario, grip);
+  EXPECT_LT(grip.before_loss, 1);
+  EXPECT_GT(grip.at_loss, 1.01);
+  EXPECT_LT(grip.largest_after, 1 + 1e-9);
+  EventRecorder events;
+  run(scenario, events);
+  const auto& all = events.events();
+  const auto loss = std::ranges::find(all, Event::mass_loss, &Instant::event);
+  ASSERT_NE(loss + 1, all.end());
+  EXPECT_EQ((loss + 1)->event, Event::break_away);
+  EXPECT_EQ((loss + 1)->time_s, loss->time_s);
+  scenario.until = p.separation_time + 1e-6;  // its digits are known nevertheless
+  const auto found = compare<double>(scenario, 1e-10, [](double /*time_s*/) { return true; });
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_course_sure());
+}
+
+// Gravity may have brought it there before the last step of a run-up without it begins.
+TEST(TimeAtSpeed, IsFoundWhereTheRippleReachesTheSpeedBeforeTheLastStep) {
+  Observer nobody;
+  for (const auto& [speed_Hz, torque, tolerance] : {std::tuple(20.32162, 0.3, 1e-11),
+                                                    {20.84116, 0.3, 1e-11},
+                                                    {24.37898, 0.3, 1e-11},
+                                                    {30.16081, 0.036, 1e-14}}) {
+    Scenario scenario{.equations = Equations::consistent};
+    Parameters& p = scenario.parameters;
+    p.stator_radius = p.rotor_radius + 0.1;
+    p.torque = torque == 0.3 ? Parameters{}.torque : torque;
+    scenario.tolerance = tolerance;
+    const SpeedReached found =
+        time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, nobody);
+    ASSERT_TRUE(found.time_s) << speed_Hz;
+    scenario.until = *found.time_s;
+    p.separates = false;
+    EXPECT_NEAR(run(scenario, nobody).last.state[5] / (2 * std::numbers::pi * speed_Hz), 1, 1e-9);
   }
 }
 

@@ -117,13 +117,14 @@ std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const S& clearan
           {"q3_rate_rad_per_s", q[5]}};
 }
 
-/// The guards of a phase at a stated time, each positive until the event that it is of: after that
-/// time the event would come too late.
+/// How far the guards of a phase are from zero at a stated time: after that time an event that has
+/// not come would come too late, and one that has, at that time, might not.
 template <class S, class Phase>
 void add_guards(std::vector<NamedValue<S>>& all, const Phase& phase,
                 const typename Phase::Unknowns& x) {
+  using std::abs;
   for (std::size_t n = 0; n < Phase::event_count; ++n)
-    all.push_back({"reserve", phase.guard(n, x)});
+    all.push_back({"reserve", abs(phase.guard(n, x))});
 }
 
 /// Those of the phase that a rotor is in.
