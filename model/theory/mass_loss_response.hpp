@@ -17,6 +17,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 
 #include "model/mechanics/mass_loss.hpp"
 
@@ -26,7 +27,8 @@ class MassLossResponse {
  public:
   using Complex = std::complex<double>;
 
-  /// For supports that are not overdamped.
+  /// Throws std::domain_error for supports that do not vibrate, as they have no stiffness or as
+  /// much damping as is critical.
   MassLossResponse(const Parameters& p, Equations equations, double speed)
       : speed_(speed), clearance_(p.stator_radius - p.rotor_radius) {
     const MassLoss<double> loss(p);
@@ -41,7 +43,9 @@ class MassLossResponse {
     const Complex z(after[0], after[1]), rate = Complex(after[3], after[4]) + i * speed * z;
     steady_ = steady(loss.after);
     decay_ = p.support_damping / (2 * loss.after.mass);
-    frequency_ = std::sqrt(p.support_stiffness / loss.after.mass - decay_ * decay_);
+    const double square = p.support_stiffness / loss.after.mass - decay_ * decay_;
+    if (!(square > 0)) throw std::domain_error("the supports must be able to vibrate");
+    frequency_ = std::sqrt(square);
     const Complex free = z - steady_, free_rate = rate - i * speed * steady_;
     a_ = (free_rate + (decay_ + i * frequency_) * free) / (2. * i * frequency_);
     b_ = free - a_;

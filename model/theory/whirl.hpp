@@ -1,7 +1,7 @@
 /// Where the rotor can whirl along the ring, in closed form.
 ///
-/// O moves at the radius rho = c + Delta around O_a, at a constant rate. With w_n = sqrt(k/m),
-/// zeta = d / (2 sqrt(k m)), beta = k_t/k and N = k_t Delta:
+/// O moves at the radius rho = c + Delta around O_a, at a constant rate. With
+/// w_n = sqrt(k/m) and N = k_t Delta:
 ///
 /// **Backward**, at the rate Omega, without unbalance; friction F drives the whirl and brakes the
 /// rotor:
@@ -51,14 +51,13 @@ class Whirl {
 
   /// Backward sliding whirl in contact grows above this rate and dies below it, rad/s.
   double separatrix_rate(double friction) const {
-    const double ratio = zeta() / friction;
-    return natural_rate() * (ratio + std::hypot(1, ratio));
+    const double braking = damping_ > 0 ? damping_ / (2 * body_.mass * friction) : 0;
+    return braking + std::hypot(natural_rate(), braking);
   }
 
   /// Below this friction backward sliding whirl dies at any rate.
   double whip_friction() const {
-    const double beta = ring_.stiffness / stiffness_;
-    return 2 * zeta() * std::sqrt(1 + beta) / beta;
+    return damping_ * std::sqrt((stiffness_ + ring_.stiffness) / body_.mass) / ring_.stiffness;
   }
 
   /// The rate of backward rolling at a speed, both in rad/s: the root of r w = Omega rho(Omega).
@@ -85,7 +84,8 @@ class Whirl {
 
   /// The friction up to which forward synchronous rub can last at a speed, the indentation
   /// neglected beside the clearance: 0 if the unbalance cannot overcome the damping and press O
-  /// against the ring at once, infinite if it overcomes any friction.
+  /// against the ring at once, infinite if it overcomes any friction. In so wide a ring that
+  /// friction moves C back, slowing the rotor down, damping may need some of it.
   double synchronous_friction(double speed) const {
     const double inertia_force = body_.mass * speed * speed;
     const double unbalance = inertia_force * body_.eccentricity / ring_.clearance;
@@ -93,8 +93,15 @@ class Whirl {
     const double slowing = body_.mass * ring_.rotor_radius * ring_.clearance / body_.inertia;
     // Negative where the unbalance outdoes the damping as N tends to 0: then mu may be any.
     const double excess = pressure * pressure + drag * drag - unbalance * unbalance;
+    constexpr double any = std::numeric_limits<double>::infinity();
+    if (slowing > 1) {  // mu' is negative, and its greatest size at the least left-hand side
+      if (pressure <= unbalance) return pressure > -unbalance ? any : 0;
+      const double effective = (pressure * drag + unbalance * std::sqrt(excess)) /
+                               (pressure * pressure - unbalance * unbalance);
+      return effective / (slowing - 1);
+    }
     if (drag >= unbalance || (pressure <= 0 && excess >= 0)) return 0;
-    if (excess <= 0 || slowing >= 1) return std::numeric_limits<double>::infinity();
+    if (excess <= 0 || slowing == 1) return any;
     // The greatest left-hand side over phi: mu' pressure + drag = unbalance sqrt(1 + mu'^2).
     const double effective =
         (unbalance * unbalance - drag * drag) / (pressure * drag + unbalance * std::sqrt(excess));
@@ -103,7 +110,6 @@ class Whirl {
 
  private:
   double natural_rate() const { return std::sqrt(stiffness_ / body_.mass); }
-  double zeta() const { return damping_ / (2 * std::sqrt(stiffness_ * body_.mass)); }
 
   Body<double> body_;
   double stiffness_, damping_;

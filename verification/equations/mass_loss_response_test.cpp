@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/summary.hpp"
 #include "verification/support/observers.hpp"
@@ -122,6 +124,22 @@ INSTANTIATE_TEST_SUITE_P(Sets, MassLossResponseOf,
                          [](const auto& set) {
                            return set.param == Equations::published ? "Published" : "Consistent";
                          });
+
+// There is no free vibration without stiffness, and none that critical damping leaves.
+TEST(MassLossResponse, IsOfSupportsThatVibrate) {
+  const auto of = [](double stiffness, double damping) {
+    Parameters p;
+    p.mass = 5;
+    p.unbalance_factor = 1;
+    p.support_stiffness = stiffness;
+    p.support_damping = damping;
+    return MassLossResponse(p, Equations::consistent, 600).bound();
+  };
+  EXPECT_THROW(of(0, 0), std::domain_error);
+  EXPECT_THROW(of(500, 100), std::domain_error);
+  EXPECT_THROW(of(500, 101), std::domain_error);
+  EXPECT_GT(of(500, 99.9), 0);
+}
 
 }  // namespace
 }  // namespace rotor

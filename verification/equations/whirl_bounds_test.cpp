@@ -145,11 +145,6 @@ TEST_F(SynchronousRub, NeedsAnUnbalanceThatOvercomesTheSupportsDamping) {
   Parameters p;
   p.support_damping = 700;  // d w = 6.3e5 N/m, m w^2 e / c = 6.0e5 N/m
   EXPECT_EQ(Whirl(p).synchronous_friction(speed), 0);
-  // So wide a ring that friction which slows the rotor brings C no nearer to where it could.
-  Parameters wide;
-  wide.support_damping = 1;
-  wide.stator_radius = wide.rotor_radius + 1.3 * wide.inertia / (wide.mass * wide.rotor_radius);
-  EXPECT_EQ(Whirl(wide).synchronous_friction(speed), std::numeric_limits<double>::infinity());
   p.stator_radius = p.rotor_radius + 0.4e-3;  // less than e: C ahead of O overcomes all friction
   EXPECT_EQ(Whirl(p).synchronous_friction(speed), std::numeric_limits<double>::infinity());
 }
@@ -160,12 +155,14 @@ TEST(SynchronousFriction, IsTheGreatestThatSomePlaceOfTheMassCentreAllows) {
   const auto between = [&](double least, double greatest) {
     return least * std::pow(greatest / least, std::uniform_real_distribution<double>()(lot));
   };
-  int none = 0, any = 0, limited = 0, below_critical = 0;
+  int none = 0, any = 0, limited = 0, below_critical = 0, wide = 0;
   for (int n = 0; n < 400; ++n) {
     Parameters p;
     p.support_damping = between(1, 700);
-    p.stator_radius = p.rotor_radius + between(1e-4, 5e-3);
-    p.unbalance_factor = between(1, 8);
+    const bool is_wide = n % 4 == 0;  // friction that slows the rotor leaves C behind
+    p.stator_radius = p.rotor_radius + (is_wide ? between(0.04, 0.2) : between(1e-4, 5e-3));
+    if (is_wide) p.eccentricity = between(1e-3, 0.1);
+    p.unbalance_factor = is_wide ? 1 : between(1, 8);
     const double speed = between(10, 1000), w2 = speed * speed;
     const double clearance = p.stator_radius - p.rotor_radius;
     const Body<double> body = MassLoss<double>(p).after;
@@ -173,16 +170,16 @@ TEST(SynchronousFriction, IsTheGreatestThatSomePlaceOfTheMassCentreAllows) {
     bool is_pressed_in_balance = false;
     constexpr int places = 100'000;
     for (int i = 0; i < places; ++i) {
-      const double phi = std::numbers::pi * i / places;
+      const double phi = (is_wide ? 2 : 1) * std::numbers::pi * i / places;
       const double force = (body.mass * w2 - p.support_stiffness) * clearance +
                            body.mass * w2 * body.eccentricity * std::cos(phi);
       const double friction = body.mass * w2 * body.eccentricity * std::sin(phi) -
                               p.support_damping * speed * clearance;
-      if (!(force > 0 && friction >= 0)) continue;
-      is_pressed_in_balance = true;
       // The friction slows the rotor down, which brings C ahead.
       const double spared =
           1 - body.mass * p.rotor_radius * clearance / body.inertia;  // of the friction
+      if (!(force > 0 && friction * spared >= 0)) continue;
+      is_pressed_in_balance = true;
       greatest = std::max(greatest, friction / force / spared);
     }
     const double limit = Whirl(p).synchronous_friction(speed);
@@ -196,6 +193,7 @@ TEST(SynchronousFriction, IsTheGreatestThatSomePlaceOfTheMassCentreAllows) {
       below_critical += is_below;
     } else {
       ++limited;
+      wide += is_wide;
       EXPECT_NEAR(greatest / limit, 1, 1e-3) << n;
     }
   }
@@ -203,6 +201,22 @@ TEST(SynchronousFriction, IsTheGreatestThatSomePlaceOfTheMassCentreAllows) {
   EXPECT_GT(any, 50);
   EXPECT_GT(limited, 50);
   EXPECT_GT(below_critical, 10);
+  EXPECT_GT(wide, 20);
+}
+
+// A rotor without supports has limits, too.
+TEST(FreeRotor, HasTheWhirlOfTheSoftestSupports) {
+  Parameters none, soft;
+  none.support_stiffness = 0;
+  soft.support_stiffness = 1e-9;
+  for (const double damping : {0., 25.}) {
+    none.support_damping = soft.support_damping = damping;
+    EXPECT_NEAR(Whirl(none).whip_friction(), Whirl(soft).whip_friction(), 1e-12);
+    EXPECT_NEAR(Whirl(none).separatrix_rate(0.3), Whirl(soft).separatrix_rate(0.3), 1e-4);
+  }
+  EXPECT_GT(Whirl(none).whip_friction(), 1e-5);
+  none.support_damping = 0;
+  EXPECT_EQ(Whirl(none).separatrix_rate(0), 0);
 }
 
 }  // namespace
