@@ -28,7 +28,8 @@ S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motio
           : Vector<S>(S(0), S(0));
   const Vector<S> deviation = motion.mass_centre() - steady;
   const Vector<S> velocity = motion.mass_centre_velocity() - motion.speed * quarter_turn(steady);
-  const S amplitude = hypot(deviation.norm(), velocity.norm() / frequency);
+  const S drift = velocity.norm();
+  const S amplitude = hypot(deviation.norm(), drift > 0 ? S(drift / frequency) : S(0));
   return amplitude + (steady - motion.eccentricity).norm();  // O turns with C
 }
 
@@ -43,7 +44,7 @@ BasicOutcomeWatch<S>::BasicOutcomeWatch(const Scenario& scenario)
 
 template <class S>
 void BasicOutcomeWatch<S>::note(const BasicInstant<S>& at) {
-  touched_ = touched_ || at.touches();
+  touched_ = touched_ || at.contact != ContactState::free;
   rolled_ = rolled_ || at.contact == ContactState::rolling;
   if (!at.touches())
     contact_since_s_ = std::nullopt;

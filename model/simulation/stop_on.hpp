@@ -11,8 +11,9 @@
 namespace rotor {
 
 /// What a run may end at: its outcome, as soon as the mass loss or an event after it decides it;
-/// the onset of rolling; rest, which is a second without more than a tenth of a turn per second.
-/// After the onset of rolling it goes on to the first maximum of the force.
+/// the onset of rolling; rest, which is a second without more than a tenth of a turn per second,
+/// after the loss or, if there is none and a motor drives the rotor, after more than that. After
+/// the onset of rolling it goes on to the first maximum of the force.
 enum class StopOn { outcome, rolling, rest };
 
 class StopObserver : public Observer {
@@ -22,7 +23,8 @@ class StopObserver : public Observer {
         loses_mass_(scenario.loses_mass()),
         has_fixed_steps_(scenario.method == Method::rk4),
         ring_(scenario.parameters),
-        watch_(scenario) {}
+        watch_(scenario),
+        has_turned_(!(scenario.parameters.torque > 0)) {}
 
   bool is_reached() const { return reached_; }
 
@@ -51,7 +53,10 @@ class StopObserver : public Observer {
 
   bool goes_on(const Progress& now) override {
     constexpr double slow = 0.1 * 2 * std::numbers::pi, for_s = 1;
-    if (!loss_is_over() || std::abs(now.speed) >= slow) slow_since_s_ = now.time_s;
+    const bool is_slow = std::abs(now.speed) < slow;
+    has_turned_ = has_turned_ || !is_slow;
+    const bool may_rest = loses_mass_ ? separated_ : has_turned_;
+    if (!(may_rest && is_slow)) slow_since_s_ = now.time_s;
     if (stop_on_ == StopOn::rest && now.time_s - slow_since_s_ >= for_s) reached_ = true;
     return !reached_;
   }
@@ -82,6 +87,7 @@ class StopObserver : public Observer {
   OutcomeWatch watch_;
   double slow_since_s_ = 0;
   std::optional<double> last_force_;  ///< while its maximum is awaited
+  bool has_turned_;
   bool rises_ = false, separated_ = false, rolled_ = false, reached_ = false;
 };
 

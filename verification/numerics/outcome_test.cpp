@@ -118,5 +118,30 @@ TEST_P(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
 
 INSTANTIATE_TEST_SUITE_P(BelowAndAboveTheCriticalSpeed, Reach, testing::Values(6.3, 60.));
 
+// At rest where it would be without supports: it moves nowhere.
+TEST(Outcome, OfABalancedRotorWithoutSupportsIsNoContact) {
+  Scenario scenario{.start_speed_Hz = 50, .until = 1};
+  Parameters& p = scenario.parameters;
+  p.support_stiffness = p.support_damping = p.eccentricity = 0;
+  p.separates = false;
+  EXPECT_EQ(summary_of(scenario).outcome, Outcome::no_contact);
+}
+
+// A step of the published method may touch the ring and end over its indentation.
+TEST(Outcome, CountsTheContactsThatTheSummaryCounts) {
+  Scenario scenario{.equations = Equations::consistent,
+                    .method = Method::rk4,
+                    .start_speed_Hz = 60,
+                    .until = 0.3};
+  Parameters& p = scenario.parameters;
+  p.separation_time = 0;
+  scenario.step_rub = 5e-5;
+  p.contact_damping = 1e4;
+  p.stator_radius = p.rotor_radius + 0.002114292636948066;
+  const Summary summary = summary_of(scenario);
+  EXPECT_EQ(summary.collisions, 1);
+  EXPECT_EQ(summary.outcome, Outcome::freed);
+}
+
 }  // namespace
 }  // namespace rotor

@@ -69,6 +69,11 @@ TEST_F(Stops, AreAtRest) {
   };
   EXPECT_EQ(turns_at("0.09"), true);
   EXPECT_EQ(turns_at("0.11"), false);
+  // Nor has one that its motor starts slowly.
+  const Json starts =
+      summary("--stop-on rest --torque 0.001 --gravity 0 --no-separation --until 8");
+  EXPECT_EQ(starts["stop_reached"], false);
+  EXPECT_GT(starts["final_speed_Hz"], 0.1);
   // Nor has a pendulum that swings back, for more than a second each time.
   const Json swings = summary(
       "--stop-on rest --no-separation --torque 0 --eccentricity 1.15e-3 --start-speed-hz 0.64 "
