@@ -8,7 +8,7 @@ EQUATIONS ?= published
 FIG       ?=
 POINTS    ?= 400
 BUILD     := build
-SCENES    := $(sort $(wildcard figures/paper/fig*.toml))
+SCENES    := $(sort $(wildcard figures/paper/fig[0-9][0-9].toml))
 FIGURES   := $(SCENES:figures/paper/%.toml=%)
 
 # Another compiler builds in a folder of its own: make verify CXX=clang++
@@ -22,6 +22,8 @@ ROTOR := $(BUILD)/rotor
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
 $(call one_of,EQUATIONS,published consistent)
+NUMBERS := $(FIGURES:fig%=%)
+$(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be some of: $(NUMBERS)))
 $(if $(shell [[ "$(POINTS)" =~ ^[1-9][0-9]+$$ && "$(POINTS)" -ge 20 ]] && echo yes),,$(error POINTS=$(POINTS): must be a whole number, 20 at least))
 
 # Figures of the published equations stand in build/figures, others in a folder of their own.
@@ -134,24 +136,35 @@ build: need-deps ## build the program, build/rotor
 $(ROTOR): build
 
 figures: pictures ## redraw Figs. 2-17 into build/figures
-	@[ $(FORMAT) != svg ] || [ ! -e $(BUILD)/report/index.html ] || verification/report/report.sh $(BUILD)
+	@[ "$(FORMAT)$(FIG)" != svg ] || [ ! -e $(BUILD)/report/index.html ] || verification/report/report.sh $(BUILD)
 pictures: $(ASKED:%=$(OUT)/%.$(FORMAT))
 $(FIGURES): %: $(OUT)/%.$(FORMAT)
 
 # One process computes all data, in a fraction of a second. Data that come out the same keep their
-# time stamp, so that their pictures are not drawn again.
-$(OUT)/.data: $(ROTOR) $(SCENES)
+# time stamp, so that their pictures are not drawn again. What was removed is made anew.
+define compute_data
 	@$(ROTOR) figure --out $(OUT)/new --equations $(EQUATIONS)
 	@for csv in $(OUT)/new/*.csv; do cmp -s $$csv $(OUT)/$${csv##*/} || mv $$csv $(OUT)/; done
-	@rm -rf $(OUT)/new; touch $@
-$(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data ;
+	@rm -rf $(OUT)/new; touch $(OUT)/.data
+endef
+$(OUT)/.data: $(ROTOR) $(SCENES)
+	$(compute_data)
+$(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data
+	$(if $(wildcard $@),,$(compute_data))
+
+# gnuplot does not say that a disk is full; a picture is whole if its end is there.
+define keep_picture
+  { tail -c 16 $@.part | grep -aq '</svg>\|%%EOF\|IEND' || \
+    { echo "$@: gnuplot has not drawn the whole picture" >&2; false; }; } && \
+  mv $@.part $@ && echo "$@" || { rm -f $@.part; false; }
+endef
 
 # Points that were read off a printed figure, if there are any, are drawn into it.
 DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
 $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
 	@gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'; \
 	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" \
-	  figures/paper/style.gp figures/paper/$*.gp && mv $@.part $@ && echo "$@"
+	  figures/paper/style.gp figures/paper/$*.gp && $(keep_picture)
 figures/paper/%.gp:
 	$(error The scene figures/paper/$*.toml has no script $@ that draws it)
 
@@ -176,7 +189,7 @@ $(MAP_OUT)/%-theory.csv: $(MAP_OUT)/%.toml $(BUILD)/map-theory
 $(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
 	@awk -f figures/maps/shares.awk $< > $@
 draw_map = gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; $(1)" figures/paper/style.gp $(2) && \
-  mv $@.part $@ && echo "$@"
+  $(keep_picture)
 $(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp figures/maps/map.gp
 	@$(call draw_map,theory = '$(word 2,$^)'; shows = 'outcome',figures/maps/$*.gp figures/maps/map.gp)
 $(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp figures/maps/map.gp
@@ -192,7 +205,7 @@ verify: build ## build, run all tests, and hold the published numbers against ou
 report: build ## the reviewer's page: build/report/index.html, one file that needs no network
 	$(call build-target,report-page report-numbers)
 	@for set in published consistent; do \
-	  $(MAKE) --no-print-directory -s pictures FORMAT=svg EQUATIONS=$$set; done
+	  $(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=$$set; done
 	@verification/report/report.sh $(BUILD)
 check-report: report ## look at the page in a browser, at its links, and at its spelling
 	@verification/report/check.sh $(BUILD)

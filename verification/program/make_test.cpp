@@ -43,6 +43,8 @@ TEST_F(Make, SaysWhatItCannotMake) {
   for (const std::string points : {"many", "040", "19", "2.5e1", "-30", ""})
     expect_line("POINTS=" + points + " maps",
                 "POINTS=" + points + ": must be a whole number, 20 at least");
+  for (const std::string figures : {"3", "18,3", "18-3", "fig18", "three", "0"})
+    expect_line("FIG=" + figures + " figures", "FIG=" + figures + ": must be some of: 18");
   write("build", "a file in the place of the folder");
   expect_line("build", "build: cannot be written");
   expect_line("figures/paper/fig18.gp",
@@ -72,6 +74,7 @@ TEST_F(Make, HandsItsOptionsOn) {
               has(consistent, "equations = 'consistent'") &&
               has(consistent, "/consistent/fig03.svg"))
       << consistent;
+  EXPECT_TRUE(has(plan("FIG=3 report"), "pictures FORMAT=svg FIG= EQUATIONS="));
   EXPECT_TRUE(has(pdf, "fig03.pdf.part'; format = 'pdf'") && !has(pdf, "fig04")) << pdf;
   // A picture is made again if its data, its script or the style of all has changed.
   EXPECT_TRUE(has(plan("--print-data-base fig03"),
@@ -87,7 +90,7 @@ TEST_F(Make, DoesAllThatItsTargetsPromise) {
       {"CXX='ccache clang++' verify", {"verification/verify.sh build/clang++\n"}},
       {"CXX=clang++ verify", {"-B build/clang++ ", "verification/verify.sh build/clang++\n"}},
       {"report", {"for set in published consistent; do", "verification/report/report.sh build\n"}},
-      {"FORMAT=pdf report", {"pictures FORMAT=svg EQUATIONS="}},
+      {"FORMAT=pdf report", {"pictures FORMAT=svg FIG= EQUATIONS="}},
       {"check-report", {"verification/report/check.sh build\n"}},
       {"lint", {"--target all", "verification/lint.sh build\n"}},
       {"sanitize", {"--preset sanitize -B build/sanitize", "verification/tests.sh build/sanitize"}},
@@ -128,6 +131,38 @@ TEST_F(Make, ReplacesDataThatHaveChanged) {
   const auto first = made_of("a");
   EXPECT_EQ(made_of("a"), first);
   EXPECT_NE(made_of("b"), first);
+}
+
+// Data that were removed are written anew, others are left alone; a picture without its end is
+// none.
+TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
+  fs::create_directories(folder_ / "build/figures");
+  fs::create_directories(folder_ / "bin");
+  const auto program = [&](const std::string& file, const std::string& text) {
+    write(file, "#!/bin/sh\n" + text);
+    fs::permissions(folder_ / file, fs::perms::owner_all);
+  };
+  program("build/rotor", "mkdir -p build/figures/new; echo data > build/figures/new/fig18.csv\n");
+  write("figures/paper/fig18.gp", "");
+  write("figures/paper/style.gp", "");
+  const auto make_figure = [&](const std::string& end) {
+    program("bin/gnuplot", "echo '<svg>" + end + "' > build/figures/fig18.svg.part\n");
+    return shell(
+        "PATH=$PWD/bin:$PATH env -u MAKEFLAGS -u MAKELEVEL make -o build -o build/rotor fig18");
+  };
+  EXPECT_EQ(make_figure("</svg>").status, 0);
+  for (const char* removed : {"build/figures/fig18.csv", "build/figures/fig18.svg"}) {
+    ASSERT_TRUE(fs::remove(folder_ / removed));
+    EXPECT_EQ(make_figure("</svg>").status, 0) << removed;
+    EXPECT_TRUE(fs::exists(folder_ / removed));
+  }
+  fs::remove(folder_ / "build/figures/fig18.svg");
+  const auto [status, output] = make_figure("");
+  EXPECT_NE(status, 0);
+  EXPECT_NE(output.find("fig18.svg: gnuplot has not drawn the whole picture"), std::string::npos)
+      << output;
+  EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg"));
+  EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg.part"));
 }
 
 // Each map that there is, by its outcomes and by its forces.
@@ -200,10 +235,16 @@ TEST_F(Make, InstallsWhatIsNeeded) {
 TEST_F(Make, SaysThatTestsHaveFailed) {
   const std::string run = "sh -c '" ROTOR_SOURCES "/verification/tests.sh fake'";
   fs::create_directories(folder_ / "fake");
-  for (const int status : {0, 1}) {
-    write("fake/verification", "#!/bin/sh\nexit " + std::to_string(status) + "\n");
+  const std::string writes = "echo '{\"testsuites\": []}' > ${1#--gtest_output=json:}\n";
+  for (const auto& [program, fails] : {std::pair(writes, false),
+                                       {writes + "exit 1\n", true},
+                                       {"kill -SEGV $$\n", true},
+                                       {"exit 0\n", true}}) {
+    write("fake/verification", "#!/bin/sh\n" + program);
     fs::permissions(folder_ / "fake/verification", fs::perms::owner_all);
-    EXPECT_EQ(shell(run).status != 0, status != 0);
+    EXPECT_EQ(shell(run).status != 0, fails) << program;
+    const bool crashed = program.find(writes) == std::string::npos;
+    EXPECT_EQ(content("fake/report/tests-0.json").find("failures") != std::string::npos, crashed);
   }
 }
 

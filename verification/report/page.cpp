@@ -20,10 +20,11 @@ constexpr const char* minus = "\u2212";
 std::string in_html(const std::string& text) {
   std::string html = kainjow::mustache::html_escape(text);
   if (text.find('\n') != std::string::npos) return html;
-  for (const auto& [plain, symbol] : {std::pair("\\bDelta", "\u0394"),
-                                      {"\\bmu\\b", "\u03bc"},
-                                      {"\\brho\\b", "\u03c1"},
-                                      {"(\\b[A-Za-z]|\u0394)_([a-z0-9]+)", "$1<sub>$2</sub>"}})
+  for (const auto& [plain, symbol] :
+       {std::pair("\\bDelta", "\u0394"),
+        {"\\bmu\\b", "\u03bc"},
+        {"\\brho\\b", "\u03c1"},
+        {"(\\b[A-Za-z]|\u0394)_([A-Za-z0-9]{1,4})(?![A-Za-z0-9_])", "$1<sub>$2</sub>"}})
     html = std::regex_replace(html, std::regex(plain), symbol);
   return html;
 }

@@ -4,9 +4,13 @@
 # machine and from day to day; that is in machine.json alone.
 set -euo pipefail
 build=$1 out=${2:-$1/report} kind=${3:-this-machine}
+rm -rf "$out/figures"
 mkdir -p "$out/figures/published" "$out/figures/consistent"
-cp "$build"/figures/fig*.{csv,svg} "$out/figures/published"
-cp "$build"/figures/consistent/fig*.{csv,svg} "$out/figures/consistent"
+for scene in figures/paper/fig[0-9][0-9].toml; do
+  figure=$(basename "$scene" .toml)
+  cp "$build/figures/$figure".{csv,svg} "$out/figures/published"
+  cp "$build/figures/consistent/$figure".{csv,svg} "$out/figures/consistent"
+done
 "$build/rotor" run --scene verification/report/accident.toml --from 29.095 --rows 1201 \
   --trace "$out/accident.csv" >/dev/null
 "$build/rotor" run --scene verification/report/accident.toml --from 29.095 \
