@@ -57,6 +57,15 @@ std::string identity(const fs::path& file) {
 
 }  // namespace
 
+bool is_standard_output(const fs::path& file) {
+  if (file == "-" || file == "/dev/stdout" || file == "/dev/fd/1") return true;
+  struct stat its {
+  }, of_output{};
+  const bool is_same = ::stat(file.c_str(), &its) == 0 && ::fstat(STDOUT_FILENO, &of_output) == 0 &&
+                       its.st_dev == of_output.st_dev && its.st_ino == of_output.st_ino;
+  return is_same && (!S_ISCHR(its.st_mode) || ::isatty(STDOUT_FILENO) == 1);
+}
+
 OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
   if (file.empty()) fail("its name is empty");
   if (file == "-") {
@@ -168,9 +177,9 @@ void OutputFile::commit() {
 }
 
 void OutputFile::fail(std::string_view reason) const {
-  throw std::runtime_error(fmt::format("{}: cannot be written: {}",
-                                       named_ == "-" ? "standard output" : shown(named_.string()),
-                                       reason));
+  throw std::runtime_error(
+      fmt::format("{}: cannot be written: {}",
+                  named_ == "-" ? "standard output" : one_line(named_.string()), reason));
 }
 
 void OutputFile::fail_by_errno() const {
@@ -191,6 +200,11 @@ void FileTransaction::require_distinct(const std::vector<fs::path>& files, const
           fmt::format("{}: cannot be written: it is asked for twice", shown(file.string())));
     identities.push_back(its);
   }
+}
+
+/// The first one has made the folders, which are empty without the others.
+FileTransaction::~FileTransaction() {
+  while (!files_.empty()) files_.pop_back();
 }
 
 OutputFile& FileTransaction::open(const fs::path& file) {

@@ -44,9 +44,17 @@ class OutputFile {
   std::string buffer_;
 };
 
+/// Whether it is what is printed to, "-" or by another name.
+bool is_standard_output(const std::filesystem::path& file);
+
 /// Files that appear together, when all have been written.
 class FileTransaction {
  public:
+  FileTransaction() = default;
+  FileTransaction(const FileTransaction&) = delete;
+  FileTransaction& operator=(const FileTransaction&) = delete;
+  ~FileTransaction();
+
   /// To be called before any work, for the files that will be opened: throws if two are the same.
   static void require_distinct(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& source = {});

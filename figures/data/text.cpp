@@ -41,7 +41,9 @@ std::string one_line(std::string_view text) {
 }
 
 std::string shown(std::string_view text) {
-  constexpr std::size_t most = 60;
+  std::size_t most = 60;
+  while (most < text.size() && (static_cast<unsigned char>(text[most]) & 0xc0U) == 0x80U)
+    --most;  // a letter of several bytes is left out whole
   return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
 }
 

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <limits>
 #include <numbers>
@@ -63,6 +65,9 @@ void print(const char* file) {
     if (n % scan == 0) fmt::print("\n");
     fmt::print("{}{}", fmt::join(point.values, ","), cells(point.statement));
   }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::runtime_error(
+        fmt::format("standard output cannot be written: {}", std::strerror(errno)));
 }
 
 }  // namespace

@@ -31,19 +31,22 @@ CLI::Validator parsed_by(Parse parse) {
           "", ""};
 }
 
-/// Whole numbers such as 02, the number of a figure, are not octal.
-CLI::Validator without_leading_zeros() {
+/// Such as 02, the number of a figure, which is not octal.
+CLI::Validator whole_number() {
   return {[](std::string& text) -> std::string {
+            if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)
+              return fmt::format("must be a whole number, not \"{}\"", shown(text));
             text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
             return "";
           },
           ""};
 }
 
-CLI::Validator not_empty() {
-  return {
-      [](const std::string& text) -> std::string { return text.empty() ? "must name a file" : ""; },
-      "", ""};
+CLI::Validator not_empty(const char* what = "a file") {
+  return {[what](const std::string& text) -> std::string {
+            return text.empty() ? fmt::format("must name {}", what) : "";
+          },
+          "", ""};
 }
 
 /// An option whose text names something.
@@ -78,7 +81,7 @@ constexpr const char* precedence =
 void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = ROTOR_SCENES;
   command.add_option("numbers", options.numbers, "figures; all if none is given")
-      ->transform(without_leading_zeros());
+      ->transform(whole_number());
   command.add_option("--out", options.out, "folder for figNN.csv")
       ->check(not_empty())
       ->capture_default_str();
@@ -109,7 +112,7 @@ void add_options(CLI::App& command, SweepOptions& options) {
           .add_option("--out", options.out, "write the results, a row a point, to this CSV file")
           ->check(not_empty());
   command.add_option("--jobs", options.jobs, "threads; as many as there are cores, if not given")
-      ->transform(without_leading_zeros())
+      ->transform(whole_number())
       ->check(CLI::Range(1, 4096));
   command
       .add_flag("--dry-run", options.dry_run,
@@ -123,6 +126,7 @@ void add_options(CLI::App& command, RunOptions& options) {
                                 "scene file (TOML); options override what it states")
                     ->check(not_empty());
   command.add_option("--run", options.run_name, "which [[run]] of the scene, if it has several")
+      ->check(not_empty("a run"))
       ->needs(scene);
   for (const Statable& statable : statables()) {
     const Quantity& quantity = statable.quantity;
@@ -139,6 +143,8 @@ void add_options(CLI::App& command, RunOptions& options) {
     added->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit));
     if (quantity.name == "until")
       added->default_str("0.25 s after the mass loss");
+    else if (quantity.name == "separation_time")
+      added->default_str(fmt::format("{}, or 0 with --start-speed-hz", quantity.of(Scenario{})));
     else if (quantity.in)
       added->default_str(fmt::format("{}", quantity.of(Scenario{})));
   }
@@ -179,7 +185,7 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_option("--rows", options.rows,
                   "so many rows of the trace at equal distances, the first and the last instant "
                   "included; fewer if the run stops early")
-      ->transform(without_leading_zeros())
+      ->transform(whole_number())
       ->needs(trace)
       ->excludes(every);
   command

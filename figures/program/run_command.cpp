@@ -37,17 +37,10 @@ Scene scene_of(const RunOptions& options) {
             .columns = {},
             .runs = {{"run", scenario_of(stated), stated.states_equations(), stated.digits}}};
   }
-  Overrides overrides;
-  overrides.of_runs = options.equations_and_method.overridden_by(options.numbers);
-  Scene scene = read_scene(options.scene, overrides);
-  if (options.run_name.empty()) return scene;
-  std::vector<std::string> names;
-  for (const SceneRun& run : scene.runs) names.push_back(run.name);
-  std::erase_if(scene.runs, [&](const SceneRun& run) { return run.name != options.run_name; });
-  if (scene.runs.empty())
-    throw InputError(fmt::format("{}: choose one of its runs with --run: {}", options.scene,
-                                 fmt::join(names, ", ")));
-  return scene;
+  return read_scene(options.scene,
+                    {.of_parameters = {},
+                     .of_runs = options.equations_and_method.overridden_by(options.numbers),
+                     .run = options.run_name});
 }
 
 /// What is asked for must go with the digits that are asked for.
@@ -55,9 +48,7 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
   const auto refuse = [](bool is_asked, std::string_view what) {
     if (is_asked) throw InputError(fmt::format("digits: {}", what));
   };
-  if (!run.digits)
-    return refuse(options.budget_s.has_value(),
-                  "--budget is how long to look for them; state how many");
+  if (!run.digits) return;
   if (options.budget_s && !(*options.budget_s > 0 && std::isfinite(*options.budget_s)))
     throw InputError(
         fmt::format("--budget {}: must be a finite number greater than 0 s", *options.budget_s));
@@ -79,6 +70,9 @@ Scene requested_scene(const RunOptions& options) {
     throw InputError(
         fmt::format("{}: of several runs --energy and --estimate-error are told by --json alone",
                     options.scene));
+  if (options.budget_s && std::none_of(result.runs.begin(), result.runs.end(),
+                                       [](const SceneRun& run) { return run.digits; }))
+    throw InputError("digits: --budget is how long to look for them; state how many");
   for (const SceneRun& run : result.runs) {
     if (!options.events.empty() && run.scenario.method == Method::rk4)
       throw InputError("--events: only --method event locates events");
@@ -96,6 +90,11 @@ Scene requested_scene(const RunOptions& options) {
 
 double end_of(const Scene& scene) {
   return std::min(scene.runs.front().scenario.until, scene.window.from_s + scene.window.length_s);
+}
+
+InputError nothing_to_trace(const RunOptions& options) {
+  return InputError(
+      fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
 }
 
 /// Between the rows of a trace, if it is to be the same everywhere.
@@ -116,6 +115,7 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
                                    *options.every_s, most_rows));
     return options.every_s;
   }
+  if (!(length_s > 0)) throw nothing_to_trace(options);
   if (*options.rows < 2 || static_cast<double>(*options.rows) > most_rows)
     throw InputError(fmt::format("--rows {}: must be from 2 to {}", *options.rows, most_rows));
   return length_s / static_cast<double>(*options.rows - 1);
@@ -137,8 +137,8 @@ void say_which_equations() {
 
 /// What is printed of a run.
 struct Printed {
-  nlohmann::ordered_json summary;
-  std::vector<Remark> remarks;
+  nlohmann::ordered_json summary{};
+  std::vector<Remark> remarks{};
   std::string short_of_digits{};  ///< why, if it is
 };
 
@@ -224,8 +224,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
                                    account.end.last.time_s, scenario.until));
   } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
-    throw InputError(
-        fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
+    throw nothing_to_trace(options);
   }
   if (options.estimate_error && !account.early.interrupted) {
     RunProgress other_progress(scenario.until);
@@ -254,44 +253,52 @@ void run_rotor(const RunOptions& options) {
   if (!options.columns.empty() && options.trace.empty())
     throw InputError("--columns requires --trace, or is help");
   const Scene scene = requested_scene(options);
+  const bool one_of_many = scene.runs.size() > 1;
   auto runs = nlohmann::ordered_json::array();
-  std::vector<std::string> told, short_of_digits;
+  std::vector<std::string> told, failures;
   RunUps run_ups;
   for (const SceneRun& run : scene.runs) {
+    const auto of_run = [&](const std::string& sentence) {
+      return one_of_many ? run.name + ": " + sentence : sentence;
+    };
     Scene alone = scene;
     alone.runs = {run};
-    const Printed printed =
-        run.digits ? certain_run(options, run) : run_one(options, alone, run_ups);
-    const bool one_of_many = scene.runs.size() > 1;
+    Printed printed;
+    try {
+      printed = run.digits ? certain_run(options, run) : run_one(options, alone, run_ups);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {  // which leaves the other runs what they are
+      failures.push_back(of_run(error.what()));
+      continue;
+    }
     for (const Remark& remark : printed.remarks)  // of which a table has none
-      if (remark.missed || (one_of_many && !options.json))
-        told.push_back((one_of_many ? run.name + ": " : "") + remark.sentence);
-    if (!printed.short_of_digits.empty())
-      short_of_digits.push_back((one_of_many ? run.name + ": " : "") + printed.short_of_digits);
+      if (remark.missed || (one_of_many && !options.json)) told.push_back(of_run(remark.sentence));
+    if (!printed.short_of_digits.empty()) failures.push_back(of_run(printed.short_of_digits));
     nlohmann::ordered_json row;
     if (one_of_many) row["run"] = run.name;
     row.update(printed.summary);
     runs.push_back(row);
     if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
       if (one_of_many)
-        told.push_back(
-            fmt::format("{}: cut short at {} s by an interruption{}", run.name, cut->get<double>(),
-                        &run == &scene.runs.back() ? "" : "; those behind it have not begun"));
+        told.push_back(of_run(
+            fmt::format("cut short at {} s by an interruption{}", cut->get<double>(),
+                        &run == &scene.runs.back() ? "" : "; those behind it have not begun")));
       break;
     }
   }
-  const auto is_standard_output = [](const std::string& file) {
-    return file == "-" || file == "/dev/stdout" || file == "/dev/fd/1";
-  };
   const bool standard_output_is_taken =
       is_standard_output(options.trace) || is_standard_output(options.events);
   std::FILE* const to = standard_output_is_taken ? stderr : stdout;
-  print_summaries(runs, options.json, to);
+  if (one_of_many)
+    print_summaries(runs, options.json, to);
+  else if (!runs.empty())
+    print_summary(runs.front(), options.json, to);
   for (const std::string& message : told) fmt::print(stderr, "rotor: {}\n", message);
-  if (std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
+  if (!runs.empty() && std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
     say_which_equations();
-  if (!short_of_digits.empty())
-    throw std::runtime_error(fmt::format("{}", fmt::join(short_of_digits, "\nrotor: ")));
+  if (!failures.empty())
+    throw std::runtime_error(fmt::format("{}", fmt::join(failures, "\nrotor: ")));
 }
 
 }  // namespace rotor

@@ -25,9 +25,10 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
                         scene.file.string()));
       const Scenario& scenario = run.scenario;
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
-      requests.push_back(
-          {scenario, recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
-                                            [&table](auto row) { table.add(row); })});
+      requests.push_back({scenario,
+                          recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
+                                                 [&table](auto row) { table.add(row); }),
+                          scene.file.string() + ": " + run.name});
     }
   }
   Interruptible interruptible;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
+#include "figures/data/text.hpp"
 #include "figures/scenes/certain_account.hpp"
 
 namespace rotor {
@@ -33,27 +35,37 @@ void print_table(const Json& runs, std::FILE* to) {
                      "rolling_onset_s",
                      "peak_normal_force_N",
                      "final_speed_Hz"};
-  for (const char* key : keys) fmt::print(to, "{:<20} ", key);
+  const auto cell = [](const Json& run, const char* key) {
+    const Json& value = run.at(key);
+    return value.is_string() ? one_line(value.get<std::string>())
+                             : text_of(value, asked_digits(run));
+  };
+  std::size_t width = 20;  // that of names may be more
+  for (const Json& run : runs) width = std::max(width, cell(run, "run").size());
+  const auto print = [&](const char* key, const std::string& text) {
+    fmt::print(to, "{:<{}} ", text, key == *keys.begin() ? width : 20);
+  };
+  for (const char* key : keys) print(key, key);
   for (const Json& run : runs) {
     fmt::print(to, "\n");
-    for (const char* key : keys) {
-      const Json& value = run.at(key);
-      fmt::print(to, "{:<20} ",
-                 value.is_string() ? value.get<std::string>() : text_of(value, asked_digits(run)));
-    }
+    for (const char* key : keys) print(key, cell(run, key));
   }
   fmt::print(to, "\n");
 }
 
 }  // namespace
 
-void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
-  const bool is_one = runs.size() == 1;
+void print_summary(const Json& run, bool as_json, std::FILE* to) {
   if (as_json)
-    fmt::print(to, "{}\n", (is_one ? runs.front() : Json{{"runs", runs}}).dump(2));
-  else if (is_one)
-    print_values(runs.front(), asked_digits(runs.front()), "", to);
+    fmt::print(to, "{}\n", run.dump(2));
   else
+    print_values(run, asked_digits(run), "", to);
+}
+
+void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
+  if (as_json)
+    fmt::print(to, "{}\n", Json{{"runs", runs}}.dump(2));
+  else if (!runs.empty())
     print_table(runs, to);
 }
 

@@ -6,8 +6,10 @@
 
 namespace rotor {
 
-/// Of one run, each name and value in a line of their own; of several, the most important ones in a
-/// row for each. As JSON, all of them.
+/// Each name and value in a line of their own, or as JSON.
+void print_summary(const nlohmann::ordered_json& run, bool as_json, std::FILE* to);
+
+/// Of several runs the most important values in a row for each, or all of them as JSON.
 void print_summaries(const nlohmann::ordered_json& runs, bool as_json, std::FILE* to);
 
 }  // namespace rotor

@@ -111,6 +111,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   try {
     require_sense(options, ranks);
     FileTransaction::require_distinct({options.out}, options.file);
+    FileTransaction().open(options.out);  // what cannot take its place is said before any work
     writer.emplace(sweep, options.out);
   } catch (...) {
     ranks.told_by_first(false);

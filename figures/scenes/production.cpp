@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <utility>
 
 #include "figures/scenes/audience.hpp"
@@ -13,6 +14,7 @@ namespace {
 struct Branch {
   Scenario scenario;
   Audience audience;
+  std::string name;
 };
 
 /// Runs that differ in their end alone, in the order of their ends.
@@ -42,7 +44,7 @@ std::vector<Family> families(const std::vector<Request>& requests, Observer* mon
   for (const Request& request : requests) {
     const Scenario& scenario = request.scenario;
     const Scenario part = run_up_part(scenario);
-    Branch newcomer{scenario, {}};
+    Branch newcomer{scenario, {}, request.name};
     if (monitor) newcomer.audience.add(*monitor);
     Family& family =
         find_or_add(all, [&](const Family& other) { return other.run_up == part; }, {part, {}});
@@ -113,9 +115,15 @@ void produce(Family& family, ProductionReport& report) {
     for (auto group = next; group != family.groups.end(); ++group)
       all.add(audience_of(group->begin(), group->end()));
     const Scenario& scenario = next->front().scenario;
-    trunk.run_up(scenario.run_up_end(), all);
-    report.run_up_s += stopwatch.lap();
-    finish(trunk.with(scenario), *next, report.cost);
+    try {
+      trunk.run_up(scenario.run_up_end(), all);
+      report.run_up_s += stopwatch.lap();
+      finish(trunk.with(scenario), *next, report.cost);
+    } catch (const std::runtime_error& error) {
+      const std::string& name = next->front().name;
+      if (name.empty()) throw;
+      throw std::runtime_error(name + ": " + error.what());
+    }
     ++report.runs;
     report.rub_s += stopwatch.lap();
   }

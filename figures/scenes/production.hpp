@@ -2,6 +2,7 @@
 /// only later share the way there.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "model/simulation/simulation.hpp"
@@ -12,6 +13,7 @@ namespace rotor {
 struct Request {
   Scenario scenario;
   Observer& observer;
+  std::string name{};  ///< said before what it throws
 };
 
 struct ProductionReport {

@@ -28,6 +28,7 @@ class SceneReader : TomlFile {
     scene.runs = runs(
         root,
         stated_in(*this, table(root, "parameters"), {}).overridden_by(overrides_.of_parameters));
+    if (!overrides_.run.empty()) leave_out_others(scene.runs);
     scene.window = window(root, scene);
     return scene;
   }
@@ -39,7 +40,8 @@ class SceneReader : TomlFile {
     std::vector<std::string> names;
     if (const toml::array* array = node->as_array())
       for (const toml::node& item : *array) names.push_back(item.value_or<std::string>(""));
-    if (names.empty()) fail(*node, "columns", "must be a list of names of columns, in quotes");
+    if (names.empty() || std::find(names.begin(), names.end(), "") != names.end())
+      fail(*node, "columns", "must be a list of names of columns, in quotes");
     if (names.front() != "time_s" || names.size() == 1)
       fail(*node, "columns", "must begin with \"time_s\" and have another column");
     return at(*node, "columns", [&] { return parse_columns(names); });
@@ -49,7 +51,7 @@ class SceneReader : TomlFile {
                std::string_view key) const {
     const Statement all = stated.overridden_by(overrides_.of_runs);
     return {name, at(node, key, [&] { return scenario_of(all); }), all.states_equations(),
-            all.digits};
+            all.digits, stated.numbers.contains("until")};
   }
 
   std::vector<SceneRun> runs(const toml::table& root, const Statement& base) const {
@@ -69,6 +71,22 @@ class SceneReader : TomlFile {
     return all;
   }
 
+  void leave_out_others(std::vector<SceneRun>& runs) const {
+    std::vector<std::string> names;
+    for (const SceneRun& run : runs) names.push_back(run.name);
+    std::erase_if(runs, [&](const SceneRun& run) { return run.name != overrides_.run; });
+    if (runs.empty())
+      throw InputError(fmt::format("{}: choose one of its runs with --run: {}", path().string(),
+                                   fmt::join(names, ", ")));
+  }
+
+  /// By options: one that states it, or any of a rotor if the scene leaves it open.
+  bool may_end_elsewhere(const SceneRun& run) const {
+    const Statement& options = overrides_.of_runs;
+    return run.states_end ? options.numbers.contains("until")
+                          : !options.numbers.empty() || options.loses_mass.has_value();
+  }
+
   Window window(const toml::table& root, const Scene& scene) const {
     double shortest = scene.runs.front().scenario.until;
     for (const SceneRun& run : scene.runs) shortest = std::min(shortest, run.scenario.until);
@@ -86,9 +104,12 @@ class SceneReader : TomlFile {
     const double from = time(in, "from_s").value_or(0);
     const auto stated_until = time(in, "until_s");
     const double until = stated_until.value_or(shortest);
-    // Options may move the runs' ends; shown is what of the window they reach then.
-    const bool lies_in_runs = (from < shortest && until <= shortest) ||
-                              !overrides_.of_runs.numbers.empty() || overrides_.of_runs.loses_mass;
+    // Of runs whose ends options move is shown what of the window they reach.
+    const bool lies_in_runs =
+        std::all_of(scene.runs.begin(), scene.runs.end(), [&](const SceneRun& run) {
+          const double end_s = run.scenario.until;
+          return (from < end_s && until <= end_s) || may_end_elsewhere(run);
+        });
     if (!lies_in_runs || (stated_until && from >= until))
       fail(in.empty() ? static_cast<const toml::node&>(root) : *root.get("window"), "window",
            fmt::format(

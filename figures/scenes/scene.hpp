@@ -18,6 +18,7 @@ struct SceneRun {
   Scenario scenario;
   bool states_equations = false;
   std::optional<int> digits{};  ///< that are asked for
+  bool states_end = false;      ///< in its scene
 };
 
 struct Scene {
@@ -32,6 +33,7 @@ struct Scene {
 struct Overrides {
   Statement of_parameters;  ///< but not what a [[run]] states itself
   Statement of_runs;
+  std::string run{};  ///< all runs but this one are left out, if it is stated
 };
 
 /// Reads a TOML scene file. Throws InputError.

@@ -50,9 +50,9 @@ std::string TomlFile::content() const {
   constexpr std::uintmax_t most = 1U << 20U;
   std::error_code error;
   const auto refuse = [&](std::string_view reason) {
-    throw InputError(
-        fmt::format("{}: cannot be read: {}",
-                    file_.empty() ? "a scene file without a name" : shown(file_.string()), reason));
+    throw InputError(fmt::format(
+        "{}: cannot be read: {}",
+        file_.empty() ? "a scene file without a name" : one_line(file_.string()), reason));
   };
   const auto status = std::filesystem::status(file_, error);
   if (!std::filesystem::exists(status)) refuse("there is no such file");

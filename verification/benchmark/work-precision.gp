@@ -1,6 +1,6 @@
 # Run time against error of the state, one picture for each scene of build/bench/work-precision.csv.
 # The dashed line is the error of the reference. The caller sets data, folder and format, and loads
-# figures/style.gp first.
+# figures/paper/style.gp first.
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"

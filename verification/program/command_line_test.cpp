@@ -43,12 +43,21 @@ TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
   expect_refusal("run --mass " + std::string(100'000, '9') + "x",
                  "--mass: must be a finite number");
   expect_refusal("run --" + std::string(100'000, 'a'), "there is no such option");
+  for (const char* number : {"1e3", "0x10", "2.0", "-5"})
+    expect_refusal(std::string("run --trace t.csv --rows ") + number,
+                   fmt::format("--rows: must be a whole number, not \"{}\"", number));
 }
 
 // Of six letters two may be wrong.
 TEST(Suggestion, CountsLettersThatChangedPlacesAsOneMistake) {
   EXPECT_EQ(suggestion("badcef", {"abcdef"}), "; did you mean abcdef?");
   EXPECT_EQ(suggestion("bxdcef", {"abcdef"}), "");
+}
+
+TEST(Shown, LeavesOutWholeLettersOnly) {
+  EXPECT_EQ(shown(std::string(59, 'a') + "äb"), std::string(59, 'a') + "...");
+  EXPECT_EQ(shown(std::string(58, 'a') + "äb"), std::string(58, 'a') + "ä...");
+  EXPECT_EQ(shown(std::string(58, 'a') + "ä"), std::string(58, 'a') + "ä");
 }
 
 TEST(Suggestion, IsWhatHasTheMistypedAsAPart) {

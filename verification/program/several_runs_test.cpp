@@ -117,7 +117,47 @@ TEST_F(RunCommand, EndsWithTheRunThatIsCutShort) {
           "--scene slow.toml --keep-partial")
           .output;
   EXPECT_NE(output.find("rotor: a: cut short at "), std::string::npos) << output;
+  EXPECT_NE(output.find("\na   "), std::string::npos) << output;  // a table, though of one row
   EXPECT_EQ(output.find("\nb "), std::string::npos) << output;
+}
+
+// What one run lacks takes nothing from the others.
+TEST_F(RunCommand, TellsTheRunsBesideOneThatFails) {
+  write("two.toml",
+        "columns = [\"time_s\", \"rho_m\"]\n"
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.02\n"
+        "[[run]]\nname = \"diverges\"\nmethod = \"rk4\"\ncontact_stiffness = 1e13\n"
+        "[[run]]\nname = \"a name that is longer than twenty letters,\\nand a line\"\n");
+  const auto [status, output] = rotor("run --scene two.toml --equations published 2> messages");
+  EXPECT_EQ(status, 1);
+  EXPECT_NE(output.find("\na name that is longer than twenty letters,\\x0aand a line bouncing "),
+            std::string::npos)
+      << output;
+  EXPECT_EQ(output.find("\ndiverges"), std::string::npos) << output;
+  EXPECT_NE(content("messages").find("rotor: diverges: the rk4 run diverged"), std::string::npos);
+  expect_refusal("plot two.toml", "two.toml: diverges: the rk4 run diverged");
+  EXPECT_EQ(rotor("run --scene two.toml --json 2> messages").status, 1);
+  expect_refusal("run --scene two.toml --run diverges", "rotor: the rk4 run diverged");
+  expect_refusal("run --scene two.toml --run \"\"", "--run: must name a run");
+}
+
+// How long to look for digits is asked of the runs that state them.
+TEST_F(RunCommand, HasABudgetForTheRunsThatStateDigits) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.01\n"
+        "[[run]]\nname = \"sure\"\ndigits = 3\n[[run]]\nname = \"usual\"\n");
+  EXPECT_EQ(rotor("run --scene two.toml --equations published --budget 100").status, 0);
+  expect_refusal("run --scene two.toml --run usual --budget 100", "state how many");
+}
+
+// A window that another run does not reach is none of its concern.
+TEST_F(RunCommand, TakesTheWindowForThatOfTheRunsThatAreAskedFor) {
+  write("two.toml",
+        "window = { from_s = 0.004, until_s = 0.012 }\n[parameters]\nstart_speed_hz = 30\n"
+        "[[run]]\nname = \"short\"\nuntil = 0.008\n[[run]]\nname = \"long\"\nuntil = 0.02\n");
+  EXPECT_EQ(rotor("run --scene two.toml --run long --trace t.csv").status, 0);
+  expect_refusal("run --scene two.toml --run short --trace t.csv", "<= 0.008 s");
+  expect_refusal("run --scene two.toml", "window: must lie inside the run");
 }
 
 // Before the mass loss there is nothing to account for.

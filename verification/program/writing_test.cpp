@@ -120,12 +120,20 @@ TEST_F(Writing, LeavesALinkedFolderUpwardsWhereItLeads) {
 TEST_F(Writing, LeavesNoFolderOfARunThatFails) {
   EXPECT_EQ(rotor("run --stop-on rolling --from 29.3 --trace new/folder/t.csv").status, 1);
   EXPECT_FALSE(fs::exists(folder_ / "new"));
+  EXPECT_EQ(rotor("run --stop-on rolling --from 29.3 --trace new/sub/t.csv --events new/sub/e.csv")
+                .status,
+            1);
+  EXPECT_FALSE(fs::exists(folder_ / "new"));
 }
 
 TEST_F(Writing, CutsNoHardLink) {
   write("one", "precious");
   fs::create_hard_link(folder_ / "one", folder_ / "two");
   expect_refusal(short_run + " --trace one", "one: cannot be written: it has several hard links");
+  write("s.toml", "[[axis]]\nquantity = \"friction\"\nvalues = [0.3]\n");
+  expect_refusal("sweep s.toml --out one", "one: cannot be written: it has several hard links");
+  EXPECT_FALSE(fs::exists(folder_ / "one.journal"));  // nothing has been computed
+  remove("s.toml");
   EXPECT_EQ(content("two"), "precious");
   remove("one");
   remove("two");
@@ -153,10 +161,16 @@ TEST_F(Writing, OfEventsToStandardOutputLeavesTheSummaryToStandardError) {
 }
 
 TEST_F(Writing, ToStandardOutputByItsNameLeavesTheSummaryToStandardError) {
-  const auto [status, output] =
-      shell("$rotor " + short_run + " --trace /dev/stdout 2>/dev/null | tail -n 1");
-  EXPECT_EQ(status, 0);
-  EXPECT_TRUE(output.starts_with("run,")) << output;
+  fs::create_symlink("/dev/stdout", folder_ / "link");
+  for (const char* name : {"/dev/stdout", "/proc/self/fd/1", "link"}) {
+    const auto [status, output] =
+        shell("$rotor " + short_run + " --trace " + name + " 2>/dev/null | tail -n 1");
+    EXPECT_EQ(status, 0);
+    EXPECT_TRUE(output.starts_with("run,")) << name << output;
+  }
+  remove("link");
+  EXPECT_NE(shell("$rotor " + short_run + " --trace /dev/null").output.find("outcome"),
+            std::string::npos);
 }
 
 TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
