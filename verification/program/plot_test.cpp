@@ -1,4 +1,5 @@
 /// `rotor plot`.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +19,36 @@ class Plot : public CommandLine {
           "title = \"It's 100 %\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n"
           "[[run]]\nname = \"high_mu\"\n[[run]]\nname = \"mu's 0.1, narrow\"\nfriction = 0.1\n"
           "clearance = 2.5e-3\n");
+  }
+
+  /// So many runs of different friction, which make contact before the end.
+  void write_runs(int count, const std::string& name) const {
+    std::string scene = "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n";
+    for (int n = 1; n <= count; ++n)
+      scene += fmt::format("[[run]]\nname = \"{} {}\"\nfriction = 0.{}\n", n, name, n);
+    write("runs.toml", scene);
+  }
+
+  /// A program of this name instead of gnuplot, in the folder.
+  void write_gnuplot(const std::string& script) const {
+    write("gnuplot", "#!/bin/sh\n" + script);
+    fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
+  }
+
+  /// Gnuplot has nothing to complain of.
+  DrawnPicture drawn(const std::string& scene) const {
+    const auto [status, output] = rotor("plot " + scene + ".toml");
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(output, scene + ".svg\n");
+    return DrawnPicture(content(scene + ".svg"));
+  }
+
+  static double top(const DrawnCurve& curve) {
+    return std::ranges::min_element(curve.points, {}, &Points::value_type::second)->second;
+  }
+  static Points::value_type place(const DrawnPicture& picture, const std::string& text) {
+    const auto at = std::ranges::find(picture.texts, text);
+    return picture.places.at(static_cast<std::size_t>(at - picture.texts.begin()));
   }
 };
 
@@ -81,6 +112,33 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   EXPECT_EQ(curve, picture.curves.size());
 }
 
+// However long its names are, the key lies above all panels.
+TEST_F(Plot, HasAKeyThatHidesNoCurve) {
+  write_runs(8, std::string(70, 'n'));
+  const DrawnPicture of_eight = drawn("runs");
+  EXPECT_EQ(of_eight.clipped, std::vector<std::string>());
+  for (int n = 1; n <= 8; ++n) {
+    const std::string name = fmt::format("{} {}\u2026", n, std::string(33, 'n'));
+    ASSERT_EQ(std::ranges::count(of_eight.texts, name), 1) << name;
+    EXPECT_LT(place(of_eight, name).second, top(of_eight.curves.at(0))) << name;
+  }
+  write("one.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n");
+  const DrawnPicture of_one = drawn("one");
+  for (const DrawnPicture& picture : {of_eight, of_one}) {
+    ASSERT_EQ(std::ranges::count(picture.texts, "clearance"), 1);
+    EXPECT_LT(place(picture, "clearance").second, top(picture.curves.at(0)));
+  }
+}
+
+TEST_F(Plot, SaysHowManyRunsItsKeyLeavesOut) {
+  write_runs(17, std::string(70, 'n'));
+  const DrawnPicture picture = drawn("runs");
+  EXPECT_EQ(std::ranges::count(picture.texts, "and 3 more runs"), 1);
+  EXPECT_EQ(std::ranges::count_if(picture.texts,
+                                  [](const auto& text) { return text.ends_with("n\u2026"); }),
+            14);
+}
+
 // Where one works, under the scene's name, which is its heading if it has no title.
 TEST_F(Plot, IsCalledAfterItsScene) {
   ASSERT_EQ(shell("mkdir scenes").status, 0);
@@ -104,8 +162,7 @@ TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {
 }
 
 TEST_F(Plot, WaitsForGnuplotWhateverSignalComes) {
-  write("gnuplot", "#!/bin/sh\nsleep 0.7\nPATH=${PATH#*:} exec gnuplot \"$@\"\n");
-  fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
+  write_gnuplot("sleep 0.7\nPATH=${PATH#*:} exec gnuplot \"$@\"\n");
   const auto [status, output] = shell(
       "(PATH=$PWD:$PATH exec $rotor plot \"it's.toml\" --out a.svg) & sleep 0.4; kill -INT $!; "
       "wait $!");
@@ -115,8 +172,7 @@ TEST_F(Plot, WaitsForGnuplotWhateverSignalComes) {
 
 // What a killed gnuplot has drawn so far is no picture.
 TEST_F(Plot, RefusesThePictureOfAGnuplotThatWasKilled) {
-  write("gnuplot", "#!/bin/sh\nkill -KILL $$\n");
-  fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
+  write_gnuplot("kill -KILL $$\n");
   const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out a.svg");
   EXPECT_NE(status, 0);
   EXPECT_NE(output.find("gnuplot has not drawn the picture"), std::string::npos) << output;
