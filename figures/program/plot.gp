@@ -26,23 +26,60 @@ do for [k = 0:entries - 1] {
   if (k < named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linetype k + 1 }
   if (k == named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linestyle clearance }
 }
+top = 0.92 - 0.034*rows; bottom = 0.1; between = 0.13
+height = 0.5*(top - bottom - between)
 
-set multiplot layout 2,2 title short(heading, 80) noenhanced margins 0.1,0.97,0.1,0.92 - 0.034*rows spacing 0.12,0.13
+# Axes end at tics, 1, 2 or 5 times a power of ten apart. Their labels have the digits that tell them apart, and
+# there are n steps, or fewer if labels would not find room. What does not change is shown with some space around it.
+nice(x) = (power = 10.0**floor(log10(x)), (x < 1.001*power ? 1 : x < 2.001*power ? 2 : x < 5.001*power ? 5 : 10)*power)
+between_tics(a, b) = (low = step*floor(a/step + 1e-6), high = step*ceil(b/step - 1e-6), \
+  letters = greater(strlen(sprintf(form, low)), strlen(sprintf(form, high))))
+fit(a, b, n, room) = (step = nice((b - a)/n), form = sprintf("%%.%df", step < 1 ? ceil(-log10(step) - 1e-6) : 0), \
+  between_tics(a, b), n > 1 && (high - low)/step*(letters + 1)*letter > room ? fit(a, b, n - 1, room) : letters)
+changes(a, b) = b - a > 1e-12*greater(abs(a), abs(b))
+around(a) = a == 0 ? 1 : 0.01*abs(a)
+show(a, b, room) = changes(a, b) ? fit(a, b, 5, room) : fit(a - around(a), b + around(a), 5, room)
+axis(c, from, to) = sprintf("set %srange [%.17g:%.17g]; set %stics %.17g; set format %s '%s'", \
+  c, from - 1e-5*(to - from), to + 1e-5*(to - from), c, step, c, form)    # rounding cuts nothing off
+
+stats data using "time_s":"normal_force_N" name "force" nooutput
+stats data using "speed_Hz":"rho_m" name "speed" nooutput
+stats data using "y_a_m":"x_a_m" name "orbit" nooutput
+widest_gap = gap(1); least_gap = gap(1)
+do for [i = 1:runs] { widest_gap = greater(widest_gap, gap(i)); least_gap = -greater(-least_gap, -gap(i)) }
+widest = show(force_min_y/1e3, force_max_y/1e3, 1); force_axis = axis("y", low, high)
+widest = greater(widest, show(speed_min_x, speed_max_x, 1)); speed_axis = axis("y", low, high)
+rho_min = -greater(-1e3*speed_min_y, -0.98*least_gap); rho_max = greater(1e3*speed_max_y, 1.02*widest_gap)
+widest = greater(widest, show(rho_min, rho_max, 1)); rho_axis = axis("y", low, high)
+down_min = -greater(-1e3*orbit_min_y, widest_gap); down_max = greater(1e3*orbit_max_y, widest_gap)
+right_min = -greater(-1e3*orbit_min_x, widest_gap); right_max = greater(1e3*orbit_max_x, widest_gap)
+half = 0.5*greater(down_max - down_min, right_max - right_min)
+void = fit(-half, half, 5, 0.58*height)    # as wide as high
+widest = greater(widest, between_tics(down_min, down_max)); down_axis = axis("y", high, low)
+void = between_tics(right_min, right_max); right_axis = axis("x", low, high)
+left = 0.055 + letter*widest
+time_letters = show(force_min_x, force_max_x, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
+
+set multiplot layout 2,2 title short(heading, 80) noenhanced margins left,1 - right,bottom,top spacing left + right,between
 unset key
+eval axis("x", low, high)
 set xlabel "t, s" offset 0,0.4
 set ylabel "F_n, kN" offset -0.5,0
-plot for [i = 1:runs] data using (of(i, "time_s")):(of(i, "normal_force_N")/1e3) \
-  with lines linetype i
+eval force_axis
+plot for [i = 1:runs] data using (of(i, "time_s")):(of(i, "normal_force_N")/1e3) with lines linetype i
 unset label; unset arrow
 set ylabel "f, Hz"
+eval speed_axis
 plot for [i = 1:runs] data using (of(i, "time_s")):(of(i, "speed_Hz")) with lines linetype i
 set ylabel "rho, mm"
+eval rho_axis
 plot for [i = 1:runs] gap(i) with lines linestyle clearance, \
   for [i = 1:runs] data using (of(i, "time_s")):(of(i, "rho_m")*1e3) with lines linetype i
 set ylabel "x_a, mm (down)"
 set xlabel "y_a, mm"
 set size ratio -1
-set yrange [] reverse
+eval right_axis
+eval down_axis
 set parametric
 set trange [0:2*pi]
 plot for [i = 1:runs] gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance, \

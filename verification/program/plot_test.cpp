@@ -52,6 +52,29 @@ class Plot : public CommandLine {
   }
 };
 
+long letters(const std::string& text) {
+  return std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; });
+}
+
+/// Texts neither touch nor, in a column of tics, repeat each other, and none is cut off.
+void expect_legible(const DrawnPicture& picture) {
+  EXPECT_EQ(picture.clipped, std::vector<std::string>());
+  const double letter = 0.6 * 11.2, panel = 100;  // pixels: a small letter, within a panel
+  for (std::size_t i = 0; i < picture.texts.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const std::string &a = picture.texts[i], &b = picture.texts[k];
+      if (a.empty() || b.empty()) continue;
+      const double right = std::abs(picture.places[i].first - picture.places[k].first),
+                   down = std::abs(picture.places[i].second - picture.places[k].second);
+      if (down < 1) {
+        EXPECT_GT(right, 0.5 * letter * static_cast<double>(letters(a) + letters(b)))
+            << a << ", " << b;
+      } else if (right < 1 && down < panel) {
+        EXPECT_NE(a, b);
+      }
+    }
+}
+
 // Names are shown as they are, gnuplot has nothing to complain of, and nothing else is left.
 TEST_F(Plot, DrawsEveryRunOfAScene) {
   const auto [status, output] = rotor("plot \"it's.toml\"");
@@ -116,7 +139,7 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
 TEST_F(Plot, HasAKeyThatHidesNoCurve) {
   write_runs(8, std::string(70, 'n'));
   const DrawnPicture of_eight = drawn("runs");
-  EXPECT_EQ(of_eight.clipped, std::vector<std::string>());
+  expect_legible(of_eight);
   for (int n = 1; n <= 8; ++n) {
     const std::string name = fmt::format("{} {}\u2026", n, std::string(33, 'n'));
     ASSERT_EQ(std::ranges::count(of_eight.texts, name), 1) << name;
@@ -133,10 +156,28 @@ TEST_F(Plot, HasAKeyThatHidesNoCurve) {
 TEST_F(Plot, SaysHowManyRunsItsKeyLeavesOut) {
   write_runs(17, std::string(70, 'n'));
   const DrawnPicture picture = drawn("runs");
+  expect_legible(picture);
   EXPECT_EQ(std::ranges::count(picture.texts, "and 3 more runs"), 1);
   EXPECT_EQ(std::ranges::count_if(picture.texts,
                                   [](const auto& text) { return text.ends_with("n\u2026"); }),
             14);
+}
+
+// Also where a quantity hardly changes, or not at all: without contact there is no force.
+TEST_F(Plot, HasLabelsThatTellItsTicsApart) {
+  write("still.toml",
+        "[parameters]\nlost_mass = 1e-4\ntorque = 0\nstart_speed_hz = 150\nuntil = 0.03\n");
+  write("window.toml",
+        "window = { from_s = 0.0127, until_s = 0.0127004 }\n"
+        "[parameters]\nstart_speed_hz = 150\nuntil = 0.0127004\n");
+  for (const char* scene : {"still", "window"}) {
+    const DrawnPicture picture = drawn(scene);
+    expect_legible(picture);
+    // The name of the right axis lies between the panels.
+    const auto& force = picture.curves.at(0).points;
+    const double end = std::ranges::max_element(force)->first;
+    EXPECT_GT(place(picture, "f, Hz").first, end + 14) << scene;
+  }
 }
 
 // Where one works, under the scene's name, which is its heading if it has no title.
