@@ -29,6 +29,10 @@ set linetype 1 linecolor rgb blue linewidth 1.3
 set linetype 2 linecolor rgb vermilion linewidth 1.3
 set linetype 3 linecolor rgb green linewidth 1.3
 set linetype 4 linecolor rgb black linewidth 1.3
+set linetype 5 linecolor rgb "#cc79a7" linewidth 1.3
+set linetype 6 linecolor rgb "#56b4e9" linewidth 1.3
+set linetype 7 linecolor rgb "#e69f00" linewidth 1.3 dashtype (9, 3)
+set linetype 8 linecolor rgb "#7a0177" linewidth 1.3 dashtype (5, 3)
 published = 11; clearance = 12; reading = 13; fixed_steps = 14; first_place = 15; lost = 16
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 4)
 set style line clearance linecolor rgb black linewidth 1 dashtype (2, 3)

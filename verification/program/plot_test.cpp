@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "figures/data/csv.hpp"
 #include "verification/support/command_line.hpp"
@@ -161,6 +162,22 @@ TEST_F(Plot, SaysHowManyRunsItsKeyLeavesOut) {
   EXPECT_EQ(std::ranges::count_if(picture.texts,
                                   [](const auto& text) { return text.ends_with("n\u2026"); }),
             14);
+}
+
+// By colour, or by colour and dashes.
+TEST_F(Plot, DrawsEightRunsInEightWays) {
+  write_runs(8, "run");
+  ASSERT_EQ(rotor("plot runs.toml").status, 0);
+  const std::string picture = content("runs.svg"), drawn = "<path stroke='rgb(";
+  std::set<std::string> looks;
+  for (std::size_t at = 0; (at = picture.find(drawn, at)) != std::string::npos; ++at) {
+    const std::size_t points = picture.find(" d='", at);
+    const bool is_clearance =
+        picture.substr(at, points - at).find("'1.0,1.5'") != std::string::npos;
+    if (!is_clearance && picture.find('\'', points + 4) - points > 1000)
+      looks.insert(picture.substr(at, points - at));
+  }
+  EXPECT_EQ(looks.size(), 8U);
 }
 
 // Also where a quantity hardly changes, or not at all: without contact there is no force.
