@@ -3,12 +3,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "figures/data/files.hpp"
 #include "figures/data/text.hpp"
@@ -49,6 +51,24 @@ std::string quoted(std::string text) {
   return '\'' + text + '\'';
 }
 
+/// A format by how names of its pictures end, and what the pictures themselves end with.
+struct Format {
+  std::string_view extension, end;
+};
+constexpr std::array<Format, 3> formats = {
+    {{".svg", "</svg>"}, {".pdf", "%%EOF"}, {".png", "IEND"}}};
+
+/// What gnuplot has drawn. It succeeds also where there was no room for the whole of it.
+std::string read_picture(const fs::path& path, std::string_view end) {
+  std::ifstream file(path, std::ios::binary);
+  std::string picture(std::istreambuf_iterator<char>(file), {});
+  const std::size_t after_end = 4;  // a line's end, or a png's check sum
+  const std::size_t at = picture.rfind(end);
+  if (at == std::string::npos || picture.size() - at > end.size() + after_end)
+    throw std::runtime_error("gnuplot has not drawn the whole picture");
+  return picture;
+}
+
 void run_gnuplot(const std::string& settings, const std::string& style, const std::string& script) {
   std::array<const char*, 6> arguments = {"gnuplot",     "-e",           settings.c_str(),
                                           style.c_str(), script.c_str(), nullptr};
@@ -73,8 +93,8 @@ void plot_scene(const PlotOptions& options) {
   const fs::path out = options.out.empty()
                            ? fs::path(options.scene).filename().replace_extension(".svg")
                            : fs::path(options.out);
-  const std::string format = out.extension().string();
-  if (format != ".svg" && format != ".pdf" && format != ".png")
+  const auto format = std::ranges::find(formats, out.extension().string(), &Format::extension);
+  if (format == formats.end())
     throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
 
   const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
@@ -102,11 +122,10 @@ void plot_scene(const PlotOptions& options) {
   run_gnuplot(fmt::format("data = {}; output = {}; format = '{}'; heading = {}; "
                           "runs = {}; {}",
                           quoted(drafts.file("data.csv").string()), quoted(picture.string()),
-                          format.substr(1), quoted(title), scene.runs.size(), names),
+                          format->extension.substr(1), quoted(title), scene.runs.size(), names),
               ROTOR_SCENES "/style.gp", ROTOR_SCENES "/../program/plot.gp");
-  std::ifstream drawn(picture, std::ios::binary);
   FileTransaction files;
-  files.write(out, std::string(std::istreambuf_iterator<char>(drawn), {}));
+  files.write(out, read_picture(picture, format->end));
   files.commit();
   fmt::print("{}\n", out.string());
 }

@@ -237,6 +237,20 @@ TEST_F(Plot, RefusesThePictureOfAGnuplotThatWasKilled) {
   EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
 }
 
+// A gnuplot whose disk is full succeeds nonetheless.
+TEST_F(Plot, RefusesAPictureWithoutItsEnd) {
+  write_gnuplot(
+      "PATH=${PATH#*:} gnuplot \"$@\"\n"
+      "truncate -s -20 \"$(expr \"$2\" : \".*output = '\\([^']*\\)'\")\"\n");
+  for (const std::string name : {"a.svg", "a.pdf", "a.png"}) {
+    write(name, "old");
+    const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out " + name);
+    EXPECT_NE(status, 0);
+    EXPECT_EQ(output, "rotor: gnuplot has not drawn the whole picture\n");
+    EXPECT_EQ(content(name), "old");
+  }
+}
+
 TEST_F(Plot, FollowsLinksAndKeepsTheMode) {
   write("target.svg", "old");
   fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);
