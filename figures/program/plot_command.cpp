@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 /// A folder of its own for what gnuplot reads and draws, which is gone in the end.
 class DraftFolder {
  public:
-  DraftFolder() : path_((fs::temp_directory_path() / "rotor-plot-XXXXXX").string()) {
+  DraftFolder() : path_((parent() / "rotor-plot-XXXXXX").string()) {
     if (!::mkdtemp(path_.data()))
-      throw std::runtime_error(fmt::format(
-          "{}: cannot be written: {}", fs::temp_directory_path().string(), std::strerror(errno)));
+      throw std::runtime_error(
+          fmt::format("{}: cannot be written: {}", parent().string(), std::strerror(errno)));
   }
   ~DraftFolder() {
     std::error_code ignored;
@@ -41,6 +41,14 @@ class DraftFolder {
   fs::path file(const char* name) const { return fs::path(path_) / name; }
 
  private:
+  static fs::path parent() {
+    std::error_code error;
+    const fs::path path = fs::temp_directory_path(error);
+    if (error)
+      throw InputError("TMPDIR: must be a folder that exists, where gnuplot reads and draws");
+    return path;
+  }
+
   std::string path_;
 };
 
@@ -103,6 +111,7 @@ void plot_scene(const PlotOptions& options) {
         fmt::format("{}: cannot be written: there is no such folder", folder.string()));
   FileTransaction::require_distinct({out}, options.scene);
 
+  const DraftFolder drafts;
   std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
   std::string names;
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
@@ -112,7 +121,6 @@ void plot_scene(const PlotOptions& options) {
     names += fmt::format("run{0} = {1}; clearance_mm{0} = {2}; ", n, quoted(run.name),
                          1000 * (p.stator_radius - p.rotor_radius));
   }
-  const DraftFolder drafts;
   FileTransaction data;
   data.write(drafts.file("data.csv"),
              to_csv(provenance(scene.title, scene), headings("run", scene.columns), tables));

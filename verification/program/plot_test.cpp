@@ -251,6 +251,12 @@ TEST_F(Plot, RefusesAPictureWithoutItsEnd) {
   }
 }
 
+TEST_F(Plot, NamesTheVariableThatNamesNoFolder) {
+  const auto [status, output] = shell("TMPDIR=/nowhere $rotor plot \"it's.toml\"");
+  EXPECT_NE(status, 0);
+  EXPECT_EQ(output, "rotor: TMPDIR: must be a folder that exists, where gnuplot reads and draws\n");
+}
+
 TEST_F(Plot, FollowsLinksAndKeepsTheMode) {
   write("target.svg", "old");
   fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);
