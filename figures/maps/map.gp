@@ -67,8 +67,12 @@ if (shows eq "outcome") {
 } else {
   set palette defined (0 "#fff7e0", 1 "#f5c56b", 2 "#e07b39", 3 "#a83a5a", 4 "#4b1d5e", 5 "#10082a")
   set logscale cb
-  set cbrange [1:1000]
+  darkest = 1000; greatest = 0
+  set cbrange [1:darkest]
   value = "kN(strcol('peak_normal_force_N'))"
+  eval sprintf("stats data using (force = %s, greatest = force > greatest ? force : greatest, column('%s')) nooutput", \
+    value, abscissa)
+  if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }
 }
 top = 0.9; bottom = rows == 2 ? 0.19 : 0.28
 height = (top - bottom)/rows
