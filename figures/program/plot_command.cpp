@@ -101,7 +101,9 @@ void plot_scene(const PlotOptions& options) {
   const fs::path out = options.out.empty()
                            ? fs::path(options.scene).filename().replace_extension(".svg")
                            : fs::path(options.out);
-  const auto format = std::ranges::find(formats, out.extension().string(), &Format::extension);
+  const auto* const format = std::find_if(formats.begin(), formats.end(), [&](const Format& known) {
+    return known.extension == out.extension().string();
+  });
   if (format == formats.end())
     throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
 

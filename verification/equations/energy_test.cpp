@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "figures/scenes/audience.hpp"
@@ -11,6 +12,7 @@
 #include "model/simulation/start.hpp"
 #include "verification/support/law.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/short_run.hpp"
 
 namespace rotor {
 namespace {
@@ -95,6 +97,24 @@ TEST(EnergyByCause, OfTheMotorIsTorqueTimesAngle) {
   EXPECT_NEAR(energy.balance().motor, scenario.parameters.torque * end.last.state[2], 1e-10);
   EXPECT_EQ(energy.balance().friction, 0);
   EXPECT_EQ(energy.balance().contact_damping, 0);
+}
+
+// In the ring's spring, too, when the rim has left it before it has sprung back.
+TEST(EnergyByCause, AddsUpWhereTheRingIsStillIndented) {
+  Scenario scenario = short_run(0.03);
+  EventRecorder events;
+  run(scenario, events);
+  const double from_s = events.first(Event::release).time_s;
+  const auto after =
+      std::ranges::find_if(events.events(), [&](const Instant& at) { return at.time_s > from_s; });
+  ASSERT_NE(after, events.events().end());
+  scenario.until = (from_s + after->time_s) / 2;
+  EventRecorder cut;
+  run(scenario, cut);
+  ASSERT_EQ(cut.last().contact, ContactState::indented);
+  const EnergyBalance energy = balance_of(scenario);
+  EXPECT_GT(energy.contact_spring, 1e-3);
+  EXPECT_LT(std::abs(energy.residual()), 1e-9);
 }
 
 }  // namespace

@@ -200,5 +200,19 @@ TEST(Distance, OfTwoInstantsIsThatOfPlacesAndOfVelocities) {
   EXPECT_NEAR(distance(here, faster, clearance), 1, 1e-12);
 }
 
+// What has parted is compared where it was together for the last time, whichever is the shorter.
+TEST(Amplification, IsToTheLastCommonEventWhereOneRunHasFewer) {
+  const Scenario scenario = short_run(0.03);
+  const auto run = compute<double>(scenario, {.tolerance = 1e-9}, always);
+  auto shorter = compute<double>(scenario, {.tolerance = 1e-7}, always);
+  const auto whole = amplification(run, shorter, 3e-3);
+  shorter.events.pop_back();
+  shorter.end.state[0] += 1;  // elsewhere
+  const auto first = amplification(run, shorter, 3e-3), second = amplification(shorter, run, 3e-3);
+  ASSERT_TRUE(whole && first && second);
+  EXPECT_NEAR(*second / *first, 1, 1e-3);
+  EXPECT_LT(*second, 1e3 * *whole);
+}
+
 }  // namespace
 }  // namespace rotor

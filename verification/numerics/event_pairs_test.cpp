@@ -9,6 +9,7 @@
 
 #include "figures/scenes/columns.hpp"
 #include "verification/support/balanced_run.hpp"
+#include "verification/support/deviation.hpp"
 
 namespace rotor {
 namespace {
@@ -50,14 +51,6 @@ struct EventPairs : testing::Test {
   Scenario scenario;
 };
 
-/// Largest deviation of two states, of each part in its own measure.
-double deviation(const State<double>& a, const State<double>& b) {
-  const double length = 3e-3, speed = std::abs(b[5]) + 1;
-  return std::max({std::hypot(a[0] - b[0], a[1] - b[1]) / length,
-                   std::hypot(a[3] - b[3], a[4] - b[4]) / (length * speed),
-                   std::abs(a[5] - b[5]) / speed, std::abs(a[2] - b[2])});
-}
-
 TEST_F(EventPairs, MotorOffWhileRollingChangesNothingButTheTorque) {
   switch_off_at(100.5);
   const BalancedRun run = balanced(pressed(100, 0), 5e-3);
@@ -65,6 +58,32 @@ TEST_F(EventPairs, MotorOffWhileRollingChangesNothingButTheTorque) {
   EXPECT_EQ(run.count(Event::break_away), 0);
   EXPECT_EQ(run.last().contact, ContactState::rolling);
   EXPECT_FALSE(run.last().motor_on);
+}
+
+// The motor holds the rim for as long as it drives; without it friction is asked for more than it
+// has.
+TEST_F(EventPairs, MotorOffWhileRollingEndsItWhereFrictionAloneIsTooWeak) {
+  Instant from = pressed(100, 0);
+  scenario.parameters.friction = 10;
+  const auto needed = [&](bool motor_on) {  // mu
+    from.motor_on = motor_on;
+    const ColumnContext context(scenario);
+    View view(from, context);
+    return std::abs(view.friction() / view.normal_force());
+  };
+  const double driven = needed(true), alone = needed(false);
+  from.motor_on = true;
+  const double least = std::min(driven, alone), greatest = std::max(driven, alone);
+  ASSERT_LT(least, 0.5 * greatest);
+  scenario.parameters.friction = std::sqrt(least * greatest);
+  switch_off_at(100 + 1e-6);
+  EventRecorder events;
+  follow(scenario, from, 1e-4, events);
+  ASSERT_GE(events.events().size(), 2U);
+  const Instant &first = events.events()[0], &second = events.events()[1];
+  EXPECT_EQ(first.event, driven < alone ? Event::motor_off : Event::break_away);
+  EXPECT_EQ(second.event, driven < alone ? Event::break_away : Event::motor_off);
+  EXPECT_LT(second.time_s, 1e-6);
 }
 
 TEST_F(EventPairs, MotorOffWhileSlidingKeepsTheSlipsDirection) {
@@ -266,78 +285,6 @@ TEST_F(LossInContact, OrTheEndOfARunMayComeWhileTheRingIsStillIndented) {
   follow(scenario, first.last(), 2e-3, second);
   EXPECT_LT(deviation(second.last().state, whole.last().state), 1e-9);
   EXPECT_EQ(first.events().size() + second.events().size(), whole.events().size());
-}
-
-/// All instants of a run by the published method.
-struct Steps : Observer {
-  void on_instant(const Instant& at) override { all.push_back(at); }
-  std::vector<Instant> all;
-};
-
-// Contact ends the long steps before the mass loss: from the step that would touch on they are
-// short, in the order in which time passes, and the last one ends at the end.
-TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
-  Scenario scenario{.method = Method::rk4};
-  scenario.parameters.separates = false;
-  scenario.step_run_up = 1e-4;
-  scenario.step_rub = 5e-6;
-  Instant from = at_rest(scenario.parameters);
-  from.state = {2e-3, 0, 0, 1, 0, 400};
-  for (const double until_s : {5e-3, 5e-3 + 2e-6, 5e-3 + 4.9999e-6}) {
-    scenario.until = until_s;
-    Steps steps;
-    run(scenario, from, steps);
-    bool is_short = false;
-    for (std::size_t n = 1; n < steps.all.size(); ++n) {
-      const double step = steps.all[n].time_s - steps.all[n - 1].time_s;
-      if (step == 0) continue;  // the end is shown again
-      is_short = is_short || step < 0.9e-4;
-      const bool is_last = steps.all[n].time_s == until_s;
-      EXPECT_NEAR(step, is_short ? 5e-6 : 1e-4, is_last ? 5e-6 : 1e-12) << n;
-      // Each moves the rotor on by as much time as it takes, the last one too.
-      const State<double>&before = steps.all[n - 1].state, &after = steps.all[n].state;
-      EXPECT_NEAR(after[2] - before[2], step * (before[5] + after[5]) / 2, 1e-3 * step * after[5])
-          << n;
-      if (steps.all[n].contact != ContactState::free) {
-        EXPECT_TRUE(is_short);
-      }
-    }
-    EXPECT_TRUE(is_short);
-    EXPECT_EQ(steps.all.back().time_s, until_s);
-    EXPECT_EQ(steps.all[1].time_s, 1e-4);
-    // By the event method the rotor is there a little earlier or later, as first order allows.
-    Scenario located = scenario;
-    located.method = Method::event;
-    EventRecorder events;
-    run(located, from, events);
-    EXPECT_LT(deviation(steps.all.back().state, events.last().state), 0.05);
-  }
-}
-
-// The motor holds the rim for as long as it drives; without it friction is asked for more than it
-// has.
-TEST_F(EventPairs, MotorOffWhileRollingEndsItWhereFrictionAloneIsTooWeak) {
-  Instant from = pressed(100, 0);
-  scenario.parameters.friction = 10;
-  const auto needed = [&](bool motor_on) {  // mu
-    from.motor_on = motor_on;
-    const ColumnContext context(scenario);
-    View view(from, context);
-    return std::abs(view.friction() / view.normal_force());
-  };
-  const double driven = needed(true), alone = needed(false);
-  from.motor_on = true;
-  const double least = std::min(driven, alone), greatest = std::max(driven, alone);
-  ASSERT_LT(least, 0.5 * greatest);
-  scenario.parameters.friction = std::sqrt(least * greatest);
-  switch_off_at(100 + 1e-6);
-  EventRecorder events;
-  follow(scenario, from, 1e-4, events);
-  ASSERT_GE(events.events().size(), 2U);
-  const Instant &first = events.events()[0], &second = events.events()[1];
-  EXPECT_EQ(first.event, driven < alone ? Event::motor_off : Event::break_away);
-  EXPECT_EQ(second.event, driven < alone ? Event::break_away : Event::motor_off);
-  EXPECT_LT(second.time_s, 1e-6);
 }
 
 }  // namespace

@@ -90,6 +90,9 @@ TEST(Outcome, OfARotorThatRunsDownNearItsCriticalSpeedIsNoStall) {
   scenario.parameters.separates = false;
   scenario.parameters.torque = 0;
   EXPECT_EQ(summary_until(5, scenario).outcome, Outcome::no_contact);
+  scenario.parameters.torque = Parameters{}.torque;  // nor does a motor that is off
+  scenario.parameters.motor_off_Hz = 9;
+  EXPECT_EQ(summary_until(5, scenario).outcome, Outcome::no_contact);
 }
 
 // Exactly as far as it says: a free rotor that is let go with a vibration reaches it, and not more.

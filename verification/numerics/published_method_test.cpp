@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "model/simulation/summary.hpp"
+#include "verification/support/deviation.hpp"
 #include "verification/support/follow.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -113,6 +115,52 @@ TEST(PublishedMethod, CountsTheWhirlFromTheOnsetOfRolling) {
   run(scenario, observer);
   ASSERT_TRUE(observer.summary().rolling_onset_s);
   EXPECT_EQ(observer.summary().whirl_from_s, observer.summary().rolling_onset_s);
+}
+
+/// All instants of a run by the published method.
+struct Steps : Observer {
+  void on_instant(const Instant& at) override { all.push_back(at); }
+  std::vector<Instant> all;
+};
+
+// Contact ends the long steps before the mass loss: from the step that would touch on they are
+// short, in the order in which time passes, and the last one ends at the end.
+TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
+  Scenario scenario{.method = Method::rk4};
+  scenario.parameters.separates = false;
+  scenario.step_run_up = 1e-4;
+  scenario.step_rub = 5e-6;
+  Instant from = at_rest(scenario.parameters);
+  from.state = {2e-3, 0, 0, 1, 0, 400};
+  for (const double until_s : {5e-3, 5e-3 + 2e-6, 5e-3 + 4.9999e-6}) {
+    scenario.until = until_s;
+    Steps steps;
+    run(scenario, from, steps);
+    bool is_short = false;
+    for (std::size_t n = 1; n < steps.all.size(); ++n) {
+      const double step = steps.all[n].time_s - steps.all[n - 1].time_s;
+      if (step == 0) continue;  // the end is shown again
+      is_short = is_short || step < 0.9e-4;
+      const bool is_last = steps.all[n].time_s == until_s;
+      EXPECT_NEAR(step, is_short ? 5e-6 : 1e-4, is_last ? 5e-6 : 1e-12) << n;
+      // Each moves the rotor on by as much time as it takes, the last one too.
+      const State<double>&before = steps.all[n - 1].state, &after = steps.all[n].state;
+      EXPECT_NEAR(after[2] - before[2], step * (before[5] + after[5]) / 2, 1e-3 * step * after[5])
+          << n;
+      if (steps.all[n].contact != ContactState::free) {
+        EXPECT_TRUE(is_short);
+      }
+    }
+    EXPECT_TRUE(is_short);
+    EXPECT_EQ(steps.all.back().time_s, until_s);
+    EXPECT_EQ(steps.all[1].time_s, 1e-4);
+    // By the event method the rotor is there a little earlier or later, as first order allows.
+    Scenario located = scenario;
+    located.method = Method::event;
+    EventRecorder events;
+    run(located, from, events);
+    EXPECT_LT(deviation(steps.all.back().state, events.last().state), 0.05);
+  }
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
   expect_refusal("run --frcition 0.2",
                  "--frcition: there is no such option of run; did you mean "
                  "--friction?");
+  expect_refusal("run --tolerence=1e-9",
+                 "--tolerence: there is no such option of run; did you mean --tolerance?");
   expect_refusal("run --weight 5", "--weight: there is no such option of run");
   expect_refusal("foo", "foo: there is no such command; the commands are: figure, plot, run");
   expect_refusal("rnu", "rnu: there is no such command; did you mean run?");
@@ -192,6 +194,15 @@ TEST_F(CommandLine, DrawsNoFigureOfARunThatNeverRolls) {
         "[parameters]\nuntil = 0.05\n[[run]]\nname = \"at rest\"\n");
   expect_refusal("figure 31 --scenes . --out .",
                  "./fig31.toml: nothing of the run \"at rest\" lies in the window");
+}
+
+TEST_F(CommandLine, ShowsEachRunOfAFigureToItsEnd) {
+  write("fig21.toml",
+        "window = { from_s = 0.004 }\n[parameters]\nstart_speed_hz = 30\n"
+        "[[run]]\nname = \"short\"\nuntil = 0.01\n[[run]]\nname = \"long\"\nuntil = 0.02\n");
+  EXPECT_EQ(rotor("figure --scenes . --out .").status, 0);
+  EXPECT_TRUE(rows_of("fig21.csv")[1].starts_with("short,0.004,"));
+  EXPECT_TRUE(rows_of("fig21.csv").back().starts_with("long,0.02,"));
 }
 
 TEST_F(CommandLine, LeavesAFiguresSceneItsOwnMethod) {

@@ -245,6 +245,13 @@ TEST_F(Options, MayEndARunElsewhereThanItsScenesWindow) {
   EXPECT_EQ(summary("--scene s.toml --start-speed-hz 100")["final_time_s"], 0.25);
 }
 
+TEST_F(Options, MayBeTakenBackByARun) {
+  write("s.toml",
+        "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\nno_separation = true\n"
+        "[[run]]\nname = \"loses\"\nno_separation = false\n");
+  EXPECT_EQ(summary("--scene s.toml")["mass_loss_reached"], true);
+}
+
 // A window is that of each run, not of the shortest one.
 TEST_F(Options, OfAChosenRunAreNotThoseOfAnother) {
   write("s.toml",

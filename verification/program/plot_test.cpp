@@ -207,6 +207,29 @@ TEST_F(Plot, IsCalledAfterItsScene) {
   EXPECT_NE(content("plain.svg").find(">plain<"), std::string::npos);
 }
 
+// Options give way to what a [[run]] states itself.
+TEST_F(Plot, LeavesARunItsOwnMethod) {
+  write("own.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.01\n[[run]]\n"
+        "name = \"a\"\nmethod = \"rk4\"\ncontact_stiffness = 1e13\n");
+  expect_refusal("plot own.toml --method event --equations published",
+                 "own.toml: a: the rk4 run diverged");
+}
+
+TEST_F(Plot, ReplacesNoSceneByItsPicture) {
+  const std::string scene = "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n";
+  write("own.toml", scene);
+  fs::create_symlink("own.toml", folder_ / "own.svg");
+  expect_refusal("plot own.toml", "own.svg: cannot be written: it is what the runs are read from");
+  EXPECT_EQ(content("own.toml"), scene);
+}
+
+TEST_F(Plot, TakesItsTitleAsItStands) {
+  write("own.toml", "title = \"case_2 {a}\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n");
+  EXPECT_EQ(rotor("plot own.toml --equations published").status, 0);
+  EXPECT_NE(content("own.svg").find(">case_2 {a}<"), std::string::npos);
+}
+
 TEST_F(Plot, RefusesDigits) {
   write("d.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\ndigits = 6\n");
   expect_refusal("plot d.toml", "d.toml: digits: those of curves are not known");

@@ -121,6 +121,18 @@ TEST_F(RunCommand, EndsWithTheRunThatIsCutShort) {
   EXPECT_EQ(output.find("\nb "), std::string::npos) << output;
 }
 
+// Each row has the digits of its own run.
+TEST_F(RunCommand, TabulatesDigitsOfTheRunsThatStateThem) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.02\n"
+        "[[run]]\nname = \"usual\"\n[[run]]\nname = \"sure\"\ndigits = 6\n");
+  const std::string table = rotor("run --scene two.toml --equations published").output;
+  EXPECT_NE(
+      table.find("\nsure                 bouncing             3                    0.00560495 "),
+      std::string::npos)
+      << table;
+}
+
 // What one run lacks takes nothing from the others.
 TEST_F(RunCommand, TellsTheRunsBesideOneThatFails) {
   write("two.toml",
@@ -172,6 +184,14 @@ TEST_F(RunCommand, HasNoBalanceOfARunThatStopsBeforeItsLoss) {
 TEST_F(RunCommand, ReadsWholeNumbersAsTheyStand) {
   EXPECT_EQ(rotor("run --start-speed-hz 60 --trace t.csv --rows 010").status, 0);
   EXPECT_EQ(rows_of("t.csv").size(), 1U + 10);
+}
+
+// Deep in the ring at the resonance, long before any loss.
+TEST_F(RunCommand, TellsOfADeepIndentationBeforeTheLoss) {
+  const Json told = summary(
+      "--no-separation --clearance 3e-4 --contact-stiffness 1e5 --friction 0.05 --until 3 "
+      "--equations consistent");
+  EXPECT_NE(told["remarks"].dump().find("the ring is indented by "), std::string::npos);
 }
 
 }  // namespace

@@ -257,5 +257,12 @@ TEST(Audience, IsToldOfEachStepAltogether) {
   for (const Listener* listener : {&first, &bored, &last}) EXPECT_EQ(listener->steps, 2);
 }
 
+// Fixed steps of another length lead another way.
+TEST(RunUpPart, DependsOnTheStepsOfFixedOnes) {
+  Scenario scenario{.method = Method::rk4}, other = scenario;
+  other.step_run_up *= 2;
+  EXPECT_FALSE(run_up_part(scenario) == run_up_part(other));
+}
+
 }  // namespace
 }  // namespace rotor

@@ -175,6 +175,13 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
 }
 
 // It is asked in the run-up, and in the looks by which the time is located.
+// There already at the beginning, whatever the motor does then.
+TEST(SeparationSpeed, MayBeThatAtTheStart) {
+  Statement stated;
+  stated.numbers = {{"start_speed_hz", 60}, {"separation_speed_hz", 60}, {"torque", 0}};
+  EXPECT_EQ(scenario_of(stated).parameters.separation_time, 0);
+}
+
 TEST(SeparationSpeed, IsSoughtAsLongAsTheMonitorLetsIt) {
   struct Monitor : Observer {
     bool goes_on(const Progress& now) override {

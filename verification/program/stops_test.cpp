@@ -81,5 +81,14 @@ TEST_F(Stops, AreAtRest) {
   EXPECT_FALSE(swings["stop_reached"]);
 }
 
+// Rolling on after the loss, it awaits a maximum of the force, which a smooth decay has not.
+TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
+  const Json stopped = summary(
+      "--equations consistent --clearance 1e-3 --friction 0.8 --unbalance-factor 1 "
+      "--separation-time 2.4 --until 2.8 --stop-on outcome");
+  EXPECT_EQ(stopped["outcome"], "rolling");
+  EXPECT_GT(stopped["final_time_s"], 2.4);
+}
+
 }  // namespace
 }  // namespace rotor

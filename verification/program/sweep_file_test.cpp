@@ -94,6 +94,7 @@ TEST_F(SweepFile, IsRefusedWhereItMeansNothing) {
   expect_refusal("sweep s.toml", "--out is required");
   expect_refusal("sweep s.toml --out .", "must be a file");
   expect_refusal("sweep s.toml --out -", "must be a file");
+  expect_refusal("sweep s.toml --out /dev/null", "must be a file");
   expect_refusal("sweep s.toml --out r.csv --jobs 0", "--jobs");
 }
 
@@ -106,6 +107,14 @@ TEST_F(SweepFile, MayDrawFromANormalDistributionWhatItsDefaultWouldContradict) {
   EXPECT_EQ(rotor("sweep s.toml --dry-run").status, 0);
   EXPECT_NE(refusal(drawn + "[0.051, 1e-5]\n").find("corner: rotor_radius = 0.051"),
             std::string::npos);
+}
+
+// The other correction still varies with the equations.
+TEST_F(SweepFile, MayStateOneCorrectionBesideTheEquations) {
+  write("s.toml",
+        "[parameters]\nvelocity_jump = \"once\"\n[[axis]]\nquantity = \"equations\"\n"
+        "values = [\"published\", \"consistent\"]\n");
+  EXPECT_EQ(rotor("sweep s.toml --dry-run").status, 0);
 }
 
 }  // namespace
