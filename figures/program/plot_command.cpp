@@ -43,7 +43,7 @@ class DraftFolder {
  private:
   static fs::path parent() {
     std::error_code error;
-    const fs::path path = fs::temp_directory_path(error);
+    fs::path path = fs::temp_directory_path(error);
     if (error)
       throw InputError("TMPDIR: must be a folder that exists, where gnuplot reads and draws");
     return path;

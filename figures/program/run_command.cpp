@@ -92,8 +92,8 @@ double end_of(const Scene& scene) {
   return std::min(scene.runs.front().scenario.until, scene.window.from_s + scene.window.length_s);
 }
 
-InputError nothing_to_trace(const RunOptions& options) {
-  return InputError(
+[[noreturn]] void refuse_empty_trace(const RunOptions& options) {
+  throw InputError(
       fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
 }
 
@@ -115,7 +115,7 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
                                    *options.every_s, most_rows));
     return options.every_s;
   }
-  if (!(length_s > 0)) throw nothing_to_trace(options);
+  if (!(length_s > 0)) refuse_empty_trace(options);
   if (*options.rows < 2 || static_cast<double>(*options.rows) > most_rows)
     throw InputError(fmt::format("--rows {}: must be from 2 to {}", *options.rows, most_rows));
   return length_s / static_cast<double>(*options.rows - 1);
@@ -224,7 +224,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
                                    account.end.last.time_s, scenario.until));
   } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
-    throw nothing_to_trace(options);
+    refuse_empty_trace(options);
   }
   if (options.estimate_error && !account.early.interrupted) {
     RunProgress other_progress(scenario.until);
