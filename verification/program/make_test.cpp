@@ -148,7 +148,8 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   const auto make_figure = [&](const std::string& end) {
     program("bin/gnuplot", "echo '<svg>" + end + "' > build/figures/fig18.svg.part\n");
     return shell(
-        "PATH=$PWD/bin:$PATH env -u MAKEFLAGS -u MAKELEVEL make -o build -o build/rotor fig18");
+        "PATH=$PWD/bin:$PATH env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o build/rotor "
+        "fig18");
   };
   EXPECT_EQ(make_figure("</svg>").status, 0);
   for (const char* removed : {"build/figures/fig18.csv", "build/figures/fig18.svg"}) {
