@@ -87,7 +87,7 @@ TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
       "--equations consistent --clearance 1e-3 --friction 0.8 --unbalance-factor 1 "
       "--separation-time 2.4 --until 2.8 --stop-on outcome");
   EXPECT_EQ(stopped["outcome"], "rolling");
-  EXPECT_GT(stopped["final_time_s"], 2.4);
+  EXPECT_GT(stopped["final_time_s"], 2.5);
 }
 
 }  // namespace

@@ -145,8 +145,8 @@ void add_reserves(std::vector<NamedValue<S>>& all, const BasicInstant<S>& at,
       return add_guards(all, IndentedFlight<S>(rotor, chart), x);
     case ContactState::rolling:
       return add_guards(all, Rolling<S>(rotor, chart), x);
-    default:
-      return add_guards(all, Sliding<S>(rotor, chart, x[4] > 0 ? 1 : -1), x);
+    default:  // in whichever sense: the slip is as far from zero
+      return add_guards(all, Sliding<S>(rotor, chart, 1), x);
   }
 }
 
