@@ -39,7 +39,7 @@ class CommandLine : public InFolder {
   /// Runs a command on a terminal and presses Ctrl-C there once it shows what matches the pattern
   /// (or after a minute).
   Outcome interrupted_on_terminal(const std::string& command, const std::string& pattern) const {
-    return shell("touch shown\n{ for wait in $(seq 600); do grep -q '" + pattern +
+    return shell(": > shown\n{ for wait in $(seq 600); do grep -q '" + pattern +
                  "' shown && break; sleep 0.1; done; printf '\\003'; } |\n  script -qefc \"" +
                  command + "\" shown");
   }
