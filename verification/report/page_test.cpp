@@ -115,6 +115,8 @@ TEST(Render, EscapesAndPrintsSymbols) {
   };
   EXPECT_EQ(rendered("mu < 0.3 & F_n, Delta_vy, rho"),
             "\u03bc &lt; 0.3 &amp; F<sub>n</sub>, \u0394<sub>vy</sub>, \u03c1");
+  EXPECT_EQ(rendered("I_C1, u_num_published, t_operating"),  // but no symbols of identifiers
+            "I<sub>C1</sub>, u_num_published, t_operating");
   EXPECT_EQ(rendered("columns = [\n\"x_a_m\"]"), "columns = [\n&quot;x_a_m&quot;]");
   EXPECT_EQ(render("{{#x}}{{is}}{{/x}}{{^y}}no{{/y}}", {}, {{"x", {{{"is", -2.5}}}}, {"y", ""}}),
             "\u22122.5no");
