@@ -253,8 +253,7 @@ class SynchronousMotion {
       const S drag = d * e * e / inertia, pull = k * e * e / (2 * inertia);
       H = integral(n, g + pull * K - drag * H);
       K = integral(n, H);
-      const S strong = S(1) / 10;
-      is_good_ = is_good_ && K[0].norm() < strong;
+      is_good_ = is_good_ && K[0].norm() < range();  // as large is the ripple of the speed, to it
       if (!is_good_) return Series();
       harmonic.lay(speed_ripple, H);
       harmonic.lay(angle_ripple, K);

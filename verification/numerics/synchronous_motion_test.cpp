@@ -155,6 +155,25 @@ TEST_P(Run, LagsBehindTheSpeed) {
   EXPECT_GT(left(laid), 1e6 * left(renewed));
 }
 
+// A rotor that is light for its weight's moment: its speed W ripples by m g e / (I W^2) of itself.
+// Whether that is too much must not hang on the angle at which it is looked at.
+TEST(LightRotor, HasNoSynchronousMotionToSubtractWhereItsSpeedRipplesByMoreThanAHundredth) {
+  for (const double share : {0.003, 0.03, 0.1}) {
+    Parameters p;
+    const double speed = 200;
+    p.torque = 0;
+    p.inertia = p.mass * p.gravity * p.eccentricity / (speed * speed * share);
+    const RotorSystem<double> rotor(p, Equations::consistent);
+    for (double angle = 0; angle < 6; angle += 0.1) {
+      FlightChart<double> chart(rotor, {-1.5e-4, 0, angle, 0, 0, speed});
+      std::array<double, 6> turned_far = {0, 0, 40, 0, 0, 0};
+      chart.recentre(turned_far);
+      EXPECT_EQ(chart.synchronous_amplitudes(turned_far).displacement > 0, share < 0.01)
+          << share << ' ' << angle;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(UpInSpeed, Run,
                          testing::Values(Equations::published, Equations::consistent),
                          [](const auto& equations) {
