@@ -190,27 +190,27 @@ class SweepReader : TomlFile {
     const std::string_view key = in.contains("uniform")       ? "uniform"
                                  : in.contains("log_uniform") ? "log_uniform"
                                                               : "normal";
-    const toml::node* const node = in.get(key);
-    const toml::array* const array = node ? node->as_array() : nullptr;
+    const toml::node& node = *in.get(key);
+    const toml::array* const array = node.as_array();
     if (!array || array->size() != 2)
-      fail(in, key,
+      fail(node, key,
            fmt::format("must be {}", key == "normal" ? "[mean, deviation]" : "[from, to]"));
     const Quantity& of = find_statable(draw.quantity)->quantity;
     const std::vector<double> pair = numbers_of(*array);
     draw.a = pair[0];
     draw.b = pair[1];
-    require_allowed(*node, key, draw.a, of);
+    require_allowed(node, key, draw.a, of);
     if (key == "normal") {
       draw.distribution = Distribution::normal;
       if (!(draw.b > 0 && std::isfinite(draw.b)))
-        fail(*node, key, "the deviation must be greater than 0");
+        fail(node, key, "the deviation must be greater than 0");
       return draw;
     }
-    require_allowed(*node, key, draw.b, of);
-    if (!(draw.a < draw.b)) fail(*node, key, "must go from a number to a greater one");
+    require_allowed(node, key, draw.b, of);
+    if (!(draw.a < draw.b)) fail(node, key, "must go from a number to a greater one");
     if (key == "log_uniform") {
       draw.distribution = Distribution::log_uniform;
-      if (!(draw.a > 0)) fail(*node, key, "must begin above 0");
+      if (!(draw.a > 0)) fail(node, key, "must begin above 0");
     }
     return draw;
   }

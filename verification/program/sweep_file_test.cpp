@@ -98,6 +98,39 @@ TEST_F(SweepFile, IsRefusedWhereItMeansNothing) {
   expect_refusal("sweep s.toml --out r.csv --jobs 0", "--jobs");
 }
 
+TEST_F(SweepFile, RefusesDrawsThatMeanNothing) {
+  const auto drawn = [](const std::string& distribution, const std::string& above = "count = 3\n",
+                        const std::string& quantity = "friction") {
+    return "[sample]\n" + above + "[[sample.over]]\nquantity = \"" + quantity + "\"\n" +
+           distribution + "\n";
+  };
+  const std::string tenths = "uniform = [0.1, 0.2]";
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {drawn("uniform = 3"), ":5: uniform: must be [from, to]"},
+           {drawn("uniform = [1, 2, 3]"), ":5: uniform: must be [from, to]"},
+           {drawn("normal = [1]"), ":5: normal: must be [mean, deviation]"},
+           {drawn("uniform = [1, \"2\"]"), ":5: sample.over: must be numbers"},
+           {drawn("uniform = [-1, 2]"), ":5: uniform: friction must be a finite number"},
+           {drawn("uniform = [0.1, inf]"), ":5: uniform: friction must be a finite number"},
+           {drawn("normal = [-1, 2]"), ":5: normal: friction must be a finite number"},
+           {drawn("normal = [1, -2]"), ":5: normal: the deviation must be greater than 0"},
+           {drawn("log_uniform = [0, 1]"), ":5: log_uniform: must begin above 0"},
+           {drawn("log_uniform = [1, 1]"), ":5: log_uniform: must go from a number to a greater"},
+           {drawn(tenths, "count = 0\n"), ":2: count: must be 1 at least"},
+           {drawn(tenths, ""), "count: must be stated"},
+           {drawn(tenths, "count = 2.5\n"), ":2: count: must be a whole number"},
+           {drawn(tenths, "count = 3\nseed = -1\n"), ":3: seed: must be 0 at least"},
+           {drawn(tenths, "count = 3\nmethod = \"lattice\"\n"),
+            ":3: method: must be \"sobol\" or \"random\""},
+           {drawn("uniform = [0, 1]", "count = 3\n", "method"), "only numbers can be drawn"},
+           {"[[axis]]\nquantity = \"friction\"\nvalues = [0.1, nan, 0.3]\n",
+            ":3: values: friction must be a finite number"},
+           {"[[axis]]\nquantity = \"friction\"\nvalues = [0.1, \"0.2\"]\n",
+            ":3: values: must be numbers"},
+       })
+    EXPECT_NE(refusal(text).find(message), std::string::npos) << text << refusal(text);
+}
+
 // What is drawn without ends is looked at beforehand where most of it lies.
 TEST_F(SweepFile, MayDrawFromANormalDistributionWhatItsDefaultWouldContradict) {
   const std::string drawn =
