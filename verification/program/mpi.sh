@@ -40,4 +40,7 @@ cmp threads.csv ranks.csv
 
 # A mistake is said once.
 [ "$(ranks 3 "$rotor" sweep nowhere.toml --out x.csv 2>&1 | grep -c 'nowhere.toml: cannot be read')" = 1 ]
+# So is that threads of ranks are not meant.
+[ "$(ranks 3 "$rotor" sweep sweep.toml --out x.csv --jobs 2 2>&1 | grep -c -e '--jobs: under mpirun')" = 1 ]
+[ ! -e x.csv ]
 echo "Threads and 1, 2, 3 ranks agree to the byte, also after a rank was killed."
