@@ -136,6 +136,16 @@ TEST(RubReach, IsThatOfTheEndThatReachesFurther) {
     EXPECT_EQ(forwards[i], std::max(of_here[i], of_there[i])) << i;
     EXPECT_NE(of_here[i], of_there[i]) << i;
   }
+  // Of the oscillation about its rest that this end tells.
+  const Ring<double>& ring = rolling.rotor.ring;
+  const double frequency = std::sqrt(ring.stiffness / rolling.rotor.body.mass),
+               to_rest = there.rates[3] / (frequency * frequency),
+               amplitude = 1.5 * std::hypot(to_rest, there.x[3] / frequency),
+               furthest = rolling.chart.rim_point(there.x).displacement + to_rest + amplitude;
+  EXPECT_NEAR(of_there[0] / furthest, 1, 1e-12);
+  EXPECT_NEAR(of_there[2] / (ring.stiffness * (furthest - ring.clearance) +
+                             ring.damping * frequency * amplitude),
+              1, 1e-9);
 }
 
 // A rotor that hardly turns moves as it would alone on its supports: nothing drives it, whichever

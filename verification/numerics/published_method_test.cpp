@@ -163,5 +163,26 @@ TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
   }
 }
 
+// The short steps that lead to a mass loss between long ones are not those behind it.
+TEST(PublishedMethod, GoesOnFromAMassLossAmidALongStep) {
+  Scenario scenario{.method = Method::rk4, .start_speed_Hz = 100, .until = 2e-3};
+  scenario.parameters.separation_time = 1.037e-3;
+  Steps steps;
+  run(scenario, steps);
+  double loss_s = 0;
+  for (std::size_t n = 1; n < steps.all.size(); ++n) {
+    const double step = steps.all[n].time_s - steps.all[n - 1].time_s;
+    if (steps.all[n].event == Event::mass_loss) loss_s = steps.all[n].time_s;
+    const bool is_short = steps.all[n].time_s > 1.001e-3;
+    if (step != 0 && steps.all[n].time_s != scenario.parameters.separation_time) {
+      EXPECT_NEAR(step, is_short ? 5e-6 : 1e-4,
+                  steps.all[n].time_s == scenario.until ? 5e-6 : 1e-12)
+          << n;
+    }
+  }
+  EXPECT_EQ(loss_s, scenario.parameters.separation_time);
+  EXPECT_EQ(steps.all.back().time_s, scenario.until);
+}
+
 }  // namespace
 }  // namespace rotor

@@ -22,6 +22,21 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
   EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
 }
 
+// Here the force falls where rolling begins: its first maximum comes with the next contact.
+TEST_F(Stops, AreNotWhereTheForceFallsAtTheOnset) {
+  for (const std::string speed_Hz : {"120", "130"}) {
+    const auto waits = [&](const std::string& method) {
+      const Json stopped = summary(
+          "--equations consistent --friction 0.1 --contact-damping 50 --until 0.3 "
+          "--stop-on rolling --start-speed-hz " +
+          speed_Hz + " --method " + method);
+      return stopped["final_time_s"].get<double>() - stopped["rolling_onset_s"].get<double>();
+    };
+    EXPECT_GT(waits("event"), 3e-4) << speed_Hz;
+    EXPECT_NEAR(waits("rk4"), waits("event"), 3e-5) << speed_Hz;  // steps of 5e-6 s
+  }
+}
+
 // Rolling decides the outcome, but not before the mass loss.
 TEST_F(Stops, AreNotBeforeTheMassLossWhereTheOutcomeIsAskedFor) {
   const Json stopped = summary(

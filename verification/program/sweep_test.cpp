@@ -259,6 +259,24 @@ TEST_F(SweepCommand, LeavesACellWithoutASureDigitEmpty) {
   EXPECT_GT(rows[0].number("final_speed_Hz"), 0);
 }
 
+// Whether the motor of a rotor at rest is on at a limit of 0 Hz, no precision tells.
+TEST_F(SweepCommand, TellsWhatARowLacks) {
+  const std::string text =
+      "[parameters]\nmotor_off_hz = 0\nseparation_time = 0\nuntil = 0.01\ndigits = 5\n"
+      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n";
+  write("d.toml", "stop_on = \"end\"\n" + text);
+  ASSERT_EQ(rotor("sweep d.toml --out d.csv").status, 0);
+  const auto rows = read_csv(folder_ / "d.csv");
+  ASSERT_EQ(rows.size(), 1U);
+  const std::string refusal(rows[0]["refusal"]);
+  EXPECT_TRUE(refusal.starts_with("counts and outcome hang on digits that are not there"))
+      << refusal;
+  EXPECT_EQ(rows[0]["max_displacement_m"], "");
+  const auto [status, output] =
+      rotor("run --motor-off-hz 0 --separation-time 0 --until 0.01 --digits 5 2>&1 >/dev/null");
+  EXPECT_NE(output.find(": " + refusal + "\n"), std::string::npos) << output;
+}
+
 TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
   write("s.toml", "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 50\n");
   const auto [status, output] = rotor("sweep s.toml --dry-run");
