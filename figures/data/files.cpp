@@ -10,6 +10,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -22,26 +23,53 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where a link leads, by one step.
+fs::path followed(const fs::path& link) {
+  std::error_code error;
+  const fs::path to = fs::read_symlink(link, error);
+  return to.is_absolute() ? to : link.parent_path() / to;
+}
+constexpr int most_links = 40;
+
 /// What a path leads to, through links, whether it exists or not.
 fs::path resolved(fs::path file) {
-  constexpr int most_links = 40;
   std::error_code error;
-  for (int links = 0; links < most_links && fs::is_symlink(file, error); ++links) {
-    const fs::path to = fs::read_symlink(file, error);
-    file = to.is_absolute() ? to : file.parent_path() / to;
-  }
+  for (int links = 0; links < most_links && fs::is_symlink(file, error); ++links)
+    file = followed(file);
   const fs::path absolute = fs::absolute(file, error);  // behind a link, .. is not its parent
   return fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename();
+}
+
+/// The name of a file in the folder that it is in, however that is called.
+std::string place(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);
+  return (fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename()).string();
+}
+
+/// The open descriptor that a path stands for, such as /dev/stdout or /dev/fd/3, if it does.
+std::optional<int> descriptor_behind(fs::path file) {
+  const std::string descriptors = fmt::format("/proc/{}/fd/", ::getpid());
+  std::error_code error;
+  for (int links = 0; links < most_links; ++links) {
+    const std::string name = place(file);
+    if (name.starts_with(descriptors)) {
+      int number = -1;
+      std::from_chars(name.data() + descriptors.size(), name.data() + name.size(), number);
+      return number;
+    }
+    if (!fs::is_symlink(file, error)) break;
+    file = followed(file);
+  }
+  return std::nullopt;
 }
 
 /// Whether a file is written in its place: no regular file, or one that stands for a descriptor.
 bool is_written_in_place(const fs::path& file) {
   struct stat status {};
-  const fs::path absolute = fs::absolute(file);
-  const std::string name =
-      (fs::weakly_canonical(absolute.parent_path()) / absolute.filename()).string();
+  const std::string name = place(file);
   const bool is_of_devices = name.starts_with("/dev/") && !name.starts_with("/dev/shm/");
-  if (is_of_devices || name.starts_with("/proc/")) return true;
+  if (is_of_devices || name.starts_with("/proc/") || descriptor_behind(file)) return true;
   return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
@@ -73,7 +101,9 @@ OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
     if (descriptor_ < 0) fail_by_errno();
     return;
   }
-  if (fs::is_directory(file)) fail("it is a folder");
+  std::error_code error;
+  if (fs::is_directory(file, error)) fail("it is a folder");
+  if (error == std::errc::too_many_symbolic_link_levels) fail(error.message());
   try {
     is_written_in_place(file) ? open_in_place() : open_draft();
   } catch (...) {
@@ -85,8 +115,16 @@ OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
   }
 }
 
+/// What stands for a descriptor is written to as that is: behind what it has got already.
 void OutputFile::open_in_place() {
-  descriptor_ = ::open(target_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (const auto open = descriptor_behind(target_)) {
+    const int flags = ::fcntl(*open, F_GETFL);
+    if (flags < 0) fail_by_errno();
+    if ((flags & O_ACCMODE) == O_RDONLY) fail("it is open for reading alone");
+    descriptor_ = ::fcntl(*open, F_DUPFD_CLOEXEC, 0);
+  } else {
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  }
   if (descriptor_ < 0) fail_by_errno();
 }
 

@@ -23,12 +23,23 @@ TEST_F(Writing, GoesThroughWhatIsNoRegularFile) {
   remove("copy");
 }
 
-// Who has it open, reads what has been written.
+// Behind what has been written to it, and before what is written to it then.
 TEST_F(Writing, WritesToADescriptorInItsPlace) {
-  const auto [status, output] =
-      shell("exec 3<>t.csv; $rotor " + short_run + " --trace /dev/fd/3 >/dev/null 2>&1; cat <&3");
-  EXPECT_EQ(status, 0);
-  EXPECT_TRUE(output.starts_with("# Trace of a run")) << output;
+  for (const std::string name : {"/dev/fd/3", "/proc/self/fd/3", "/dev/stdout"})
+    for (const std::string open : {">>", ">"}) {
+      write("t.csv", "precious\n");
+      const auto [status, output] =
+          shell("exec 3" + open + "t.csv >&3; echo head; $rotor " + short_run + " --trace " + name +
+                " 2>messages; echo tail");
+      EXPECT_EQ(status, 0);
+      const std::string text = content("t.csv"), kept = open == ">>" ? "precious\n" : "";
+      EXPECT_TRUE(text.starts_with(kept + "head\n# Trace of a run\n")) << name << text;
+      EXPECT_TRUE(text.ends_with("\ntail\n")) << name << text;
+    }
+  remove("messages");
+  expect_refusal(short_run + " --trace /dev/fd/3 3<t.csv",
+                 "/dev/fd/3: cannot be written: it is open for reading alone");
+  expect_refusal(short_run + " --trace /dev/fd/77", "/dev/fd/77: cannot be written: Bad file");
   remove("t.csv");
 }
 
@@ -171,6 +182,9 @@ TEST_F(Writing, ToStandardOutputByItsNameLeavesTheSummaryToStandardError) {
   remove("link");
   EXPECT_NE(shell("$rotor " + short_run + " --trace /dev/null").output.find("outcome"),
             std::string::npos);
+  EXPECT_EQ(
+      shell("$rotor " + short_run + " --trace /dev/null 2>&1 >/dev/null").output.find("outcome"),
+      std::string::npos);
 }
 
 TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
