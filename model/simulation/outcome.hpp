@@ -20,7 +20,8 @@ enum class Outcome {
 };
 
 /// How far O can get from O_a while the rotor stays clear of the ring and its speed what it is, m:
-/// the steady response to the unbalance, and a vibration about it that can but die out.
+/// the steady response to the unbalance, and a vibration about it that can but die out. By how much
+/// gravity makes the speed ripple, and that O swing, is left out.
 template <class S>
 S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion);
 
@@ -41,12 +42,16 @@ class BasicOutcomeWatch {
   /// As the run stands.
   Outcome outcome() const;
 
+  /// Whether the free rotor does not reach the ring at any speed either that it can come to until
+  /// the end of the run: driven by its motor, braked by the damping of its supports.
+  bool stays_clear() const;
+
  private:
   bool is_stalled() const;
 
   Parameters parameters_;
   Supports<S> supports_;
-  S time_of_speed_s_;
+  S until_s_, time_of_speed_s_;
   std::optional<S> early_speed_;  ///< rad/s
   std::optional<S> contact_since_s_;
   bool touched_ = false, rolled_ = false;

@@ -35,11 +35,13 @@ S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motio
 
 template <class S>
 BasicOutcomeWatch<S>::BasicOutcomeWatch(const Scenario& scenario)
-    : parameters_(scenario.parameters), supports_(scenario.parameters, scenario.equations) {
+    : parameters_(scenario.parameters),
+      supports_(scenario.parameters, scenario.equations),
+      until_s_(scenario.until) {
   using std::sqrt;
   const S period =
       RotorSystem<S>::radians_per_turn() * sqrt(S(parameters_.mass) / supports_.stiffness);
-  time_of_speed_s_ = S(scenario.until) - stalling::periods * period;
+  time_of_speed_s_ = until_s_ - stalling::periods * period;
 }
 
 template <class S>
@@ -67,6 +69,34 @@ Outcome BasicOutcomeWatch<S>::outcome() const {
   if (is_free && reach(last_.body, supports_, last_.motion()) < ring.clearance)
     return touched_ ? Outcome::freed : Outcome::no_contact;
   return touched_ ? Outcome::bouncing : Outcome::undecided;
+}
+
+template <class S>
+bool BasicOutcomeWatch<S>::stays_clear() const {
+  using std::abs, std::max, std::sqrt;
+  const Body<S>& body = last_.body;
+  const Motion<S> motion = last_.motion();
+  const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
+  const S square = supports_.stiffness / body.mass, decay = supports_.damping / body.mass;
+  const auto response = [&](const S& w) {  // how far the unbalance alone takes O
+    const S real = square - w * w, imaginary = decay * w;
+    return body.eccentricity * w * w / sqrt(real * real + imaginary * imaginary);
+  };
+  // What the rotation can get from the vibration and lose to it, and what damping takes.
+  const S farthest = reach(body, supports_, motion), vibration = farthest - response(speed);
+  const S velocity = vibration * sqrt(square) + response(speed) * speed;
+  const S exchanged = body.mass * (velocity * velocity / 2 + 2 * supports_.gravity * farthest) +
+                      supports_.stiffness * farthest * farthest / 2;
+  const S damped = supports_.damping * velocity * velocity * left_s;
+  const S driven = last_.motor_on ? supports_.torque / body.inertia * left_s : S(0);
+  const S least = sqrt(max(S(0), S(speed * speed - 2 * (exchanged + damped) / body.inertia)));
+  const S most = sqrt(speed * speed + 2 * exchanged / body.inertia) + driven;
+  // Beyond both ends the response is greatest at the resonance, if there is one in between.
+  S greatest = max(response(least), response(most));
+  const S resonance = square * square / (square - decay * decay / 2);  // squared
+  if (resonance > least * least && resonance < most * most)
+    greatest = max(greatest, response(sqrt(resonance)));
+  return vibration + greatest < S(Ring<S>(parameters_).clearance);
 }
 
 template <class S>

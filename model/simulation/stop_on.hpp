@@ -10,10 +10,11 @@
 
 namespace rotor {
 
-/// What a run may end at: its outcome, as soon as the mass loss or an event after it decides it;
-/// the onset of rolling; rest, which is a second without more than a tenth of a turn per second,
-/// after the loss or, if there is none and a motor drives the rotor, after more than that. After
-/// the onset of rolling it goes on to the first maximum of the force.
+/// What a run may end at: its outcome, as soon as the mass loss or an event after it decides it,
+/// whatever speeds the rotor can come to; the onset of rolling; rest, which is a second without more
+/// than a tenth of a turn per second, after the loss or, if there is none and a motor drives the
+/// rotor, after more than that. After the onset of rolling it goes on to the first maximum of the
+/// force.
 enum class StopOn { outcome, rolling, rest };
 
 class StopObserver : public Observer {
@@ -39,7 +40,8 @@ class StopObserver : public Observer {
     const bool rolled_before = at.event == Event::mass_loss && rolled_ && !at.touches();
     reached_ =
         reached_ || rolled_before ||
-        (at.event != Event::none && (outcome == Outcome::freed || outcome == Outcome::no_contact));
+        (at.event != Event::none && (outcome == Outcome::freed || outcome == Outcome::no_contact) &&
+         watch_.stays_clear());
   }
 
   double threshold(Extreme of, const double& from_s, const double& until_s) const override {

@@ -105,5 +105,31 @@ TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
   EXPECT_GT(stopped["final_time_s"], 2.5);
 }
 
+// Before resonance it is not clear yet: the motor drives the rotor on, and into contact.
+TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
+  for (const std::string run :
+       {"--separation-time 1 --until 5 ", "--separation-time 1.5 --until 5 --equations consistent ",
+        // It coasts down through its resonance.
+        "--mass 2.24760174 --inertia 0.0138229672 --eccentricity "
+        "0.0158509437 --support-stiffness 977.876082 --support-damping "
+        "11.2006793 --torque 0 --contact-stiffness 31535.4352 "
+        "--contact-damping 71.6030764 --friction 0.0849230434 "
+        "--rotor-radius 0.170408734 --stator-radius 0.194472672 "
+        "--start-speed-hz 15.0538245 --separation-time 0.00219956671 "
+        "--unbalance-factor 1.03157215 --until 12 "}) {
+    const Json whole = summary(run), stopped = summary(run + "--stop-on outcome");
+    EXPECT_GT(whole["collisions"], 0) << run;
+    EXPECT_EQ(stopped["outcome"], whole["outcome"]) << run;
+    EXPECT_EQ(stopped["first_contact_s"], whole["first_contact_s"]) << run;
+  }
+}
+
+TEST_F(Stops, AreAtNoRestBeforeTheMassLoss) {
+  const Json stopped =
+      summary("--stop-on rest --torque 0 --gravity 0 --separation-time 5 --until 60");
+  EXPECT_TRUE(stopped["mass_loss_reached"]);
+  EXPECT_GE(stopped["final_time_s"], 6);  // a second later, and the rest of a step
+}
+
 }  // namespace
 }  // namespace rotor
