@@ -34,8 +34,10 @@ struct BasicMaximum {
 template <class S>
 struct BasicProgress {
   S time_s;
-  S speed;        ///< rad/s
-  S whirl_angle;  ///< of O about O_a, rad; continuous as long as a contact lasts, 0 in flight
+  S speed;  ///< rad/s
+  /// Of O about O_a, rad; 0 in flight. q3 + atan2(q2, q1) where a contact begins, or the mass is
+  /// lost in contact, and continuous from there on.
+  S whirl_angle;
 };
 
 /// Watches a run. It is shown, in order: the start, both sides of every event, the end, and what it

@@ -23,7 +23,7 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
   at.body = loss.after;
   at.separated = true;
   at.event = Event::mass_loss;
-  const bool jumps = scenario.equations.velocity_jump == VelocityJump::twice;
+  const bool jumps = at.state != method.instant().state;
   if (at.contact == ContactState::rolling && jumps) at.contact = ContactState::sliding;
   method.restart(at);
   at.contact = method.instant().contact;

@@ -71,7 +71,9 @@ class BasicSummaryObserver : public BasicObserver<S> {
   BasicOutcomeWatch<S> watch_;
   BasicInstant<S> last_;
   bool begun_ = false, rolls_ = false;
-  std::optional<BasicProgress<S>> rolls_since_, last_progress_;
+  std::optional<BasicProgress<S>> last_progress_;
+  std::optional<BasicProgress<S>> whirl_;        ///< where its angle was last known
+  std::optional<BasicProgress<S>> rolls_since_;  ///< with the angle as it would be there now
   BasicSummary<S> summary_;
 };
 

@@ -58,7 +58,7 @@ bool BasicSummaryObserver<S>::goes_on(const BasicProgress<S>& now) {
   if (!watch_.knows_speed() && last_progress_ && last_progress_->time_s <= time_s &&
       time_s < now.time_s)
     watch_.note_speed(last_progress_->speed);
-  last_progress_ = now;
+  last_progress_ = whirl_ = now;
   if (!rolls_) return true;
   if (!rolls_since_) rolls_since_ = now;
   if (now.time_s > rolls_since_->time_s) {
@@ -110,8 +110,10 @@ void BasicSummaryObserver<S>::note_extremes(const BasicInstant<S>& at, const Mot
 template <class S>
 void BasicSummaryObserver<S>::note_contact(const BasicInstant<S>& at, const Motion<S>& motion) {
   if (begun_ && last_.touches()) summary_.contact_time_s += at.time_s - last_.time_s;
+  const bool begins =
+      at.contact != ContactState::free && (!begun_ || last_.contact == ContactState::free);
   if (at.contact != ContactState::free) {
-    if (!begun_ || last_.contact == ContactState::free) {
+    if (begins) {
       ++summary_.collisions;
       if (!at.separated) ++summary_.collisions_before_loss;
     }
@@ -123,15 +125,19 @@ void BasicSummaryObserver<S>::note_contact(const BasicInstant<S>& at, const Moti
     summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
     summary_.rolling_onset_force_N = -ring_.touching_force(ring_.rim_point(motion));
   }
-  if (at.event == Event::mass_loss)
-    rolls_since_ = std::nullopt;  // in a new chart, whose angle may be turns away
+  if (begins || (at.event == Event::mass_loss && at.contact != ContactState::free)) {
+    using std::atan2;
+    const BasicProgress<S> here{at.time_s, motion.speed,
+                                S(at.state[2] + atan2(at.state[1], at.state[0]))};
+    if (rolls_since_ && whirl_) rolls_since_->whirl_angle += here.whirl_angle - whirl_->whirl_angle;
+    whirl_ = here;
+  }
   if (rolls) summary_.rolling_until_s = std::nullopt;
   if (rolls_ && !rolls) summary_.rolling_until_s = at.time_s;
   if (!rolls) {
     rolls_since_ = std::nullopt;
-  } else if (!rolls_ && begun_ && last_.contact != ContactState::free && last_progress_ &&
-             last_progress_->time_s == at.time_s) {
-    rolls_since_ = last_progress_;  // else from the next step on, whose angle is known
+  } else if (!rolls_ && whirl_ && whirl_->time_s == at.time_s) {
+    rolls_since_ = whirl_;  // else from the end of the step
   }
   rolls_ = rolls;
 }
