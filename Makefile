@@ -162,7 +162,7 @@ endef
 # Points that were read off a printed figure, if there are any, are drawn into it.
 DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
 $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
-	@gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'; \
+	@gnuplot -d -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'; \
 	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" \
 	  figures/paper/style.gp figures/paper/$*.gp && $(keep_picture)
 figures/paper/%.gp:
@@ -188,7 +188,7 @@ $(MAP_OUT)/%-theory.csv: $(MAP_OUT)/%.toml $(BUILD)/map-theory
 	@$(BUILD)/map-theory $< > $@
 $(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
 	@awk -f figures/maps/shares.awk $< > $@
-draw_map = gnuplot -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; $(1)" figures/paper/style.gp $(2) && \
+draw_map = gnuplot -d -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; $(1)" figures/paper/style.gp $(2) && \
   $(keep_picture)
 $(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp figures/maps/map.gp
 	@$(call draw_map,theory = '$(word 2,$^)'; shows = 'outcome',figures/maps/$*.gp figures/maps/map.gp)
@@ -270,7 +270,7 @@ bench: bench-programs ## run time against error of every method, with pictures, 
 	@echo && $(BUILD)/scene-costs figures/paper
 	@echo && $(BUILD)/sweep-costs
 	@[ ! -x $(BUILD)/mpi/rotor ] || verification/benchmark/ranks.sh $(BUILD)/mpi/rotor
-	@gnuplot -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
+	@gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
 	  verification/benchmark/work-precision.gp
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
@@ -283,7 +283,7 @@ stress: build ## a hundred thousand random rotors, stability, precision: numbers
 	@$(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
 	@$(BUILD)/precision reference-data/high-precision.csv $(BUILD)/stress-results
-	@gnuplot -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
+	@gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
 	  figures/paper/style.gp verification/robustness/stress.gp
 	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)
 	@$(BUILD)/digits-reference stress $(RUNS) $(SEED) $(BUILD)/stress-results

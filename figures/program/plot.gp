@@ -1,10 +1,10 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, beside what style.gp wants:
-#   heading, runs, the names run1, run2, ... and clearance_mm1, clearance_mm2, ...
-# In the data runs have their numbers for names.
+#   heading, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...,
+# and the folder in which each run has a file of data.
 
 gap(i) = value(sprintf("clearance_mm%d", i))
 name(i) = value(sprintf("run%d", i))
-of(i, c) = of_run(sprintf("%d", i), c)
+data(i) = sprintf("%srun%d.csv", folder, i)
 greater(a, b) = a > b ? a : b
 short(text, most) = strlen(text) > most ? text[:most - 1]."…" : text
 
@@ -42,23 +42,29 @@ show(a, b, room) = changes(a, b) ? fit(a, b, 5, room) : fit(a - around(a), b + a
 axis(c, from, to) = sprintf("set %srange [%.17g:%.17g]; set %stics %.17g; set format %s '%s'", \
   c, from - 1e-5*(to - from), to + 1e-5*(to - from), c, step, c, form)    # rounding cuts nothing off
 
-stats data using "time_s":"normal_force_N" name "force" nooutput
-stats data using "speed_Hz":"rho_m" name "speed" nooutput
-stats data using "y_a_m":"x_a_m" name "orbit" nooutput
-widest_gap = gap(1); least_gap = gap(1)
-do for [i = 1:runs] { widest_gap = greater(widest_gap, gap(i)); least_gap = -greater(-least_gap, -gap(i)) }
-widest = show(force_min_y/1e3, force_max_y/1e3, 1); force_axis = axis("y", low, high)
-widest = greater(widest, show(speed_min_x, speed_max_x, 1)); speed_axis = axis("y", low, high)
-rho_min = -greater(-1e3*speed_min_y, -0.98*least_gap); rho_max = greater(1e3*speed_max_y, 1.02*widest_gap)
+# The limits of all runs' data and clearances.
+less(a, b) = a < b ? a : b
+do for [i = 1:runs] {
+  do for [c in "time_s normal_force_N speed_Hz rho_m x_a_m y_a_m"] {
+    stats data(i) using (column(c)) name "its" nooutput
+    eval sprintf("least_%s = i > 1 ? less(least_%s, its_min) : its_min", c, c)
+    eval sprintf("most_%s = i > 1 ? greater(most_%s, its_max) : its_max", c, c)
+  }
+  widest_gap = i > 1 ? greater(widest_gap, gap(i)) : gap(i)
+  least_gap = i > 1 ? less(least_gap, gap(i)) : gap(i)
+}
+widest = show(least_normal_force_N/1e3, most_normal_force_N/1e3, 1); force_axis = axis("y", low, high)
+widest = greater(widest, show(least_speed_Hz, most_speed_Hz, 1)); speed_axis = axis("y", low, high)
+rho_min = less(1e3*least_rho_m, 0.98*least_gap); rho_max = greater(1e3*most_rho_m, 1.02*widest_gap)
 widest = greater(widest, show(rho_min, rho_max, 1)); rho_axis = axis("y", low, high)
-down_min = -greater(-1e3*orbit_min_y, widest_gap); down_max = greater(1e3*orbit_max_y, widest_gap)
-right_min = -greater(-1e3*orbit_min_x, widest_gap); right_max = greater(1e3*orbit_max_x, widest_gap)
+down_min = less(1e3*least_x_a_m, -widest_gap); down_max = greater(1e3*most_x_a_m, widest_gap)
+right_min = less(1e3*least_y_a_m, -widest_gap); right_max = greater(1e3*most_y_a_m, widest_gap)
 half = 0.5*greater(down_max - down_min, right_max - right_min)
 void = fit(-half, half, 5, 0.58*height)    # as wide as high
 widest = greater(widest, between_tics(down_min, down_max)); down_axis = axis("y", high, low)
 void = between_tics(right_min, right_max); right_axis = axis("x", low, high)
 left = 0.055 + letter*widest
-time_letters = show(force_min_x, force_max_x, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
+time_letters = show(least_time_s, most_time_s, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
 
 set multiplot layout 2,2 title short(heading, 80) noenhanced margins left,1 - right,bottom,top spacing left + right,between
 unset key
@@ -66,15 +72,15 @@ eval axis("x", low, high)
 set xlabel "t, s" offset 0,0.4
 set ylabel "F_n, kN" offset -0.5,0
 eval force_axis
-plot for [i = 1:runs] data using (of(i, "time_s")):(of(i, "normal_force_N")/1e3) with lines linetype i
+plot for [i = 1:runs] data(i) using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i
 unset label; unset arrow
 set ylabel "f, Hz"
 eval speed_axis
-plot for [i = 1:runs] data using (of(i, "time_s")):(of(i, "speed_Hz")) with lines linetype i
+plot for [i = 1:runs] data(i) using (column("time_s")):(column("speed_Hz")) with lines linetype i
 set ylabel "rho, mm"
 eval rho_axis
 plot for [i = 1:runs] gap(i) with lines linestyle clearance, \
-  for [i = 1:runs] data using (of(i, "time_s")):(of(i, "rho_m")*1e3) with lines linetype i
+  for [i = 1:runs] data(i) using (column("time_s")):(column("rho_m")*1e3) with lines linetype i
 set ylabel "x_a, mm (down)"
 set xlabel "y_a, mm"
 set size ratio -1
@@ -83,5 +89,5 @@ eval down_axis
 set parametric
 set trange [0:2*pi]
 plot for [i = 1:runs] gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance, \
-  for [i = 1:runs] data using (of(i, "y_a_m")*1e3):(of(i, "x_a_m")*1e3) with lines linetype i
+  for [i = 1:runs] data(i) using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i
 unset multiplot

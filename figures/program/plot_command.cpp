@@ -6,13 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <thread>
+#include <vector>
 
 #include "figures/data/files.hpp"
+#include "figures/data/interruption.hpp"
 #include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/scene_tables.hpp"
@@ -38,7 +43,7 @@ class DraftFolder {
   DraftFolder(const DraftFolder&) = delete;
   DraftFolder& operator=(const DraftFolder&) = delete;
 
-  fs::path file(const char* name) const { return fs::path(path_) / name; }
+  fs::path file(const std::string& name) const { return fs::path(path_) / name; }
 
  private:
   static fs::path parent() {
@@ -52,8 +57,9 @@ class DraftFolder {
   std::string path_;
 };
 
-/// As gnuplot reads a text between single quotes.
+/// As gnuplot reads a text between single quotes, on a line.
 std::string quoted(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
   for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 2)
     text.insert(at, 1, '\'');
   return '\'' + text + '\'';
@@ -77,17 +83,23 @@ std::string read_picture(const fs::path& path, std::string_view end) {
   return picture;
 }
 
-void run_gnuplot(const std::string& settings, const std::string& style, const std::string& script) {
-  std::array<const char*, 6> arguments = {"gnuplot",     "-e",           settings.c_str(),
-                                          style.c_str(), script.c_str(), nullptr};
+/// Without the user's own settings.
+void run_gnuplot(const std::vector<std::string>& scripts) {
+  std::vector<const char*> arguments = {"gnuplot", "--default-settings"};
+  for (const std::string& script : scripts) arguments.push_back(script.c_str());
+  arguments.push_back(nullptr);
   pid_t child = 0;
   int status = ::posix_spawnp(&child, "gnuplot", nullptr, nullptr,
                               const_cast<char**>(arguments.data()), environ);
   if (status != 0)
     throw std::runtime_error(
         fmt::format("gnuplot, which draws, cannot be started: {}", std::strerror(status)));
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  constexpr std::chrono::milliseconds pause(5);
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    if (is_interrupted()) ::kill(child, SIGKILL);
+    std::this_thread::sleep_for(pause);
   }
+  if (is_interrupted()) throw Interrupted();
   if (!(WIFEXITED(status) && WEXITSTATUS(status) == 0))
     throw std::runtime_error("gnuplot has not drawn the picture");
 }
@@ -114,26 +126,27 @@ void plot_scene(const PlotOptions& options) {
   FileTransaction::require_distinct({out}, options.scene);
 
   const DraftFolder drafts;
-  std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
-  std::string names;
+  const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
+  const std::string title = scene.title.empty() ? out.stem().string() : scene.title;
+  const fs::path picture = drafts.file("picture");
+  std::string settings =
+      fmt::format("folder = {}; output = {}; format = '{}'; heading = {}; runs = {}\n",
+                  quoted(drafts.file("").string()), quoted(picture.string()),
+                  format->extension.substr(1), quoted(title), scene.runs.size());
+  FileTransaction data;  // a file a run, so that each is read for its own curves alone
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
     const SceneRun& run = scene.runs[n - 1];
     const Parameters& p = run.scenario.parameters;
-    tables[n - 1].name = fmt::format("{}", n);  // gnuplot cuts names off at their first comma
-    names += fmt::format("run{0} = {1}; clearance_mm{0} = {2}; ", n, quoted(run.name),
-                         1000 * (p.stator_radius - p.rotor_radius));
+    data.write(
+        drafts.file(fmt::format("run{}.csv", n)),
+        to_csv(provenance(scene.title, scene), headings("run", scene.columns), {tables[n - 1]}));
+    settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, quoted(run.name),
+                            1000 * (p.stator_radius - p.rotor_radius));
   }
-  FileTransaction data;
-  data.write(drafts.file("data.csv"),
-             to_csv(provenance(scene.title, scene), headings("run", scene.columns), tables));
+  data.write(drafts.file("settings.gp"), settings);
   data.commit();
-  const std::string title = scene.title.empty() ? out.stem().string() : scene.title;
-  const fs::path picture = drafts.file("picture");
-  run_gnuplot(fmt::format("data = {}; output = {}; format = '{}'; heading = {}; "
-                          "runs = {}; {}",
-                          quoted(drafts.file("data.csv").string()), quoted(picture.string()),
-                          format->extension.substr(1), quoted(title), scene.runs.size(), names),
-              ROTOR_SCENES "/style.gp", ROTOR_SCENES "/../program/plot.gp");
+  run_gnuplot({drafts.file("settings.gp").string(), ROTOR_SCENES "/style.gp",
+               ROTOR_SCENES "/../program/plot.gp"});
   FileTransaction files;
   files.write(out, read_picture(picture, format->end));
   files.commit();

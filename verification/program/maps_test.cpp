@@ -85,7 +85,7 @@ TEST_P(Maps, AreDrawn) {
   coarse(map, is_previewed ? 40 : 6);
   const auto [status, output] = shell(fmt::format(
       "$rotor sweep {0}.toml --out {0}.csv >/dev/null 2>&1 && {1} {0}.toml > theory.csv && "
-      "for shows in outcome force; do gnuplot -e \"data='{0}.csv'; theory='theory.csv'; "
+      "for shows in outcome force; do gnuplot -d -e \"data='{0}.csv'; theory='theory.csv'; "
       "output='$shows.svg'; format='svg'; shows='$shows'\" {2}/figures/paper/style.gp "
       "{3}{0}.gp {3}map.gp; done",
       map, ROTOR_MAP_THEORY, ROTOR_SOURCES, maps));
@@ -299,7 +299,7 @@ TEST_F(Maps, OfRoundingShowSharesWithTheirErrors) {
     EXPECT_NEAR(static_cast<double>(shares[n].number("standard_error")), error, 1e-6);  // as said
   }
   const auto [status, output] = shell(fmt::format(
-      "gnuplot -e \"data='s.csv'; output='s.svg'; format='svg'\" {}/figures/paper/style.gp "
+      "gnuplot -d -e \"data='s.csv'; output='s.svg'; format='svg'\" {}/figures/paper/style.gp "
       "{}rounding.gp",
       ROTOR_SOURCES, maps));
   EXPECT_EQ(output, "");

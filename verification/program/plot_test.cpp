@@ -30,12 +30,6 @@ class Plot : public CommandLine {
     write("runs.toml", scene);
   }
 
-  /// A program of this name instead of gnuplot, in the folder.
-  void write_gnuplot(const std::string& script) const {
-    write("gnuplot", "#!/bin/sh\n" + script);
-    fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
-  }
-
   /// Gnuplot has nothing to complain of.
   DrawnPicture drawn(const std::string& scene) const {
     const auto [status, output] = rotor("plot " + scene + ".toml");
@@ -240,67 +234,6 @@ TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {
   EXPECT_TRUE(content("a.pdf").starts_with("%PDF"));
   EXPECT_EQ(rotor("plot \"it's.toml\" --out a.png").status, 0);
   EXPECT_TRUE(content("a.png").substr(1).starts_with("PNG"));
-}
-
-TEST_F(Plot, WaitsForGnuplotWhateverSignalComes) {
-  write_gnuplot("sleep 0.7\nPATH=${PATH#*:} exec gnuplot \"$@\"\n");
-  const auto [status, output] = shell(
-      "(PATH=$PWD:$PATH exec $rotor plot \"it's.toml\" --out a.svg) & sleep 0.4; kill -INT $!; "
-      "wait $!");
-  EXPECT_EQ(status, 0) << output;
-  EXPECT_NE(content("a.svg").find("</svg>"), std::string::npos);
-}
-
-// What a killed gnuplot has drawn so far is no picture.
-TEST_F(Plot, RefusesThePictureOfAGnuplotThatWasKilled) {
-  write_gnuplot("kill -KILL $$\n");
-  const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out a.svg");
-  EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("gnuplot has not drawn the picture"), std::string::npos) << output;
-  EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
-}
-
-// A gnuplot whose disk is full succeeds nonetheless.
-TEST_F(Plot, RefusesAPictureWithoutItsEnd) {
-  write_gnuplot(
-      "PATH=${PATH#*:} gnuplot \"$@\"\n"
-      "truncate -s -20 \"$(expr \"$2\" : \".*output = '\\([^']*\\)'\")\"\n");
-  for (const std::string name : {"a.svg", "a.pdf", "a.png"}) {
-    write(name, "old");
-    const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out " + name);
-    EXPECT_NE(status, 0);
-    EXPECT_EQ(output, "rotor: gnuplot has not drawn the whole picture\n");
-    EXPECT_EQ(content(name), "old");
-  }
-}
-
-TEST_F(Plot, NamesTheVariableThatNamesNoFolder) {
-  const auto [status, output] = shell("TMPDIR=/nowhere $rotor plot \"it's.toml\"");
-  EXPECT_NE(status, 0);
-  EXPECT_EQ(output, "rotor: TMPDIR: must be a folder that exists, where gnuplot reads and draws\n");
-}
-
-TEST_F(Plot, FollowsLinksAndKeepsTheMode) {
-  write("target.svg", "old");
-  fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);
-  fs::create_symlink("target.svg", folder_ / "link.svg");
-  EXPECT_EQ(rotor("plot \"it's.toml\" --out link.svg").status, 0);
-  EXPECT_TRUE(fs::is_symlink(folder_ / "link.svg"));
-  EXPECT_NE(content("target.svg").find("</svg>"), std::string::npos);
-  EXPECT_EQ(fs::status(folder_ / "target.svg").permissions(),
-            fs::perms::owner_read | fs::perms::owner_write);
-}
-
-TEST_F(Plot, LeavesNothingBehindWhereItFails) {
-  write("a.svg", "old");
-  expect_refusal("plot \"it's.toml\" --out a.jpg", "must end in .svg, .pdf or .png");
-  expect_refusal("plot nowhere.toml --out a.svg", "nowhere.toml");
-  expect_refusal("plot \"it's.toml\" --out no/a.svg", "no: cannot be written");
-  const auto [status, output] = shell("PATH= $rotor plot \"it's.toml\" --out a.svg");
-  EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("gnuplot, which draws, cannot be started"), std::string::npos) << output;
-  EXPECT_EQ(content("a.svg"), "old");
-  EXPECT_EQ(files(), 2);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ class FigureDrawing : public CommandLine {
   Outcome draw(int number, Equations equations, const std::string& points = "",
                const std::string& format = "svg") const {
     return shell(fmt::format(
-        "$rotor figure {0} --out . --equations {1} 2>/dev/null && gnuplot -e \"data = '{2}.csv'; "
+        "$rotor figure {0} --out . --equations {1} 2>/dev/null && gnuplot -d -e \"data = "
+        "'{2}.csv'; "
         "output = '{2}.{5}'; format = '{5}'; equations = '{1}'; points = '{4}'\" {3}/style.gp "
         "{3}/{2}.gp",
         number, name_of(equations), name_of_figure(number), ROTOR_SCENES, points, format));

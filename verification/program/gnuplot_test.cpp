@@ -1,0 +1,107 @@
+/// What `rotor plot` makes of the gnuplot that there is.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+class Gnuplot : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    write("it's.toml",
+          "title = \"It's 100 %\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n");
+  }
+
+  /// A program of this name instead of gnuplot, in the folder.
+  void write_gnuplot(const std::string& script) const {
+    write("gnuplot", "#!/bin/sh\n" + script);
+    fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
+  }
+};
+
+TEST_F(Gnuplot, EndsWithGnuplotWhenItIsInterrupted) {
+  write_gnuplot("exec sleep 60\n");
+  fs::create_directory(folder_ / "drafts");
+  for (const auto& [signal, expected] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
+    const auto [status, output] =
+        shell(fmt::format("(TMPDIR=$PWD/drafts PATH=$PWD:$PATH exec $rotor plot \"it's.toml\" "
+                          "--out a.svg) & sleep 1; "
+                          "kill -{} $!; wait $!",
+                          signal));
+    EXPECT_EQ(status, expected) << output;
+    EXPECT_NE(output.find("rotor: interrupted"), std::string::npos) << output;
+    EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
+    EXPECT_TRUE(fs::is_empty(folder_ / "drafts"));
+  }
+}
+
+// What a user has for gnuplot's own start changes no picture; nor does a title have a limit.
+TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
+  EXPECT_EQ(rotor("plot \"it's.toml\" --out a.svg").status, 0);
+  write(".gnuplot", "set logscale y\nset xrange [0:10]\nset decimalsign ','\n");
+  const auto [status, output] = shell("HOME=$PWD $rotor plot \"it's.toml\" --out b.svg");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_TRUE(content("b.svg") == content("a.svg"));
+  write("long.toml", "title = \"" + std::string(200'000, 'a') +
+                         "\"\n[parameters]\nuntil = 0.01\n"
+                         "no_separation = true\n");
+  EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
+}
+
+// What a killed gnuplot has drawn so far is no picture.
+TEST_F(Gnuplot, RefusesThePictureOfAGnuplotThatWasKilled) {
+  write_gnuplot("kill -KILL $$\n");
+  const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out a.svg");
+  EXPECT_NE(status, 0);
+  EXPECT_NE(output.find("gnuplot has not drawn the picture"), std::string::npos) << output;
+  EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
+}
+
+// A gnuplot whose disk is full succeeds nonetheless.
+TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
+  write_gnuplot(
+      "PATH=${PATH#*:} gnuplot \"$@\"\n"
+      "truncate -s -20 \"$(sed -n \"s/.*output = '\\([^']*\\)'.*/\\1/p\" \"$2\")\"\n");
+  for (const std::string name : {"a.svg", "a.pdf", "a.png"}) {
+    write(name, "old");
+    const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out " + name);
+    EXPECT_NE(status, 0);
+    EXPECT_EQ(output, "rotor: gnuplot has not drawn the whole picture\n");
+    EXPECT_EQ(content(name), "old");
+  }
+}
+
+TEST_F(Gnuplot, NamesTheVariableThatNamesNoFolder) {
+  const auto [status, output] = shell("TMPDIR=/nowhere $rotor plot \"it's.toml\"");
+  EXPECT_NE(status, 0);
+  EXPECT_EQ(output, "rotor: TMPDIR: must be a folder that exists, where gnuplot reads and draws\n");
+}
+
+TEST_F(Gnuplot, FollowsLinksAndKeepsTheMode) {
+  write("target.svg", "old");
+  fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("target.svg", folder_ / "link.svg");
+  EXPECT_EQ(rotor("plot \"it's.toml\" --out link.svg").status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.svg"));
+  EXPECT_NE(content("target.svg").find("</svg>"), std::string::npos);
+  EXPECT_EQ(fs::status(folder_ / "target.svg").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
+  write("a.svg", "old");
+  expect_refusal("plot \"it's.toml\" --out a.jpg", "must end in .svg, .pdf or .png");
+  expect_refusal("plot nowhere.toml --out a.svg", "nowhere.toml");
+  expect_refusal("plot \"it's.toml\" --out no/a.svg", "no: cannot be written");
+  const auto [status, output] = shell("PATH= $rotor plot \"it's.toml\" --out a.svg");
+  EXPECT_NE(status, 0);
+  EXPECT_NE(output.find("gnuplot, which draws, cannot be started"), std::string::npos) << output;
+  EXPECT_EQ(content("a.svg"), "old");
+  EXPECT_EQ(files(), 2);
+}
+
+}  // namespace
+}  // namespace rotor
