@@ -1,14 +1,36 @@
 #include "figures/data/interruption.hpp"
 
+#include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <initializer_list>
 
 namespace rotor {
 namespace {
 
 volatile std::sig_atomic_t noted = 0;
+std::atomic<std::int64_t> noted_ms{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-void note(int signal) { noted = signal; }
+std::int64_t now_ms() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
+/// A second signal ends the program at once, unless it is the first one's echo: some programs send
+/// theirs to a process and then to its whole group.
+void note(int signal) {
+  constexpr std::int64_t echo_ms = 200;
+  if (noted == 0) {
+    noted = signal;
+    noted_ms = now_ms();
+  } else if (now_ms() - noted_ms > echo_ms) {
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+  }
+}
 
 }  // namespace
 
@@ -16,7 +38,7 @@ void note_interruptions() {
   for (const int signal : {SIGINT, SIGTERM}) {
     struct sigaction action {};
     action.sa_handler = note;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);  // and calls that block return
+    action.sa_flags = 0;  // calls that block return
     ::sigaction(signal, &action, nullptr);
   }
 }

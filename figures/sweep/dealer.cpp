@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -74,7 +75,11 @@ void work(Dealer& dealer, int threads, const std::function<Work()>& make_worker,
     }
   };
   std::vector<std::thread> all;
-  for (int n = 0; n < threads; ++n) all.emplace_back(body);
+  try {
+    while (static_cast<int>(all.size()) < threads) all.emplace_back(body);
+  } catch (const std::system_error&) {  // there are no more
+    if (all.empty()) dealer.stop(std::current_exception());
+  }
   try {
     while (!dealer.is_finished()) {
       meanwhile();

@@ -91,5 +91,33 @@ TEST_F(Writing, RemovesWhatAKilledRunHasLeft) {
   remove("t.csv");
 }
 
+// Some programs send their signal to a process and then to its group, that is twice.
+TEST_F(Writing, TakesTheEchoOfASignalForTheSame) {
+  const auto [status, output] =
+      shell("bash -c 'set -m; \"$0\" " + long_run +
+            " --keep-partial --trace t.csv & sleep 0.5; kill -INT %1; kill -TERM %1; wait %1' "
+            "\"$rotor\"");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("rotor: cut short at "), std::string::npos) << output;
+  EXPECT_NE(content("t.csv").find("\n# cut short at "), std::string::npos);
+  remove("t.csv");
+}
+
+// A system has but so many threads.
+TEST_F(Writing, SweepsWithTheThreadsThatThereAre) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer takes memory of its own";
+#endif
+  write("s.toml",
+        "[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n[[axis]]\nquantity = \"friction\"\n"
+        "from = 0.1\nto = 0.2\npoints = 5000\n");
+  EXPECT_EQ(rotor("sweep s.toml --jobs 1 --out one.csv").status, 0);
+  const auto [status, output] =
+      shell("ulimit -v 3000000; $rotor sweep s.toml --jobs 4096 --out many.csv");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_TRUE(content("one.csv") == content("many.csv"));
+  for (const char* name : {"s.toml", "one.csv", "many.csv"}) remove(name);
+}
+
 }  // namespace
 }  // namespace rotor
