@@ -26,7 +26,7 @@ void set(Settings& settings, const std::string& option, const std::string& text)
   if (option == "--from") {
     settings.from_s = number_in(text);
     if (!settings.from_s)
-      throw InputError(fmt::format("Could not convert: {} = {}", option, shown(text)));
+      throw InputError(fmt::format("{}: must be a number, not \"{}\"", option, shown(text)));
     return;
   }
   for (const Statable& statable : statables())

@@ -37,9 +37,17 @@ CLI::Validator whole_number() {
             if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)
               return fmt::format("must be a whole number, not \"{}\"", shown(text));
             text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
-            return "";
+            constexpr std::size_t most_digits = 18;  // that a long can have
+            return text.size() > most_digits ? fmt::format("{}: is too large", shown(text)) : "";
           },
           ""};
+}
+
+CLI::Validator a_number() {
+  return {[](const std::string& text) -> std::string {
+            return number_in(text) ? "" : fmt::format("must be a number, not \"{}\"", shown(text));
+          },
+          "", ""};
 }
 
 CLI::Validator not_empty(const char* what = "a file") {
@@ -173,6 +181,7 @@ void add_options(CLI::App& command, RunOptions& options) {
                   "beginning of the trace, which then goes to the end of the run; the "
                   "scene's window, or all of the run, if not given")
       ->type_name("s")
+      ->check(a_number())
       ->needs(trace);
   auto* every =
       command
@@ -180,6 +189,7 @@ void add_options(CLI::App& command, RunOptions& options) {
                       "rows of the trace at this distance, as spectra want it; if neither "
                       "this nor --rows is given, as many as the curves need")
           ->type_name("s")
+          ->check(a_number())
           ->needs(trace);
   command
       .add_option("--rows", options.rows,
@@ -197,9 +207,11 @@ void add_options(CLI::App& command, RunOptions& options) {
       "--digits", [&options](double number) { options.numbers.digits = parse_digits(number); },
       "significant digits that every value, event and the end are to have for certain, instead of "
       "--tolerance; --json adds errors and events");
+  digits->check(a_number());
   command.add_option("--budget", options.budget_s, "how long to look for the digits of a run")
       ->type_name("s")
-      ->default_str("300");
+      ->check(a_number())
+      ->default_str(fmt::format("{}", RunOptions::usual_budget_s));
   command
       .add_flag("--estimate-error", options.estimate_error,
                 "estimate the relative error of the summary, by another run")

@@ -41,6 +41,7 @@ struct RunOptions : CommonOptions {
   std::optional<long> rows;
   std::optional<StopOn> stop_on;
   bool json = false;
+  static constexpr double usual_budget_s = 300;
   std::optional<double> budget_s;  ///< of each run whose digits are asked for
   bool estimate_error = false;
   bool energy = false;        ///< by cause, in the summary

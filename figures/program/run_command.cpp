@@ -145,8 +145,7 @@ struct Printed {
 /// A run whose digits are made sure of.
 Printed certain_run(const RunOptions& options, const SceneRun& run) {
   using Clock = std::chrono::steady_clock;
-  constexpr double usual_s = 300;
-  const double budget_s = options.budget_s.value_or(usual_s);
+  const double budget_s = options.budget_s.value_or(RunOptions::usual_budget_s);
   const std::chrono::duration<double> budget(budget_s);
   const Clock::time_point start = Clock::now();
   const auto has_time = [&] { return Clock::now() - start < budget; };
@@ -280,10 +279,9 @@ void run_rotor(const RunOptions& options) {
     row.update(printed.summary);
     runs.push_back(row);
     if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
-      if (one_of_many)
-        told.push_back(of_run(
-            fmt::format("cut short at {} s by an interruption{}", cut->get<double>(),
-                        &run == &scene.runs.back() ? "" : "; those behind it have not begun")));
+      told.push_back(of_run(
+          fmt::format("cut short at {} s by an interruption{}", cut->get<double>(),
+                      &run == &scene.runs.back() ? "" : "; those behind it have not begun")));
       break;
     }
   }

@@ -128,7 +128,11 @@ Recorder::Row Recorder::row(const Instant& at) const {
 }
 
 void Recorder::add(const Row& row) {
-  if (row == last_) return;  // where one step ends and the next begins
+  const auto is_same = [](double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+  };
+  if (std::equal(row.begin(), row.end(), last_.begin(), last_.end(), is_same))
+    return;  // where one step ends and the next begins
   last_ = row;
   for (std::size_t i = 0; i < row.size(); ++i) {
     least_[i] = std::min(least_[i], row[i]);

@@ -8,6 +8,7 @@ namespace rotor {
 Sampler::Sampler(double from_s, double until_s, double every_s, std::vector<const Column*> columns,
                  const Scenario& scenario, RowSink sink)
     : from_s_(from_s),
+      end_s_(until_s),
       until_s_(until_s + every_s / 1e6),  // which rounding may miss
       every_s_(every_s),
       columns_(std::move(columns)),
@@ -22,7 +23,7 @@ bool Sampler::wants_dense_output(const double& from_s, const double& until_s) co
 void Sampler::on_step(const DenseOutput& motion) {
   std::vector<double> row(columns_.size());
   for (; wants_dense_output(motion.from_s, motion.until_s); ++next_) {
-    const double time = time_s(next_);
+    const double time = std::min(time_s(next_), end_s_);
     Instant at = motion.at(std::min(time, motion.until_s));
     at.time_s = time;
     View view(at, context_);

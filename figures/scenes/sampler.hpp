@@ -22,7 +22,7 @@ class Sampler : public Observer {
  private:
   double time_s(long row) const { return from_s_ + static_cast<double>(row) * every_s_; }
 
-  double from_s_, until_s_, every_s_;
+  double from_s_, end_s_, until_s_, every_s_;
   std::vector<const Column*> columns_;
   ColumnContext context_;
   RowSink sink_;

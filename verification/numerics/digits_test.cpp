@@ -204,5 +204,17 @@ TEST(ManyDigits, ArePrintedAsFarAsTheyAreSure) {
   EXPECT_EQ(certain_text(2, 1e-9, 1), "2");
 }
 
+// A component's digits are those of its vector: one of 1e-9 m beside one of 1e-3 m has not to be
+// known to as many places of its own.
+TEST(ManyDigits, AreCountedOfTheSizeThatANumberIsOf) {
+  const NamedEstimate small{.name = "final_q1_m", .estimate = {{1e-9, 1e-10}}, .size = 1e-3},
+      large{.name = "final_q2_m", .estimate = {{1e-3, 1e-10}}, .size = 1e-3};
+  EXPECT_EQ(sure_digits(small), sure_digits(large));
+  EXPECT_EQ(sure_digits(small), 6);
+  Comparison comparison;
+  comparison.summary = {small, large};
+  EXPECT_DOUBLE_EQ(to_json(comparison, {}, 6)["estimated_relative_error"], 1e-7);
+}
+
 }  // namespace
 }  // namespace rotor

@@ -1,4 +1,5 @@
 /// What `rotor run` says of a run: every key of its summary.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -53,6 +54,12 @@ TEST_F(RunCommand, RemarksOnContactBeforeTheLossAndOnDeepIndentation) {
   EXPECT_NE(remarks(stiff + "--contact-stiffness 1.7e9").find("indented by 0.1 of the clearance"),
             std::string::npos);
   EXPECT_EQ(remarks(stiff + "--contact-stiffness 2e9"), "[]");
+  const Json early = summary("--clearance 1e-3 --friction 0.8 --stop-on rolling");
+  EXPECT_NE(early["remarks"].dump().find(
+                fmt::format("the mass loss at 29.1 s was not reached; the run ends at {} s",
+                            early["final_time_s"].get<double>())),
+            std::string::npos)
+      << early["remarks"];
   EXPECT_NE(remarks("--support-stiffness 1.2e5 --separation-time 10").find("before the mass loss"),
             std::string::npos);
 }
@@ -232,7 +239,7 @@ TEST_F(RunCommand, TakesDigitsFromASceneAndRefusesWhatHasNone) {
   expect_refusal("run --digits 6 --trace t.csv", "those of a --trace are not known");
   expect_refusal("run --digits 6 --events e.csv", "the events stand in --json");
   expect_refusal("run --digits 6 --energy", "those of --energy are not known");
-  for (const char* budget : {"0", "-1", "nan", "inf"})
+  for (const char* budget : {"0", "-1", "1e400"})
     expect_refusal(std::string("run --digits 6 --budget ") + budget,
                    "must be a finite number greater than 0 s");
   expect_refusal("run --budget 6", "--budget is how long to look for them");
@@ -248,6 +255,14 @@ TEST_F(RunCommand, NamesItsInputs) {
   EXPECT_NEAR(printed["speed_ratio_at_separation"].get<double>(), 75 / 10.065842420897408, 1e-9);
   EXPECT_NEAR(printed["critical_speed_Hz"].get<double>(), 10.065842420897408, 1e-12);
   EXPECT_NEAR(printed["lost_mass_kg"].get<double>(), 0.0248138957816, 1e-12);
+}
+
+TEST_F(RunCommand, SaysOfOptionsThatAreNumbersWhatTheyMustBe) {
+  for (const std::string option :
+       {"--digits x", "--budget x", "--every 0x10 --trace t.csv", "--from x --trace t.csv"})
+    expect_refusal("run " + option, "must be a number, not \"");
+  expect_refusal("run --trace t.csv --rows 99999999999999999999999",
+                 "99999999999999999999999: is too large");
 }
 
 }  // namespace

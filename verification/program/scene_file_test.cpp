@@ -90,5 +90,17 @@ TEST_F(InFolder, ReadsWholeNumbersAsOthers) {
   EXPECT_EQ(scene.runs.front().scenario.parameters.contact_damping, 9007199254740992.);
 }
 
+// A [[run]] that says that it loses its mass says nothing of when.
+TEST_F(InFolder, KeepsTheTimeOfALossThatARunConfirms) {
+  write(
+      "s.toml",
+      "[parameters]\nseparation_time = 2\nuntil = 3\n[[run]]\nname = \"a\"\nno_separation = false\n"
+      "[[run]]\nname = \"b\"\nno_separation = true\n");
+  const Scene scene = read_scene(folder_ / "s.toml", {});
+  EXPECT_EQ(scene.runs[0].scenario.parameters.separation_time, 2);
+  EXPECT_TRUE(scene.runs[0].scenario.parameters.separates);
+  EXPECT_FALSE(scene.runs[1].scenario.parameters.separates);
+}
+
 }  // namespace
 }  // namespace rotor

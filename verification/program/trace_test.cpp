@@ -92,7 +92,7 @@ TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
 }
 
 TEST_F(Trace, RefusesDistancesThatMeanNothing) {
-  expect_refusal("run --until 0.1 --trace t.csv --every inf", "--every inf: must be above 0 s");
+  expect_refusal("run --until 0.1 --trace t.csv --every 1e400", "--every inf: must be above 0 s");
   const std::string trace = "run --until 1 --no-separation --trace t.csv ";
   expect_refusal(trace + "--every 0", "--every 0: must be above 0 s");
   expect_refusal(trace + "--every 1e-12", "must be above 0 s, and leave less than");
@@ -152,6 +152,21 @@ TEST_F(Trace, HasBearingForceWhirlAndDirectionOfTheContact) {
     const double angle = std::remainder(std::atan2(q2, q1) + row[3] - row[9], 2 * pi);
     EXPECT_NEAR(angle, 0, 1e-9);
   }
+}
+
+// From rest, too, where some columns have no value yet.
+TEST_F(Trace, HasNoRowTwice) {
+  ASSERT_EQ(rotor("run --trace t.csv --no-separation --until 0.01").status, 0);
+  const auto rows = rows_of("t.csv");
+  ASSERT_GT(rows.size(), 5U);
+  for (std::size_t n = 1; n < rows.size(); ++n) EXPECT_NE(rows[n], rows[n - 1]) << n;
+}
+
+// Which sums of equal distances may miss by rounding.
+TEST_F(Trace, EndsWithTheRun) {
+  const auto rows = numbers("--until 29.35 --columns time_s --rows 100001");
+  ASSERT_EQ(rows.size(), 100001U);
+  EXPECT_EQ(rows.back()[0], 29.35);
 }
 
 }  // namespace
