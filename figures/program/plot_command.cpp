@@ -1,18 +1,25 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -72,6 +79,75 @@ struct Format {
 constexpr std::array<Format, 3> formats = {
     {{".svg", "</svg>"}, {".pdf", "%%EOF"}, {".png", "IEND"}}};
 
+/// The letters of a text beyond ASCII, as hexadecimal numbers.
+std::set<std::string> letters_beyond_ascii(std::string_view text) {
+  std::set<std::string> letters;
+  std::uint32_t letter = 0;
+  int more = 0;  // bytes of UTF-8
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const int leading = std::countl_one(byte);
+    if (leading == 1) {
+      letter = letter << 6U | (byte & 0x3fU);
+      if (--more == 0) letters.insert(fmt::format("{:x}", letter));
+    } else {
+      more = leading > 1 && leading < 5 ? leading - 1 : 0;
+      letter = byte & (0x7fU >> static_cast<unsigned>(leading));
+    }
+  }
+  return letters;
+}
+
+/// The status of a program; its output may go to a file. Throws where it cannot be started.
+int status_of(const std::vector<std::string>& command, const fs::path& output = {}) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : command)
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  if (!output.empty())
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+                                       O_WRONLY | O_CREAT | O_TRUNC, S_IRUSR | S_IWUSR);
+  pid_t child = 0;
+  int status =
+      ::posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (status != 0) throw std::system_error(status, std::generic_category());
+  constexpr std::chrono::milliseconds pause(5);
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    if (is_interrupted()) ::kill(child, SIGKILL);
+    std::this_thread::sleep_for(pause);
+  }
+  if (is_interrupted()) throw Interrupted();
+  return status;
+}
+
+/// Whether a font has all of the letters, as far as fontconfig tells.
+bool has_font_with(const std::string& letters, const DraftFolder& drafts) {
+  const fs::path fonts = drafts.file("fonts");
+  try {
+    return status_of({"fc-list", ":charset=" + letters}, fonts) != 0 || fs::file_size(fonts) > 0;
+  } catch (const std::system_error&) {  // it is not there
+    return true;
+  }
+}
+
+/// A letter that no font has would be drawn as high as the picture. An svg is drawn where it is
+/// looked at.
+void require_letters(const Format& format, const std::string& text, const DraftFolder& drafts) {
+  const std::set<std::string> letters = letters_beyond_ascii(text);
+  if (format.extension == ".svg" || letters.empty() ||
+      has_font_with(fmt::format("{}", fmt::join(letters, " ")), drafts))
+    return;
+  for (const std::string& letter : letters)
+    if (!has_font_with(letter, drafts))
+      throw InputError(
+          fmt::format("\"{}\": no font here has its letter U+{:0>4}, which png and pdf need; "
+                      "--out NAME.svg needs none",
+                      shown(text), letter));
+}
+
 /// What gnuplot has drawn. It succeeds also where there was no room for the whole of it.
 std::string read_picture(const fs::path& path, std::string_view end) {
   std::ifstream file(path, std::ios::binary);
@@ -85,21 +161,15 @@ std::string read_picture(const fs::path& path, std::string_view end) {
 
 /// Without the user's own settings.
 void run_gnuplot(const std::vector<std::string>& scripts) {
-  std::vector<const char*> arguments = {"gnuplot", "--default-settings"};
-  for (const std::string& script : scripts) arguments.push_back(script.c_str());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  int status = ::posix_spawnp(&child, "gnuplot", nullptr, nullptr,
-                              const_cast<char**>(arguments.data()), environ);
-  if (status != 0)
+  std::vector<std::string> command = {"gnuplot", "--default-settings"};
+  command.insert(command.end(), scripts.begin(), scripts.end());
+  int status = 0;
+  try {
+    status = status_of(command);
+  } catch (const std::system_error& error) {
     throw std::runtime_error(
-        fmt::format("gnuplot, which draws, cannot be started: {}", std::strerror(status)));
-  constexpr std::chrono::milliseconds pause(5);
-  while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (is_interrupted()) ::kill(child, SIGKILL);
-    std::this_thread::sleep_for(pause);
+        fmt::format("gnuplot, which draws, cannot be started: {}", error.what()));
   }
-  if (is_interrupted()) throw Interrupted();
   if (!(WIFEXITED(status) && WEXITSTATUS(status) == 0))
     throw std::runtime_error("gnuplot has not drawn the picture");
 }
@@ -125,9 +195,12 @@ void plot_scene(const PlotOptions& options) {
         fmt::format("{}: cannot be written: there is no such folder", folder.string()));
   FileTransaction::require_distinct({out}, options.scene);
 
-  const DraftFolder drafts;
-  const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
   const std::string title = scene.title.empty() ? out.stem().string() : scene.title;
+  const DraftFolder drafts;
+  require_letters(*format, title, drafts);
+  for (const SceneRun& run : scene.runs) require_letters(*format, run.name, drafts);
+
+  const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
   const fs::path picture = drafts.file("picture");
   std::string settings =
       fmt::format("folder = {}; output = {}; format = '{}'; heading = {}; runs = {}\n",
