@@ -10,6 +10,7 @@
 #include <exception>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "figures/data/csv.hpp"
 #include "figures/sweep/sweep.hpp"
@@ -26,6 +27,7 @@ constexpr std::array names = {
 std::array<double, names.size()> closed_forms(const Scenario& scenario) {
   const Parameters& p = scenario.parameters;
   const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
+  if (!(speed > 0)) throw std::domain_error("the speed of the loss is that of the start");
   const MassLossResponse response(p, scenario.equations, speed);
   const Whirl whirl(p);
   return {p.stator_radius - p.rotor_radius,
@@ -53,7 +55,8 @@ std::string cells(const Statement& statement) {
 
 void print(const char* file) {
   const Sweep sweep = read_sweep(file);
-  if (sweep.axes.empty()) throw std::runtime_error("a map needs an [[axis]]");
+  if (sweep.axes.empty() || !sweep.sample.over.empty())
+    throw std::runtime_error(fmt::format("{}: a map has an [[axis]], and no [sample]", file));
   const SweepPoints points(sweep);
   std::vector<std::string> columns = sweep.quantities();
   columns.insert(columns.end(), names.begin(), names.end());

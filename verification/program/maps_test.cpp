@@ -250,7 +250,8 @@ TEST_F(Maps, HaveClosedFormsBesideThemPointByPoint) {
   EXPECT_LT(refused, 50);
   write("drawn.toml",
         "[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\nuniform = [0.1, 1]\n");
-  EXPECT_EQ(shell(ROTOR_MAP_THEORY " drawn.toml").output, "map-theory: a map needs an [[axis]]\n");
+  EXPECT_EQ(shell(ROTOR_MAP_THEORY " drawn.toml").output,
+            "map-theory: drawn.toml: a map has an [[axis]], and no [sample]\n");
   const auto [status, output] = shell(ROTOR_MAP_THEORY " none.toml");
   EXPECT_EQ(status, 1);
   EXPECT_TRUE(output.starts_with("map-theory: none.toml: ")) << output;
