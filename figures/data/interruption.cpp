@@ -27,8 +27,8 @@ void note(int signal) {
     noted = signal;
     noted_ms = now_ms();
   } else if (now_ms() - noted_ms > echo_ms) {
-    ::signal(signal, SIG_DFL);
-    ::raise(signal);
+    static_cast<void>(::signal(signal, SIG_DFL));
+    static_cast<void>(::raise(signal));
   }
 }
 

@@ -36,6 +36,19 @@ TEST_F(FigureData, StandInTheFolderThatMakeHas) {
   EXPECT_FALSE(content("build/figures/fig02.csv").empty());
 }
 
+// All of this one's way is a run-up, of which nothing is left for a run behind it.
+TEST_F(FigureData, AreSaidToHaveTakenWhatTheirPartsTook) {
+  write("fig31.toml", "[parameters]\nstart_speed_hz = 100\nno_separation = true\nuntil = 20\n");
+  const std::string output = rotor("figure 31 --scenes . --out .").output;
+  double run_up_s = 0, after_s = 0;
+  ASSERT_EQ(std::sscanf(output.c_str(),
+                        "data of 1 figure(s): 1 run-up(s) in %lf s, 1 run(s) after it in %lf s",
+                        &run_up_s, &after_s),
+            2)
+      << output;
+  EXPECT_GT(run_up_s, 10 * after_s);
+}
+
 TEST_F(FigureData, AreThoseOfScenesThatAreNamedLikeThemAlone) {
   for (const char* name : {"fig31-old.toml", "31.toml", "fig3.toml", "afig31.toml"})
     write(name, "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n");

@@ -9,6 +9,7 @@
 #include <map>
 #include <regex>
 
+#include "figures/sweep/sweep.hpp"
 #include "verification/support/figure_drawing.hpp"
 #include "verification/support/figure_list.hpp"
 #include "verification/support/svg_picture.hpp"
@@ -163,6 +164,24 @@ TEST_P(DrawnLabels, OfOrbitsHaveTheStatorsAxes) {
 
 INSTANTIATE_TEST_SUITE_P(Every, DrawnLabels, testing::ValuesIn(paper_figures()),
                          [](const auto& c) { return fmt::format("Fig{:02}", c.param.number); });
+
+// How long the rotors of all maps run.
+TEST(MapLabels, SayTheTimeThatTheMapsRunFor) {
+  const std::filesystem::path maps(ROTOR_SOURCES "/figures/maps");
+  std::ifstream stream(maps / "map.gp");
+  const std::string script(std::istreambuf_iterator<char>(stream), {});
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(maps)) {
+    if (entry.path().extension() != ".toml") continue;
+    const Sweep sweep = read_sweep(entry.path());
+    ++count;
+    EXPECT_EQ(sweep.base.numbers.at("until"), 0.5) << entry.path();
+    for (const char* label :
+         {"bouncing after 0.5 s", "sliding after 0.5 s", "undecided after 0.5 s"})
+      EXPECT_NE(script.find(label), std::string::npos) << label;
+  }
+  EXPECT_GT(count, 3);
+}
 
 }  // namespace
 }  // namespace rotor

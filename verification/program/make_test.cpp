@@ -157,6 +157,21 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
     EXPECT_EQ(make_figure("</svg>").status, 0) << removed;
     EXPECT_TRUE(fs::exists(folder_ / removed));
   }
+  // Points that were read off printed figures are drawn into these alone.
+  fs::create_directories(folder_ / "reference-data/digitised");
+  for (const char* file : {"fig17_force.csv", "fig18_force.csv", "fig18_speed.csv"})
+    write(std::string("reference-data/digitised/") + file, "");
+  program("bin/gnuplot",
+          "echo \"$*\" >arguments; echo '<svg></svg>' >build/figures/fig18.svg.part\n");
+  EXPECT_EQ(shell("PATH=$PWD/bin:$PATH env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o "
+                  "build/rotor fig18")
+                .status,
+            0);
+  EXPECT_NE(content("arguments")
+                .find("points = 'reference-data/digitised/fig18_force.csv "
+                      "reference-data/digitised/fig18_speed.csv'"),
+            std::string::npos)
+      << content("arguments");
   fs::remove(folder_ / "build/figures/fig18.svg");
   const auto [status, output] = make_figure("");
   EXPECT_NE(status, 0);
@@ -251,6 +266,12 @@ TEST_F(Make, SaysThatTestsHaveFailed) {
 
 TEST_F(Make, NamesTheFiguresThatThereAre) {
   EXPECT_NE(make("help").output.find("one figure: fig18\n"), std::string::npos);
+}
+
+// Also of a command whose output another one reads, such as a build's.
+TEST_F(Make, FailsWhereACommandInAPipeDoes) {
+  EXPECT_NE(
+      shell("env -u MAKEFLAGS -u MAKELEVEL make --eval='piped: ; @false | true' piped").status, 0);
 }
 
 }  // namespace
