@@ -38,7 +38,7 @@ TEST_F(FigureData, StandInTheFolderThatMakeHas) {
 
 // All of this one's way is a run-up, of which nothing is left for a run behind it.
 TEST_F(FigureData, AreSaidToHaveTakenWhatTheirPartsTook) {
-  write("fig31.toml", "[parameters]\nstart_speed_hz = 100\nno_separation = true\nuntil = 20\n");
+  write("fig31.toml", "[parameters]\nstart_speed_hz = 100\nno_separation = true\nuntil = 5\n");
   const std::string output = rotor("figure 31 --scenes . --out .").output;
   double run_up_s = 0, after_s = 0;
   ASSERT_EQ(std::sscanf(output.c_str(),
