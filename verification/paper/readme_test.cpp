@@ -196,8 +196,8 @@ TEST_F(Readme, HasExamplesThatRun) {
   ASSERT_EQ(examples.size(), 2U);
   write("my-rotor.toml", examples[0]);
   write("damping.toml", examples[1]);
-  for (const std::string& line : commands)
-    if (line.find("--digits") == std::string::npos) EXPECT_EQ(rotor(line).status, 0) << line;
+  for (const std::string& line : commands)  // the one with digits is run for them
+    EXPECT_TRUE(line.find("--digits") != std::string::npos || rotor(line).status == 0) << line;
   EXPECT_EQ(commands.size(), 3U);
   const auto [status, output] = rotor("sweep damping.toml --dry-run");
   EXPECT_EQ(status, 0) << output;
