@@ -77,7 +77,8 @@ TEST(Audit, TwiceTheContactsDampingMakesMoreTouchDownsBeforeRolling) {
 }
 
 // A single run at low friction is no result: all three of these round to the printed d_t or nearly.
-TEST(Audit, AtLowFrictionTheRubDiesOutOrEndsInSlidingOrInRollingWithinAFifthOfThePrintedDamping) {
+TEST(Audit,
+     AtLowFrictionTheRubDiesOutOrGoesOverIntoSlidingOrRollingWithinAFifthOfThePrintedDamping) {
   const auto with = [](double damping) {
     return summary_of({.parameters = {.contact_damping = damping, .friction = 0.08}});
   };
@@ -89,7 +90,7 @@ TEST(Audit, AtLowFrictionTheRubDiesOutOrEndsInSlidingOrInRollingWithinAFifthOfTh
   EXPECT_NE(
       readme().find(fmt::format(
           "within a fifth of the printed d_t the rub dies out after {} touch-downs ({:.0f} kN "
-          "at 1.2e4 N s/m), ends in sliding after {} ({:.0f} kN at 1e4), or in rolling "
+          "at 1.2e4 N s/m), goes over into sliding after {} ({:.0f} kN at 1e4), or into rolling "
           "({:.0f} kN at 9510).",
           dies.collisions, in_kN(dies), slides.collisions, in_kN(slides), in_kN(rolls))),
       std::string::npos)
