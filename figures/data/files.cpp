@@ -31,20 +31,19 @@ fs::path followed(const fs::path& link) {
 }
 constexpr int most_links = 40;
 
+/// A file, or link, in the folder that it is in, however that is called.
+fs::path place(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);  // behind a link, .. is not its parent
+  return fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename();
+}
+
 /// What a path leads to, through links, whether it exists or not.
 fs::path resolved(fs::path file) {
   std::error_code error;
   for (int links = 0; links < most_links && fs::is_symlink(file, error); ++links)
     file = followed(file);
-  const fs::path absolute = fs::absolute(file, error);  // behind a link, .. is not its parent
-  return fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename();
-}
-
-/// The name of a file in the folder that it is in, however that is called.
-std::string place(const fs::path& file) {
-  std::error_code error;
-  const fs::path absolute = fs::absolute(file, error);
-  return (fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename()).string();
+  return place(file);
 }
 
 /// The open descriptor that a path stands for, such as /dev/stdout or /dev/fd/3, if it does.
@@ -52,7 +51,7 @@ std::optional<int> descriptor_behind(fs::path file) {
   const std::string descriptors = fmt::format("/proc/{}/fd/", ::getpid());
   std::error_code error;
   for (int links = 0; links < most_links; ++links) {
-    const std::string name = place(file);
+    const std::string name = place(file).string();
     if (name.starts_with(descriptors)) {
       int number = -1;
       std::from_chars(name.data() + descriptors.size(), name.data() + name.size(), number);
@@ -67,7 +66,7 @@ std::optional<int> descriptor_behind(fs::path file) {
 /// Whether a file is written in its place: no regular file, or one that stands for a descriptor.
 bool is_written_in_place(const fs::path& file) {
   struct stat status {};
-  const std::string name = place(file);
+  const std::string name = place(file).string();
   const bool is_of_devices = name.starts_with("/dev/") && !name.starts_with("/dev/shm/");
   if (is_of_devices || name.starts_with("/proc/") || descriptor_behind(file)) return true;
   return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
@@ -86,7 +85,7 @@ std::string identity(const fs::path& file) {
 }  // namespace
 
 bool is_standard_output(const fs::path& file) {
-  if (file == "-" || file == "/dev/stdout" || file == "/dev/fd/1") return true;
+  if (file == "-" || descriptor_behind(file) == STDOUT_FILENO) return true;
   struct stat its {
   }, of_output{};
   const bool is_same = ::stat(file.c_str(), &its) == 0 && ::fstat(STDOUT_FILENO, &of_output) == 0 &&
