@@ -59,6 +59,10 @@ std::optional<double> number_in(const std::string& text) {
   return whole && !vanishes ? std::optional(value) : std::nullopt;
 }
 
+std::string unless_number(const std::string& text) {
+  return number_in(text) ? "" : fmt::format("must be a number, not \"{}\"", shown(text));
+}
+
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names) {
   constexpr std::size_t longest = 60;
   if (mistyped.size() > longest || names.empty()) return "";

@@ -17,6 +17,8 @@ std::string one_line(std::string_view text);
 
 /// All of the text as a number, without anything around it.
 std::optional<double> number_in(const std::string& text);
+/// What to say of a text that is none; nothing if it is one.
+std::string unless_number(const std::string& text);
 
 /// "; did you mean NAME?" if one of the names is what was probably meant, or nothing.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);

@@ -25,8 +25,7 @@ void set(Settings& settings, const std::string& option, const std::string& text)
   }
   if (option == "--from") {
     settings.from_s = number_in(text);
-    if (!settings.from_s)
-      throw InputError(fmt::format("{}: must be a number, not \"{}\"", option, shown(text)));
+    if (!settings.from_s) throw InputError(fmt::format("{}: {}", option, unless_number(text)));
     return;
   }
   for (const Statable& statable : statables())

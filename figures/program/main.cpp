@@ -43,12 +43,7 @@ CLI::Validator whole_number() {
           ""};
 }
 
-CLI::Validator a_number() {
-  return {[](const std::string& text) -> std::string {
-            return number_in(text) ? "" : fmt::format("must be a number, not \"{}\"", shown(text));
-          },
-          "", ""};
-}
+CLI::Validator a_number() { return {unless_number, "", ""}; }
 
 CLI::Validator not_empty(const char* what = "a file") {
   return {[what](const std::string& text) -> std::string {
