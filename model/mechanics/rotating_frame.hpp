@@ -29,6 +29,12 @@ struct RotatingFrame {
             .speed = q[5]};
   }
 
+  /// Of O about O_a in the stator's frame, q3 with all its turns included, rad.
+  static S angle(const State<S>& q) {
+    using std::atan2;
+    return q[2] + atan2(q[1], q[0]);
+  }
+
   /// Time derivative of the state: the accelerations relative to the axes O_a xy.
   static State<S> rates(const Motion<S>& motion, const State<S>& q, const Acceleration<S>& a) {
     const Vector<S> r_C = motion.mass_centre();

@@ -79,8 +79,7 @@ bool BasicOutcomeWatch<S>::stays_clear() const {
   const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
   const S square = supports_.stiffness / body.mass, decay = supports_.damping / body.mass;
   const auto response = [&](const S& w) {  // how far the unbalance alone takes O
-    const S real = square - w * w, imaginary = decay * w;
-    return body.eccentricity * w * w / sqrt(real * real + imaginary * imaginary);
+    return (supports_.unbalance_response(body, w) - Vector<S>(body.eccentricity, S(0))).norm();
   };
   // What the rotation can get from the vibration and lose to it, and what damping takes.
   const S farthest = reach(body, supports_, motion), vibration = farthest - response(speed);
@@ -91,12 +90,12 @@ bool BasicOutcomeWatch<S>::stays_clear() const {
   const S driven = last_.motor_on ? supports_.torque / body.inertia * left_s : S(0);
   const S least = sqrt(max(S(0), S(speed * speed - 2 * (exchanged + damped) / body.inertia)));
   const S most = sqrt(speed * speed + 2 * exchanged / body.inertia) + driven;
-  // Beyond both ends the response is greatest at the resonance, if there is one in between.
-  S greatest = max(response(least), response(most));
+  const S clearance = Ring<S>(parameters_).clearance;
+  const auto is_clear_at = [&](const S& w) { return vibration + response(w) < clearance; };
+  // In between the response is greatest at the resonance, if that is there.
   const S resonance = square * square / (square - decay * decay / 2);  // squared
-  if (resonance > least * least && resonance < most * most)
-    greatest = max(greatest, response(sqrt(resonance)));
-  return vibration + greatest < S(Ring<S>(parameters_).clearance);
+  const bool is_passed = resonance > least * least && resonance < most * most;
+  return is_clear_at(least) && is_clear_at(most) && !(is_passed && !is_clear_at(sqrt(resonance)));
 }
 
 template <class S>

@@ -51,9 +51,6 @@ void require_finite(const State<double>& state, double time_s, double step) {
                       time_s, step));
 }
 
-/// Of O about O_a, in the stator's frame but for whole turns, rad.
-double angle_of(const State<double>& q) { return q[2] + std::atan2(q[1], q[0]); }
-
 /// A remainder that differs from a step by rounding alone is a whole step, relative to the step.
 constexpr double rounding = 1e-6;
 
@@ -71,7 +68,7 @@ void PublishedMethod::restart(const Instant& from) {
   at_.event = Event::none;  // fixed steps locate none
   origin_s_ = at_.time_s;
   steps_ = 0;
-  whirl_angle_ = at_.contact == ContactState::free ? 0 : angle_of(at_.state);
+  whirl_angle_ = at_.contact == ContactState::free ? 0 : RotatingFrame<double>::angle(at_.state);
 }
 
 PublishedMethod PublishedMethod::with(const Scenario& scenario) const {
@@ -136,10 +133,13 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   at_.contact = contact;
   if (state[5] >= 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
   observer.on_instant(at_);
-  whirl_angle_ = contact == ContactState::free ? 0
-                 : begins                      ? angle_of(state)
-                          : whirl_angle_ + std::remainder(angle_of(state) - whirl_angle_,
-                                                          2 * std::numbers::pi);
+  const double angle = RotatingFrame<double>::angle(state);
+  if (contact == ContactState::free)
+    whirl_angle_ = 0;
+  else if (begins)
+    whirl_angle_ = angle;
+  else
+    whirl_angle_ += std::remainder(angle - whirl_angle_, 2 * std::numbers::pi);
   stopped_ = !observer.goes_on({at_.time_s, at_.state[5], whirl_angle_});
   return true;
 }

@@ -112,11 +112,9 @@ void BasicSummaryObserver<S>::note_contact(const BasicInstant<S>& at, const Moti
   if (begun_ && last_.touches()) summary_.contact_time_s += at.time_s - last_.time_s;
   const bool begins =
       at.contact != ContactState::free && (!begun_ || last_.contact == ContactState::free);
-  if (at.contact != ContactState::free) {
-    if (begins) {
-      ++summary_.collisions;
-      if (!at.separated) ++summary_.collisions_before_loss;
-    }
+  if (begins) {
+    ++summary_.collisions;
+    if (!at.separated) ++summary_.collisions_before_loss;
     if (!summary_.first_contact_s) summary_.first_contact_s = at.time_s;
   }
   const bool rolls = at.contact == ContactState::rolling;
@@ -126,9 +124,7 @@ void BasicSummaryObserver<S>::note_contact(const BasicInstant<S>& at, const Moti
     summary_.rolling_onset_force_N = -ring_.touching_force(ring_.rim_point(motion));
   }
   if (begins || (at.event == Event::mass_loss && at.contact != ContactState::free)) {
-    using std::atan2;
-    const BasicProgress<S> here{at.time_s, motion.speed,
-                                S(at.state[2] + atan2(at.state[1], at.state[0]))};
+    const BasicProgress<S> here{at.time_s, motion.speed, RotatingFrame<S>::angle(at.state)};
     if (rolls_since_ && whirl_) rolls_since_->whirl_angle += here.whirl_angle - whirl_->whirl_angle;
     whirl_ = here;
   }
