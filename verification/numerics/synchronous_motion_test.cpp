@@ -155,6 +155,13 @@ TEST_P(Run, LagsBehindTheSpeed) {
   EXPECT_GT(left(laid), 1e6 * left(renewed));
 }
 
+INSTANTIATE_TEST_SUITE_P(UpInSpeed, Run,
+                         testing::Values(Equations::published, Equations::consistent),
+                         [](const auto& equations) {
+                           return equations.param == Equations::published ? "Published"
+                                                                          : "Consistent";
+                         });
+
 // A rotor that is light for its weight's moment: its speed W ripples by m g e / (I W^2) of itself.
 // Whether that is too much must not hang on the angle at which it is looked at.
 TEST(LightRotor, HasNoSynchronousMotionToSubtractWhereItsSpeedRipplesByMoreThanAHundredth) {
@@ -173,13 +180,6 @@ TEST(LightRotor, HasNoSynchronousMotionToSubtractWhereItsSpeedRipplesByMoreThanA
     }
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(UpInSpeed, Run,
-                         testing::Values(Equations::published, Equations::consistent),
-                         [](const auto& equations) {
-                           return equations.param == Equations::published ? "Published"
-                                                                          : "Consistent";
-                         });
 
 /// As far as the steps of the published method tell, which are of fourth order without contact.
 void expect_end_of_fixed_steps(Scenario scenario) {

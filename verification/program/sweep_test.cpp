@@ -51,6 +51,12 @@ class SweepCommand : public CommandLine {
     return read_sweep(folder_ / "s.toml");
   }
   std::vector<CsvRow> results(const std::string& name) const { return read_csv(folder_ / name); }
+  /// Of runs to their ends.
+  std::vector<CsvRow> swept(const std::string& text) const {
+    write("s.toml", "stop_on = \"end\"\n" + text);
+    EXPECT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
+    return results("r.csv");
+  }
 };
 
 // A hundred points of many kinds; what a run says, it says on the command line.
@@ -248,12 +254,10 @@ TEST_F(SweepCommand, SaysHowItGoesOnATerminal) {
 
 // A zero that nobody is sure of has no digit: the cell is empty, as that of what there is not.
 TEST_F(SweepCommand, LeavesACellWithoutASureDigitEmpty) {
-  write("z.toml",
-        "stop_on = \"end\"\ncolumns = [\"final_q1_m\", \"final_speed_Hz\"]\n[parameters]\n"
-        "eccentricity = 0\ngravity = 0\nno_separation = true\nuntil = 0.1\ndigits = 3\n"
-        "[[axis]]\nquantity = \"torque\"\nvalues = [0.3]\n");
-  ASSERT_EQ(rotor("sweep z.toml --out z.csv").status, 0);
-  const auto rows = read_csv(folder_ / "z.csv");
+  const auto rows = swept(
+      "columns = [\"final_q1_m\", \"final_speed_Hz\"]\n[parameters]\n"
+      "eccentricity = 0\ngravity = 0\nno_separation = true\nuntil = 0.1\ndigits = 3\n"
+      "[[axis]]\nquantity = \"torque\"\nvalues = [0.3]\n");
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0]["final_q1_m"], "");
   EXPECT_GT(rows[0].number("final_speed_Hz"), 0);
@@ -261,12 +265,9 @@ TEST_F(SweepCommand, LeavesACellWithoutASureDigitEmpty) {
 
 // Whether the motor of a rotor at rest is on at a limit of 0 Hz, no precision tells.
 TEST_F(SweepCommand, TellsWhatARowLacks) {
-  const std::string text =
+  const auto rows = swept(
       "[parameters]\nmotor_off_hz = 0\nseparation_time = 0\nuntil = 0.01\ndigits = 5\n"
-      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n";
-  write("d.toml", "stop_on = \"end\"\n" + text);
-  ASSERT_EQ(rotor("sweep d.toml --out d.csv").status, 0);
-  const auto rows = read_csv(folder_ / "d.csv");
+      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
   ASSERT_EQ(rows.size(), 1U);
   const std::string refusal(rows[0]["refusal"]);
   EXPECT_TRUE(refusal.starts_with("counts and outcome hang on digits that are not there"))
@@ -298,12 +299,9 @@ TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
 
 // Each row has the digits that a run of its own prints; where a run ends must not hang on steps.
 TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
-  const std::string text =
+  const auto rows = swept(
       "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\ndigits = 6\n"
-      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n";
-  write("d.toml", "stop_on = \"end\"\n" + text);
-  ASSERT_EQ(rotor("sweep d.toml --out d.csv").status, 0);
-  const auto rows = read_csv(folder_ / "d.csv");
+      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n");
   ASSERT_EQ(rows.size(), 2U);
   for (const CsvRow& row : rows) {
     EXPECT_EQ(row["refusal"], "");
