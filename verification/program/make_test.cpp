@@ -268,6 +268,17 @@ TEST_F(Make, NamesTheFiguresThatThereAre) {
   EXPECT_NE(make("help").output.find("one figure: fig18\n"), std::string::npos);
 }
 
+// A user's own settings for gnuplot change no picture.
+TEST_F(Make, CallsGnuplotWithoutTheUsersSettings) {
+  const std::string makefile = content("Makefile"), call = "gnuplot -";
+  int calls = 0;
+  for (std::size_t at = 0; (at = makefile.find(call, at)) != std::string::npos; at += call.size()) {
+    EXPECT_EQ(makefile.substr(at, 13), "gnuplot -d -e");
+    ++calls;
+  }
+  EXPECT_EQ(calls, 4);
+}
+
 // Also of a command whose output another one reads, such as a build's.
 TEST_F(Make, FailsWhereACommandInAPipeDoes) {
   EXPECT_NE(
