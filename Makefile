@@ -212,8 +212,7 @@ check-report: report ## look at the page in a browser, at its links, and at its 
 site: verify report ## page, pictures, data and maps for a static host, and as an archive
 	@verification/report/site.sh $(BUILD)
 
-lint: build ## check the code's format, and look for mistakes with clang-tidy
-	$(call build-target,all)
+lint: need-deps ## check the code's format, and look for mistakes with clang-tidy
 	@verification/lint.sh $(BUILD)
 
 sanitize: need-deps ## run the tests with address and undefined-behaviour sanitizers

@@ -20,7 +20,7 @@ double whirl_frequency(View& view) {
                      : in_Hz(cross(m.displacement, m.velocity) / square);
 }
 
-constexpr std::array columns = {
+constexpr std::array table = {
     Column{"time_s", "time", [](View& v) { return v.at().time_s; }},
     Column{"q1_m", "O along x of the rotating axes", [](View& v) { return v.at().state[0]; }},
     Column{"q2_m", "O along y of the rotating axes", [](View& v) { return v.at().state[1]; }},
@@ -107,18 +107,18 @@ Vector<double> View::displacement_in_stator_frame() {
   return in_stator_frame({at_.state[0], at_.state[1]}, at_.state[2]);
 }
 
-std::span<const Column> all_columns() { return columns; }
+std::span<const Column> all_columns() { return table; }
 
 std::vector<const Column*> every_column() {
   std::vector<const Column*> all;
-  for (const Column& column : columns) all.push_back(&column);
+  for (const Column& column : table) all.push_back(&column);
   return all;
 }
 
 const Column* find_column(std::string_view name) {
-  const auto* const found = std::find_if(columns.begin(), columns.end(),
-                                         [name](const Column& c) { return c.name == name; });
-  return found == columns.end() ? nullptr : found;
+  const auto* const found =
+      std::find_if(table.begin(), table.end(), [name](const Column& c) { return c.name == name; });
+  return found == table.end() ? nullptr : found;
 }
 
 }  // namespace rotor

@@ -35,6 +35,7 @@ Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, Contac
 /// What both have in common.
 template <class S, class Chart>
 struct Flight : Phase<S, Chart> {
+  using Phase<S, Chart>::Phase;
   using typename Phase<S, Chart>::Unknowns;
   using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
   static constexpr bool contact_in_rates = false;
@@ -71,11 +72,9 @@ struct Flight : Phase<S, Chart> {
 /// Clear of the ring.
 template <class S, class Chart = FlightChart<S>>
 struct FreeFlight : Flight<S, Chart> {
+  using Flight<S, Chart>::Flight;
   using typename Flight<S, Chart>::Unknowns;
   using Flight<S, Chart>::rotor, Flight<S, Chart>::chart;
-
-  FreeFlight(const RotorSystem<S>& system, const Chart& coordinates)
-      : Flight<S, Chart>{{system, coordinates}} {}
 
   static constexpr std::size_t event_count = 2;
   S guard(std::size_t n, const Unknowns& x) const {
@@ -183,11 +182,9 @@ struct FreeFlight : Flight<S, Chart> {
 /// know.
 template <class S, class Chart = ContactChart<S>>
 struct IndentedFlight : Flight<S, Chart> {
+  using Flight<S, Chart>::Flight;
   using typename Flight<S, Chart>::Unknowns;
   using Flight<S, Chart>::rotor, Flight<S, Chart>::chart;
-
-  IndentedFlight(const RotorSystem<S>& system, const Chart& coordinates)
-      : Flight<S, Chart>{{system, coordinates}} {}
 
   static constexpr std::size_t event_count = 3;
   S guard(std::size_t n, const Unknowns& x) const {

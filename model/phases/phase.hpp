@@ -47,6 +47,9 @@ struct Phase {
 
   const RotorSystem<S>& rotor;
   const Chart& chart;
+
+  Phase(const RotorSystem<S>& system, const Chart& coordinates)
+      : rotor(system), chart(coordinates) {}
 };
 
 }  // namespace rotor

@@ -15,6 +15,7 @@ namespace rotor {
 /// changes sign.
 template <class S, class Chart>
 struct Rub : Phase<S, Chart> {
+  using Phase<S, Chart>::Phase;
   using typename Phase<S, Chart>::Unknowns;
   using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
   static constexpr bool contact_in_rates = true;
@@ -126,7 +127,7 @@ struct Sliding : Rub<S, Chart> {
   int direction;
 
   Sliding(const RotorSystem<S>& system, const Chart& coordinates, int direction_of_slip)
-      : Rub<S, Chart>{{system, coordinates}}, direction(direction_of_slip) {}
+      : Rub<S, Chart>(system, coordinates), direction(direction_of_slip) {}
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const Pressed p(*this, x);
@@ -167,11 +168,9 @@ struct Sliding : Rub<S, Chart> {
 /// The rim rolls without slip.
 template <class S, class Chart = ContactChart<S>>
 struct Rolling : Rub<S, Chart> {
+  using Rub<S, Chart>::Rub;
   using typename Rub<S, Chart>::Unknowns, typename Rub<S, Chart>::Pressed;
   using Rub<S, Chart>::rotor, Rub<S, Chart>::chart;
-
-  Rolling(const RotorSystem<S>& system, const Chart& coordinates)
-      : Rub<S, Chart>{{system, coordinates}} {}
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const Pressed p(*this, x);

@@ -91,8 +91,9 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
                            std::optional<double> until_s, Observer& monitor) {
   const Parameters& p = scenario.parameters;
   const double start_Hz = in_Hz(from.instant().state[5]);
-  constexpr double rounding = 1e-12;
-  if (start_Hz >= (1 - rounding) * speed_Hz) return {from.instant().time_s, 0, start_Hz, false};
+  constexpr double speed_rounding = 1e-12;
+  if (start_Hz >= (1 - speed_rounding) * speed_Hz)
+    return {from.instant().time_s, 0, start_Hz, false};
   if (p.torque == 0) return {std::nullopt, 0, start_Hz, false};
   const double end_s = until_s.value_or(2 * p.inertia * 2 * std::numbers::pi * speed_Hz / p.torque);
 
@@ -118,7 +119,7 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
     Simulation there = before.with(run_up);
     there.finish(look.emplace(patience));
     const double share = in_Hz(there.instant().state[5]) / speed_Hz - 1;
-    return std::abs(share) < rounding && watch.motor_off ? 0 : share;  // of a motor's limit
+    return std::abs(share) < speed_rounding && watch.motor_off ? 0 : share;  // of a motor's limit
   };
   double before_s = before.instant().time_s, after_s = way.stopped() ? watch.after_s : end_s;
   const auto may_become_faster = [&] { return !watch.motor_off && !look->touches; };

@@ -92,7 +92,7 @@ TEST_F(Make, DoesAllThatItsTargetsPromise) {
       {"report", {"for set in published consistent; do", "verification/report/report.sh build\n"}},
       {"FORMAT=pdf report", {"pictures FORMAT=svg FIG= EQUATIONS="}},
       {"check-report", {"verification/report/check.sh build\n"}},
-      {"lint", {"--target all", "verification/lint.sh build\n"}},
+      {"lint", {"verification/lint.sh build\n"}},
       {"sanitize", {"--preset sanitize -B build/sanitize", "verification/tests.sh build/sanitize"}},
       {"mpi", {"-DROTOR_MPI=ON", "verification/program/mpi.sh build/mpi/rotor"}},
       {"portable", {"verification/program/portable.sh build\n"}},
