@@ -220,9 +220,9 @@ sanitize: need-deps ## run the tests with address and undefined-behaviour saniti
 	@cmake --build $(BUILD)/sanitize --target verification
 	@verification/tests.sh $(BUILD)/sanitize
 
-mpi: need-deps ## build build/mpi/rotor, which mpirun spreads over machines, and compare it with threads
-	@cmake --preset release -B $(BUILD)/mpi -DROTOR_MPI=ON -DROTOR_VERIFICATION=OFF >/dev/null
-	@cmake --build $(BUILD)/mpi --target rotor
+mpi: build ## build build/mpi/rotor, which mpirun spreads over machines, and compare it with threads
+	$(if $(and $(shell command -v dpkg-query),$(call missing,$(MPI_PACKAGES))),$(error Missing packages: $(call missing,$(MPI_PACKAGES)) (make deps-mpi installs them)))
+	$(call build-target,rotor-mpi)
 	@verification/program/mpi.sh $(BUILD)/mpi/rotor
 
 explore: need-deps ## make build/report/explore.html, the engine with knobs in one page for the browser

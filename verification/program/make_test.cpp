@@ -94,7 +94,7 @@ TEST_F(Make, DoesAllThatItsTargetsPromise) {
       {"check-report", {"verification/report/check.sh build\n"}},
       {"lint", {"verification/lint.sh build\n"}},
       {"sanitize", {"--preset sanitize -B build/sanitize", "verification/tests.sh build/sanitize"}},
-      {"mpi", {"-DROTOR_MPI=ON", "verification/program/mpi.sh build/mpi/rotor"}},
+      {"mpi", {"--target rotor-mpi ", "verification/program/mpi.sh build/mpi/rotor"}},
       {"portable", {"verification/program/portable.sh build\n"}},
       {"explore", {"figures/explore/build.sh build\n"}},
       {"mutants", {"verification/robustness/mutants.py --seed 1 --count 100\n"}},
