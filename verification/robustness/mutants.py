@@ -248,7 +248,8 @@ def write_if_new_header(count):
 class Tests:
     """The tests of the build, how long each takes and which changes it reaches."""
 
-    def __init__(self):
+    def __init__(self, thorough):
+        self.fast = [] if thorough else ['--gtest_fail_fast']
         listed = subprocess.run([BUILD / 'verification', '--gtest_list_tests'], text=True, check=True,
                                 stdout=subprocess.PIPE).stdout
         self.names, suite = [RANDOM_ROTORS], ''
@@ -287,7 +288,7 @@ class Tests:
             if reached:
                 environment['ROTOR_REACHED'] = reached
             command = [BUILD / 'stress', 'rotors', '300', folder] if names == [RANDOM_ROTORS] else \
-                [BUILD / 'verification', '--gtest_filter=' + ':'.join(names)]
+                [BUILD / 'verification', '--gtest_filter=' + ':'.join(names), *self.fast]
             with open(os.path.join(folder, 'output'), 'w+', encoding='utf-8', errors='replace') as output:
                 status = run_limited(command, environment, folder, output, limit_s)
                 output.seek(0)
@@ -296,7 +297,7 @@ class Tests:
             return []
         failed = re.findall(r'^\[  FAILED  \] (\S+?)(?:, where .*)? \(\d+ ms\)$', text, re.MULTILINE)
         begun = re.findall(r'^\[ RUN      \] (\S+)$', text, re.MULTILINE)
-        ended = re.findall(r'^\[  (?:     OK|FAILED ) \] (\S+?)(?:,| )', text, re.MULTILINE)
+        ended = re.findall(r'^\[  (?:     OK|FAILED |SKIPPED) \] (\S+?)(?:,| )', text, re.MULTILINE)
         lost = [name for name in begun if name not in ended]
         return failed + lost or names[:1]
 
@@ -460,7 +461,7 @@ def main():
     limits = {resource.RLIMIT_AS: 4 << 30, resource.RLIMIT_FSIZE: 1 << 30, resource.RLIMIT_CORE: 0}
     for limit, most in limits.items():  # a change may ask for more than there is
         resource.setrlimit(limit, (most, resource.getrlimit(limit)[1]))
-    tests = Tests()
+    tests = Tests(options.thorough)
     with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
         tests.look(pool)
         print(f'{len(tests.names)} tests take {sum(tests.seconds.values()):.0f} s on one processor', file=sys.stderr)
