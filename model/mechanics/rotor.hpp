@@ -112,6 +112,7 @@ struct Supports {
   /// The steady response to the unbalance at a constant speed in rad/s, gravity's moment left out:
   /// O_a C = e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes, as complex numbers, m.
   Vector<S> unbalance_response(const Body<S>& body, const S& speed) const {
+    if (speed == 0) return {body.eccentricity, S(0)};  // without springs, too
     const Vector<S> force(stiffness, damping * speed);
     const Vector<S> impedance = force - Vector<S>(body.mass * speed * speed, S(0));
     const Vector<S> inverse =

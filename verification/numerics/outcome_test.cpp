@@ -122,11 +122,14 @@ TEST_P(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
 INSTANTIATE_TEST_SUITE_P(BelowAndAboveTheCriticalSpeed, Reach, testing::Values(6.3, 60.));
 
 // At rest where it would be without supports: it moves nowhere.
-TEST(Outcome, OfABalancedRotorWithoutSupportsIsNoContact) {
+TEST(Outcome, OfARotorWithoutSupportsThatMovesNowhereIsNoContact) {
   Scenario scenario{.start_speed_Hz = 50, .until = 1};
   Parameters& p = scenario.parameters;
   p.support_stiffness = p.support_damping = p.eccentricity = 0;
   p.separates = false;
+  EXPECT_EQ(summary_of(scenario).outcome, Outcome::no_contact);
+  p.eccentricity = Parameters().eccentricity;
+  p.gravity = p.torque = scenario.start_speed_Hz = 0;
   EXPECT_EQ(summary_of(scenario).outcome, Outcome::no_contact);
 }
 
