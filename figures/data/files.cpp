@@ -75,10 +75,11 @@ bool is_written_in_place(const fs::path& file) {
 /// What tells files apart however they are called; empty for a device, which any number may share.
 std::string identity(const fs::path& file) {
   struct stat status {};
+  const bool is_output = is_standard_output(file);
   const bool exists =
-      file == "-" ? ::fstat(STDOUT_FILENO, &status) == 0 : ::stat(file.c_str(), &status) == 0;
+      is_output ? ::fstat(STDOUT_FILENO, &status) == 0 : ::stat(file.c_str(), &status) == 0;
   if (!exists) return resolved(file).string();
-  if (S_ISCHR(status.st_mode) && file != "-") return "";
+  if (S_ISCHR(status.st_mode) && !is_output) return "";
   return fmt::format("{}:{}", status.st_dev, status.st_ino);
 }
 

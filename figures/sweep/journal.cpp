@@ -33,6 +33,8 @@ bool read_all(int descriptor, const Take& take) {
 
 Journal::Journal(const std::filesystem::path& file, std::string_view head)
     : file_(file), path_(file.string() + ".journal") {
+  std::error_code ignored;  // what cannot be made is said below
+  std::filesystem::create_directories(std::filesystem::absolute(path_).parent_path(), ignored);
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail_by_errno();
   try {

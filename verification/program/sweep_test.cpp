@@ -51,11 +51,11 @@ class SweepCommand : public CommandLine {
     return read_sweep(folder_ / "s.toml");
   }
   std::vector<CsvRow> results(const std::string& name) const { return read_csv(folder_ / name); }
-  /// Of runs to their ends.
+  /// Of runs to their ends, in a folder that was not there.
   std::vector<CsvRow> swept(const std::string& text) const {
     write("s.toml", "stop_on = \"end\"\n" + text);
-    EXPECT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
-    return results("r.csv");
+    EXPECT_EQ(rotor("sweep s.toml --out new/r.csv").status, 0);
+    return results("new/r.csv");
   }
 };
 
