@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "figures/data/text.hpp"
 
@@ -15,18 +16,21 @@ namespace {
 
 /// The line on which brackets are nested deeper, or keys have more dots, than any scene needs, and
 /// than the parser's recursion stands; 0 if there is none. Quotes are not looked at: no text needs
-/// that many either.
-int line_that_nests_too_deep(std::string_view text) {
+/// that many either. Lines of comment are left out, but for what may be a line of a longer text.
+int line_that_nests_too_deep(const std::string& text) {
   constexpr int deepest = 200;
-  int line = 1, brackets = 0, dots = 0;
-  for (const char c : text) {
-    line += c == '\n';
-    brackets += (c == '[' || c == '{') - (c == ']' || c == '}');
-    if (c == '.')
-      ++dots;
-    else if (c == '\n' || c == ',' || c == '=')
-      dots = 0;
-    if (brackets > deepest || dots > deepest) return line;
+  const bool has_long_texts = text.find("\"\"\"") != text.npos || text.find("'''") != text.npos;
+  std::istringstream lines(text);
+  int number = 1, brackets = 0;
+  for (std::string line; std::getline(lines, line); ++number) {
+    const bool is_comment = line.find_first_not_of(" \t") == line.find('#');
+    if (is_comment && !has_long_texts) continue;
+    int dots = 0;
+    for (const char c : line) {
+      brackets = std::max(0, brackets + (c == '[' || c == '{') - (c == ']' || c == '}'));
+      dots = c == '.' ? dots + 1 : c == ',' || c == '=' ? 0 : dots;
+      if (brackets > deepest || dots > deepest) return number;
+    }
   }
   return 0;
 }

@@ -87,6 +87,12 @@ TEST_F(CommandLine, RefusesScenesThatNoParserStands) {
   expect_refusal("run --scene deep.toml", "deep.toml:2: is nested deeper than any scene needs");
   write("arrays.toml", "columns = " + std::string(50'000, '[') + "\n");
   expect_refusal("run --scene arrays.toml", "arrays.toml:1: is nested deeper");
+  write("long.toml", "title = \"\"\"\n# \"\"\"\n" + keys + " = 1\n");
+  expect_refusal("run --scene long.toml", "long.toml:3: is nested deeper");
+  write("closed.toml", "# " + std::string(60'000, ']') + "\ncolumns = " + std::string(50'000, '['));
+  expect_refusal("run --scene closed.toml", "closed.toml:2: is nested deeper");
+  write("comment.toml", "  # " + std::string(400, '.') + std::string(400, '[') + "\ntitle = 1\n");
+  expect_refusal("run --scene comment.toml", "comment.toml:2: title");
   // Brackets that are closed again are not nested.
   std::string runs;
   for (int i = 0; i < 150; ++i) runs += fmt::format("[[run]]\nname = \"{}\"\n", i);
