@@ -115,9 +115,14 @@ function showBehind() {
 
 /// `why` the pictures are not those of the setting, if they are not: busy or refused.
 function say(text, why = "") {
-  at("status").textContent = text;
-  at("status").classList.toggle("refusal", why === "refused");
+  mention(text, why === "refused");
   document.body.classList.toggle("stale", why !== "");
+}
+
+/// What says nothing of the pictures.
+function mention(text, isRefusal = false) {
+  at("status").textContent = text;
+  at("status").classList.toggle("refusal", isRefusal);
 }
 
 // ---- another setting to compare with
@@ -198,10 +203,10 @@ for (const [option, text] of switches)
 at("copy").addEventListener("click", async () => {
   try {
     await navigator.clipboard.writeText(commandOf(options));
-    say("The command is in the clipboard.");
+    mention("The command is in the clipboard.");
   } catch { // which a browser may refuse
     getSelection().selectAllChildren(at("command"));
-    say("The command is selected below: copy it.");
+    mention("The command is selected below: copy it.");
   }
 });
 at("save").addEventListener("click", async () => {

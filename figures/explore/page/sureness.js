@@ -37,6 +37,7 @@ export class Sureness {
     this.#engine?.drop();
     this.#onCurves([]);
     this.#told.replaceChildren();
+    this.#told.ariaBusy = "false";
     return ++this.#asked;
   }
 }
