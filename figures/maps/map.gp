@@ -24,7 +24,6 @@ kN(force) = force eq "" ? NaN : real(force)/1e3
 
 stats data using (1) nooutput name "all"
 panel = int(all_records)/(2*rows)
-scan = int(sqrt(panel) + 0.5)
 stats theory using (1) nooutput name "closed"
 closed_scan = int(sqrt(closed_records/(2*rows)) + 0.5)
 
