@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <numeric>
 
@@ -45,6 +46,10 @@ std::string shown(std::string_view text) {
   while (most < text.size() && (static_cast<unsigned char>(text[most]) & 0xc0U) == 0x80U)
     --most;  // a letter of several bytes is left out whole
   return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
+}
+
+void tell(std::string_view text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
 /// All of the text as a number, without anything around it.

@@ -15,6 +15,9 @@ std::string shown(std::string_view text);
 /// The same as one line, however long.
 std::string one_line(std::string_view text);
 
+/// Says on standard error what is no result; where nothing can be written, nobody is told.
+void tell(std::string_view text);
+
 /// All of the text as a number, without anything around it.
 std::optional<double> number_in(const std::string& text);
 /// What to say of a text that is none; nothing if it is one.

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
+#include "figures/data/text.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "model/theory/mass_loss_response.hpp"
 #include "model/theory/whirl.hpp"
@@ -81,7 +82,7 @@ int main(int argc, char** argv) {
     if (argc != 2) throw std::runtime_error("needs a sweep file");
     rotor::print(argv[1]);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "map-theory: {}\n", error.what());
+    rotor::tell(fmt::format("map-theory: {}\n", error.what()));
     return 1;
   }
 }

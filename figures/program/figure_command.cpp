@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 
 #include "figures/data/files.hpp"
@@ -67,11 +66,11 @@ void write_figures(const FigureOptions& options) {
                 to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene),
                        headings("run", scene.columns), tables.at(number)));
   files.commit();
-  fmt::print(stderr,
-             "data of {} figure(s): {} run-up(s) in {:.3f} s, {} run(s) after it in {:.3f} s, {} "
-             "right-hand sides\n",
-             scenes.size(), report.run_ups, report.run_up_s, report.runs, report.rub_s,
-             report.cost.right_hand_sides);
+  tell(fmt::format(
+      "data of {} figure(s): {} run-up(s) in {:.3f} s, {} run(s) after it in {:.3f} s, {} "
+      "right-hand sides\n",
+      scenes.size(), report.run_ups, report.run_up_s, report.runs, report.rub_s,
+      report.cost.right_hand_sides));
 }
 
 }  // namespace rotor

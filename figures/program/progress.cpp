@@ -23,12 +23,12 @@ std::optional<double> ReportTimes::due() {
 
 void ReportTimes::print(const std::string& report) {
   has_reported_ = true;
-  fmt::print(stderr, "{}{}{}", on_terminal_ ? "\r" : "rotor: ", report,
-             on_terminal_ ? " (Ctrl-C stops)  " : "\n");
+  tell(fmt::format("{}{}{}", on_terminal_ ? "\r" : "rotor: ", report,
+                   on_terminal_ ? " (Ctrl-C stops)  " : "\n"));
 }
 
 ReportTimes::~ReportTimes() {
-  if (has_reported_ && on_terminal_) fmt::print(stderr, "\n");
+  if (has_reported_ && on_terminal_) tell("\n");
 }
 
 bool RunProgress::goes_on(const Progress& now) {

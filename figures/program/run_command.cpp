@@ -129,10 +129,10 @@ bool leaves_equations_open(const SceneRun& run) {
 }
 
 void say_which_equations() {
-  fmt::print(stderr,
-             "rotor: equations published were used, as none were stated: as printed, the velocity "
-             "jump of the mass loss counts twice and the moment of gravity in full; --equations "
-             "consistent puts both right\n");
+  tell(
+      "rotor: equations published were used, as none were stated: as printed, the velocity "
+      "jump of the mass loss counts twice and the moment of gravity in full; --equations "
+      "consistent puts both right\n");
 }
 
 /// What is printed of a run.
@@ -292,7 +292,7 @@ void run_rotor(const RunOptions& options) {
     print_summaries(runs, options.json, to);
   else if (!runs.empty())
     print_summary(runs.front(), options.json, to);
-  for (const std::string& message : told) fmt::print(stderr, "rotor: {}\n", message);
+  for (const std::string& message : told) tell(fmt::format("rotor: {}\n", message));
   if (!runs.empty() && std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
     say_which_equations();
   if (!failures.empty())

@@ -54,8 +54,8 @@ class Writer {
   Writer(const Sweep& sweep, const std::string& out)
       : points_(sweep.points()), journal_(out, sweep_head(sweep)), written_(journal_.rows()) {
     if (written_ > 0)
-      fmt::print(stderr, "rotor: {} of {} points are there already, in {}\n", written_.load(),
-                 points_, journal_.path().string());
+      tell(fmt::format("rotor: {} of {} points are there already, in {}\n", written_.load(),
+                       points_, journal_.path().string()));
   }
 
   void run(int threads, const std::function<Work()>& make_worker, Ranks& ranks) {
