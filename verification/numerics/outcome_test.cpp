@@ -82,6 +82,8 @@ TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
   Scenario scenario;
   scenario.parameters.separates = false;
   EXPECT_NE(summary_until(1.9, scenario).outcome, Outcome::stalled);
+  scenario.parameters.torque = 0.03;  // slowly, and far below it
+  EXPECT_EQ(summary_until(20, scenario).outcome, Outcome::no_contact);
 }
 
 // What drives nothing does not fail to drive.

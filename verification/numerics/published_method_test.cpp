@@ -54,9 +54,11 @@ TEST(PublishedMethod, CollidesManyTimesAndNeverRollsAtLowFriction) {
 TEST(PublishedMethod, LosesTheMassOnce) {
   EventRecorder recorder;
   const Scenario scenario{
-      .parameters = {.separation_time = 1}, .method = Method::rk4, .until = 1.1};
+      .parameters = {.separation_time = 0.29}, .method = Method::rk4, .until = 0.3};
   run(scenario, recorder);
   EXPECT_EQ(recorder.count(Event::mass_loss), 1);
+  EXPECT_NE(2900 * scenario.step_run_up, 0.29);  // as steps add up
+  EXPECT_EQ(recorder.first(Event::mass_loss).time_s, 0.29);
 }
 
 TEST(PublishedMethod, SwitchesTheMotorOffAtTheFirstStepAt150Hz) {
@@ -155,11 +157,13 @@ TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
   for (const double until_s : {5e-3, 5e-3 + 2e-6, 5e-3 + 4.9999e-6}) {
     scenario.until = until_s;
     Steps steps;
-    run(scenario, from, steps);
+    const RunEnd end = run(scenario, from, steps);
     bool is_short = false;
+    long taken = 0;
     for (std::size_t n = 1; n < steps.all.size(); ++n) {
       const double step = steps.all[n].time_s - steps.all[n - 1].time_s;
       if (step == 0) continue;  // the end is shown again
+      ++taken;
       is_short = is_short || step < 0.9e-4;
       const bool is_last = steps.all[n].time_s == until_s;
       EXPECT_NEAR(step, is_short ? 5e-6 : 1e-4, is_last ? 5e-6 : 1e-12) << n;
@@ -172,6 +176,7 @@ TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
       }
     }
     EXPECT_TRUE(is_short);
+    EXPECT_EQ(end.counters.steps, taken);
     EXPECT_EQ(steps.all.back().time_s, until_s);
     EXPECT_EQ(steps.all[1].time_s, 1e-4);
     // By the event method the rotor is there a little earlier or later, as first order allows.

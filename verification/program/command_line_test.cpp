@@ -20,6 +20,8 @@ TEST_F(CommandLine, RefusesBadInputAndWritesNothing) {
   expect_refusal("run --friction ''", "--friction: must be a finite number not below 0, not");
   expect_refusal("run --tolerance 1e-18", "--tolerance: must be a finite number not below 1e-15");
   expect_refusal("run --stator-radius 0.05 --trace t.csv", "must be larger than rotor_radius");
+  expect_refusal("run --eccentricity 0.07",
+                 "eccentricity = 0.07 m: must be smaller than rotor_radius = 0.06 m");
   expect_refusal("run --equations newton --trace t.csv", "must be one of: published, consistent");
   expect_refusal("run --columns time --trace t.csv",
                  "there is no column \"time\"; did you mean time_s?; there are: time_s");
@@ -93,6 +95,10 @@ TEST_F(CommandLine, RefusesScenesThatNoParserStands) {
   expect_refusal("run --scene closed.toml", "closed.toml:2: is nested deeper");
   write("comment.toml", "  # " + std::string(400, '.') + std::string(400, '[') + "\ntitle = 1\n");
   expect_refusal("run --scene comment.toml", "comment.toml:2: title");
+  std::string values = "0.1";
+  for (int i = 0; i < 400; ++i) values += ", 0.1";
+  write("list.toml", "[[axis]]\nquantity = \"friction\"\nvalues = [" + values + "]\n");
+  EXPECT_TRUE(rotor("sweep list.toml --dry-run").output.starts_with("401 points"));
   // Brackets that are closed again are not nested.
   std::string runs;
   for (int i = 0; i < 150; ++i) runs += fmt::format("[[run]]\nname = \"{}\"\n", i);

@@ -55,6 +55,18 @@ TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {
   EXPECT_LT(stopped["final_time_s"], 12.1);
 }
 
+// Without an event there is nothing to judge: a run without a mass loss shows all that was asked
+// for.
+TEST_F(Stops, AreWhereSomethingHappens) {
+  for (const std::string method : {"event", "rk4"}) {
+    const Json stopped = summary(
+        "--no-separation --start-speed-hz 30 --torque 0 --until 0.1 --stop-on outcome --method " +
+        method);
+    EXPECT_EQ(stopped["final_time_s"], 0.1) << method;
+    EXPECT_EQ(stopped["stop_reached"], false) << method;
+  }
+}
+
 TEST_F(Stops, StandAboveWhatIsWritten) {
   const std::string run = "run --until 1e-2 --start-speed-hz 150 --trace t.csv --events e.csv";
   ASSERT_EQ(rotor(run).status, 0);
