@@ -131,6 +131,10 @@ TEST(Margins, TellThatARunEndsTooShortlyBeforeItsNextEvent) {
       ASSERT_TRUE(found);
     } while (found->is_course_sure());
     EXPECT_TRUE(found->same_course) << name_of(event) << ' ' << left_s;
+    for (const NamedEstimate& value : found->summary) {
+      EXPECT_FALSE(value.estimate && value.of_tolerance > 0 && sure_digits(value) > 0)
+          << name_of(event) << ' ' << value.name;
+    }
   }
 }
 

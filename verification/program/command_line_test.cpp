@@ -89,8 +89,8 @@ TEST_F(CommandLine, RefusesScenesThatNoParserStands) {
   expect_refusal("run --scene deep.toml", "deep.toml:2: is nested deeper than any scene needs");
   write("arrays.toml", "columns = " + std::string(50'000, '[') + "\n");
   expect_refusal("run --scene arrays.toml", "arrays.toml:1: is nested deeper");
-  write("long.toml", "title = \"\"\"\n# \"\"\"\n" + keys + " = 1\n");
-  expect_refusal("run --scene long.toml", "long.toml:3: is nested deeper");
+  write("long.toml", "columns = [\"\"\"\n# \"\"\", {" + keys + " = 1}]\n");
+  expect_refusal("run --scene long.toml", "long.toml:2: is nested deeper");
   write("closed.toml", "# " + std::string(60'000, ']') + "\ncolumns = " + std::string(50'000, '['));
   expect_refusal("run --scene closed.toml", "closed.toml:2: is nested deeper");
   write("comment.toml", "  # " + std::string(400, '.') + std::string(400, '[') + "\ntitle = 1\n");
@@ -226,6 +226,14 @@ TEST_F(CommandLine, LeavesAFiguresSceneItsOwnMethod) {
   const std::string csv = content("fig21.csv");
   EXPECT_NE(csv.find("fixed: equations published, method rk4"), std::string::npos);
   EXPECT_NE(csv.find("located: equations published, method event"), std::string::npos);
+}
+
+// Nothing of a mass loss is said of it: its cells are empty.
+TEST_F(CommandLine, HasNoClosedFormsOfARotorAtRest) {
+  write("rest.toml",
+        "[parameters]\nstart_speed_hz = 0\nno_separation = true\nuntil = 1\n"
+        "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
+  EXPECT_TRUE(shell(ROTOR_MAP_THEORY " rest.toml").output.ends_with("\n0.1,,,,,,,,\n"));
 }
 
 }  // namespace
