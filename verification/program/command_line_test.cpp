@@ -137,6 +137,8 @@ TEST_F(CommandLine, TellsTheDefaultsOfItsOptions) {
     EXPECT_EQ(help.find(option, at + 1), std::string::npos) << option;
   }
   EXPECT_EQ(help.find("--clearance m="), std::string::npos) << help;
+  const auto line = help.find("\n  --torque N m=0.3                  torque of the motor");
+  EXPECT_NE(line, std::string::npos) << help;
 }
 
 TEST(Duration, IsSaidInAUnitThatSuitsIt) {
