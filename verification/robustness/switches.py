@@ -368,6 +368,8 @@ def switched(text, changes):
             switch = f'rotor::{"constexpr_mutant" if c.in_constexpr else "mutant"}({c.number})'
             if c.is_statement:
                 right = f'{{ if ({switch}) {{ {c.wrong} }} else {{ {right} }} }}'
+            elif c.kind == 'negated condition':  # as which other types may stand
+                right = f'(static_cast<bool>({right}) != {switch})'
             else:
                 right = f'({switch} ? rotor::plain({c.wrong}) : rotor::plain({right}))'
         return right
