@@ -141,7 +141,7 @@ void run_sweep(const SweepOptions& options) {
   } else if (ranks.is_first()) {
     lead(options, *sweep, ranks);
   } else if (ranks.told_by_first(true)) {
-    ranks.work_for_first(workers(*sweep)());
+    work_for_first(workers(*sweep)());
   }
 }
 

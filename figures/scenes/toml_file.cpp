@@ -19,7 +19,8 @@ namespace {
 /// that many either. Lines of comment are left out, but for what may be a line of a longer text.
 int line_that_nests_too_deep(const std::string& text) {
   constexpr int deepest = 200;
-  const bool has_long_texts = text.find("\"\"\"") != text.npos || text.find("'''") != text.npos;
+  const auto has = [&](const char* marks) { return text.find(marks) != std::string::npos; };
+  const bool has_long_texts = has(R"(""")") || has("'''");
   std::istringstream lines(text);
   int number = 1, brackets = 0;
   for (std::string line; std::getline(lines, line); ++number) {

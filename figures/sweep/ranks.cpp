@@ -1,5 +1,6 @@
 #include "figures/sweep/ranks.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -26,9 +27,9 @@ enum Tag : int { rows_of_block = 1, failure = 2, dealt_block = 3 };
 constexpr int ahead = 4;
 
 bool is_launched() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"})
-    if (std::getenv(variable)) return true;
-  return false;
+  constexpr std::array variables = {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"};
+  return std::any_of(variables.begin(), variables.end(),
+                     [](const char* variable) { return std::getenv(variable) != nullptr; });
 }
 
 void pause() { std::this_thread::sleep_for(std::chrono::microseconds(100)); }
@@ -112,7 +113,7 @@ void Ranks::dismiss(Dealer& dealer) {
   for (; dismissals_ > 0; pause()) serve(dealer);
 }
 
-void Ranks::work_for_first(const Work& work) {
+void work_for_first(const Work& work) {
   std::exception_ptr reason;
   for (int n = 0; n < ahead; ++n) send(packed({0, 0}), 0, rows_of_block);
   for (int dismissed = 0; dismissed < ahead;) {
@@ -145,7 +146,7 @@ Ranks::~Ranks() = default;
 bool Ranks::told_by_first(bool word) const { return is_first() && word; }
 void Ranks::serve(Dealer& /*dealer*/) {}
 void Ranks::dismiss(Dealer& /*dealer*/) {}
-void Ranks::work_for_first(const Work& /*work*/) {}
+void work_for_first(const Work& /*work*/) {}
 
 #endif
 

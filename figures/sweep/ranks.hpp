@@ -28,10 +28,6 @@ class Ranks {
   /// And until all others know that there is nothing more.
   void dismiss(Dealer& dealer);
 
-  /// For the others: works on what the first one deals out, until there is no more. Throws what the
-  /// work throws, when the first one knows of it.
-  void work_for_first(const Work& work);
-
  private:
   void answer(Dealer& dealer, int rank);
 
@@ -39,5 +35,9 @@ class Ranks {
   std::vector<int> waiting_;  ///< that have asked when nothing was due
   int dismissals_ = 0;        ///< that the others still have to get
 };
+
+/// For ranks that are not the first: works on what the first one deals out, until there is no more.
+/// Throws what the work throws, when the first one knows of it.
+void work_for_first(const Work& work);
 
 }  // namespace rotor
