@@ -258,7 +258,8 @@ class Source:
 
     def _is_whole_statement(self, first, last):
         return self._in_block(first) and self._text(last + 1) == ';' and \
-            (first == 0 or self._text(first - 1) not in ENDS_OF_EXPRESSIONS - {';', ':', 'else', 'do'})
+            (first == 0 or self._text(first - 1) not in ENDS_OF_EXPRESSIONS - {';', 'else', 'do'} or
+             self._ends_label(first - 1))
 
     def replacement(self, old, new, what):
         """The change that puts `new` where `old` stands."""
