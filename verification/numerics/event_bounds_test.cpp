@@ -108,6 +108,11 @@ TEST(RollingBounds, TakeTheRotorsTurnIntoWhatCurvesSwingByInAStep) {
   EXPECT_NEAR(rolling.phase.swing(rolling.unknowns(), h), h * (ring + 300), 1e-12);
 }
 
+TEST(Bounds, AreThoseOfARotorThatTurnsTheOtherWay) {
+  const RotorSystem<double> rotor(Parameters(), Equations::published);
+  EXPECT_EQ(rotor.swing(2e4, -300, 1e-3), rotor.swing(2e4, 300, 1e-3));
+}
+
 // A rotor that turns faster than it vibrates on the ring: what is seen from the stator swings so,
 // too.
 TEST(RollingScale, IsThatOfTheFasterOfVibrationAndRotation) {

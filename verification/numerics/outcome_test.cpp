@@ -132,6 +132,7 @@ TEST(Outcome, OfARotorWithoutSupportsThatMovesNowhereIsNoContact) {
   EXPECT_EQ(summary_of(scenario).outcome, Outcome::no_contact);
   p.eccentricity = Parameters().eccentricity;
   p.gravity = p.torque = scenario.start_speed_Hz = 0;
+  p.stator_radius = p.rotor_radius + p.eccentricity / 2;  // which C is off, not O
   EXPECT_EQ(summary_of(scenario).outcome, Outcome::no_contact);
 }
 

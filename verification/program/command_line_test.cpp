@@ -25,7 +25,9 @@ TEST_F(CommandLine, RefusesBadInputAndWritesNothing) {
   expect_refusal("run --equations newton --trace t.csv", "must be one of: published, consistent");
   expect_refusal("run --columns time --trace t.csv",
                  "there is no column \"time\"; did you mean time_s?; there are: time_s");
-  expect_refusal("run --until 1 --from 2 --trace t.csv", "--from 2: must lie inside the run");
+  for (const std::string from : {"1", "2"})
+    expect_refusal("run --until 1 --trace t.csv --from " + from,
+                   "--from " + from + ": must lie inside the run");
   expect_refusal("run --until 0.1 --trace .", "it is a folder");
   expect_refusal("run --until 0.1 --trace ''", "--trace: must name a file");
   expect_refusal("run --until 0.1 --events ''", "--events: must name a file");
@@ -50,6 +52,7 @@ TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
   for (const char* number : {"1e3", "0x10", "2.0", "-5"})
     expect_refusal(std::string("run --trace t.csv --rows ") + number,
                    fmt::format("--rows: must be a whole number, not \"{}\"", number));
+  expect_refusal("run --until 1 --no-separation --trace t.csv --rows 00", "--rows 0: must be from");
 }
 
 // Of six letters two may be wrong.
@@ -160,10 +163,14 @@ TEST_F(CommandLine, SaysNothingOfTheProgressOfAQuickRun) {
   EXPECT_FALSE(content("summary").empty());
 }
 
-// A long one says from the third second how it goes on, once a second at most.
+// A long one says from the third second how it goes on, once a second at most; in a file, which is
+// no terminal, in lines.
 TEST_F(CommandLine, SaysTheProgressOfALongRunOnATerminal) {
-  const auto [status, output] = interrupted_on_terminal(
-      "$rotor run --until 1e6 --no-separation --tolerance 1e-14", "in [4-9] s;");
+  const std::string long_run = "$rotor run --until 1e6 --no-separation --tolerance 1e-14";
+  const auto [status, output] =
+      interrupted_on_terminal(long_run + " 2> log & " + long_run, "in [4-9] s;");
+  EXPECT_TRUE(content("log").starts_with("rotor: at ")) << content("log");
+  EXPECT_EQ(content("log").find('\r'), std::string::npos) << content("log");
   EXPECT_NE(status, 0);
   EXPECT_NE(output.find("stops)  ^C\r\nrotor: interrupted; no file has been written\r\n"),
             std::string::npos)
@@ -236,6 +243,14 @@ TEST_F(CommandLine, HasNoClosedFormsOfARotorAtRest) {
         "[parameters]\nstart_speed_hz = 0\nno_separation = true\nuntil = 1\n"
         "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
   EXPECT_TRUE(shell(ROTOR_MAP_THEORY " rest.toml").output.ends_with("\n0.1,,,,,,,,\n"));
+}
+
+TEST_F(CommandLine, HasNoClosedFormsOfDraws) {
+  write("drawn.toml",
+        "[[axis]]\nquantity = \"mass\"\nvalues = [5]\n"
+        "[sample]\ncount = 3\n[[sample.over]]\nquantity = \"friction\"\nuniform = [0.1, 1]\n");
+  EXPECT_EQ(shell(ROTOR_MAP_THEORY " drawn.toml").output,
+            "map-theory: drawn.toml: a map has an [[axis]], and no [sample]\n");
 }
 
 }  // namespace

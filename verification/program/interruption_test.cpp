@@ -1,10 +1,19 @@
 /// What is left of work that somebody interrupts, or kills.
+#include "figures/data/interruption.hpp"
+
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
 
 #include "verification/support/writing.hpp"
 
 namespace rotor {
 namespace {
+
+using namespace std::chrono_literals;
 
 TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
   for (const std::string signal : {"INT", "TERM"}) {
@@ -101,6 +110,19 @@ TEST_F(Writing, TakesTheEchoOfASignalForTheSame) {
   EXPECT_NE(output.find("rotor: cut short at "), std::string::npos) << output;
   EXPECT_NE(content("t.csv").find("\n# cut short at "), std::string::npos);
   remove("t.csv");
+}
+
+// What comes later is another one, and ends the program at once.
+TEST(Interruptions, AreEchoesForAShortTime) {
+  const auto twice = [](std::chrono::milliseconds apart) {
+    note_interruptions();
+    static_cast<void>(std::raise(SIGINT));
+    std::this_thread::sleep_for(apart);
+    static_cast<void>(std::raise(SIGTERM));
+    std::_Exit(interrupting_signal());
+  };
+  EXPECT_EXIT(twice(20ms), testing::ExitedWithCode(SIGINT), "");
+  EXPECT_EXIT(twice(400ms), testing::KilledBySignal(SIGTERM), "");
 }
 
 // A system has but so many threads.

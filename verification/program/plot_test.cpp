@@ -130,6 +130,19 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   EXPECT_EQ(curve, picture.curves.size());
 }
 
+// Of an orbit that is smaller than the ring, too.
+TEST_F(Plot, DrawsTheWholeRing) {
+  write("clear.toml", "[parameters]\nstart_speed_hz = 30\nno_separation = true\nuntil = 1\n");
+  const DrawnPicture picture = drawn("clear");
+  const DrawnCurve& ring = picture.curves.at(4);
+  const double diameter = pixel(ring.y, 3) - pixel(ring.y, -3);
+  const auto [left, right] = std::ranges::minmax_element(ring.points);
+  EXPECT_NEAR(right->first - left->first, diameter, 1);
+  const auto [top, bottom] =
+      std::ranges::minmax_element(ring.points, {}, [](const auto& point) { return point.second; });
+  EXPECT_NEAR(bottom->second - top->second, diameter, 1);
+}
+
 // However long its names are, the key lies above all panels.
 TEST_F(Plot, HasAKeyThatHidesNoCurve) {
   write_runs(8, std::string(70, 'n'));

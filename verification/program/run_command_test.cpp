@@ -245,7 +245,8 @@ TEST_F(RunCommand, TakesDigitsFromASceneAndRefusesWhatHasNone) {
   expect_refusal("run --budget 6", "--budget is how long to look for them");
   expect_refusal("run --estimate-error --method rk4", "is of whole runs by --method event");
   write("bad.toml", "[parameters]\ndigits = 0\n");
-  expect_refusal("run --scene bad.toml", "must be a whole number from 1 to 15");
+  expect_refusal("run --scene bad.toml",
+                 "bad.toml:2: digits: digits = 0: must be a whole number from 1");
 }
 
 TEST_F(RunCommand, NamesItsInputs) {

@@ -73,6 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"window = { until_s = 5 }\n[parameters]\nseparation_time = 1\n[[run]]\nname = "
                  "\"a\"\nuntil = 6\n[[run]]\nname = \"b\"\nuntil = 4",
                  ":1: window: must lie inside the run, with 0 <= from_s < until_s <= 4 s"},
+        BadScene{"window = { from = \"rolling_onset\", length_s = inf }",
+                 ":1: length_s: must be a finite number not below 0 s, not inf"},
         BadScene{"[[run]]\nfriction = 0.1", ":1: name: every [[run]] needs a name"},
         BadScene{"[[run]]\nname = \"a\"\n[[run]]\nname = \"a\"", ":3: name: there is a run \"a\""},
         BadScene{"title = ", ":1: "}),

@@ -154,6 +154,19 @@ TEST_F(RunCommand, TellsTheRunsBesideOneThatFails) {
   expect_refusal("run --scene two.toml --run \"\"", "--run: must name a run");
 }
 
+// There is no table of no runs.
+TEST_F(RunCommand, TabulatesNothingWhereAllRunsFail) {
+  write("two.toml",
+        "[parameters]\nstart_speed_hz = 150\nseparation_time = 1e-3\nuntil = 0.02\n"
+        "method = \"rk4\"\ncontact_stiffness = 1e13\nequations = \"published\"\n"
+        "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\n");
+  const auto [status, output] = rotor("run --scene two.toml 2> messages");
+  EXPECT_EQ(status, 1);
+  EXPECT_EQ(output, "");
+  for (const char* run : {"rotor: a: the rk4 run diverged", "rotor: b: the rk4 run diverged"})
+    EXPECT_NE(content("messages").find(run), std::string::npos) << content("messages");
+}
+
 // How long to look for digits is asked of the runs that state them.
 TEST_F(RunCommand, HasABudgetForTheRunsThatStateDigits) {
   write("two.toml",

@@ -67,6 +67,7 @@ TEST(Statement, EndsAQuarterOfASecondAfterTheMassLossUnlessItSaysWhen) {
 TEST(Statement, ReadsNumbersThatAreNothingElse) {
   EXPECT_EQ(number_in("0.3"), 0.3);
   EXPECT_EQ(number_in("+3e-1"), 0.3);
+  EXPECT_EQ(number_in("3E-1"), 0.3);
   EXPECT_EQ(number_in("-.5"), -0.5);
   EXPECT_EQ(number_in("1e-310"), 1e-310);
   EXPECT_EQ(number_in("0"), 0);  // whatever there was before

@@ -39,13 +39,14 @@ TEST_F(Stops, AreNotWhereTheForceFallsAtTheOnset) {
 
 // Rolling decides the outcome, but not before the mass loss.
 TEST_F(Stops, AreNotBeforeTheMassLossWhereTheOutcomeIsAskedFor) {
-  const Json stopped = summary(
-      "--stop-on outcome --support-stiffness 1.2e5 --friction 2 --separation-time 6 --tolerance "
-      "1e-7");
+  const std::string run =
+      "--support-stiffness 1.2e5 --friction 2 --separation-time 6 --tolerance 1e-7 --stop-on ";
+  const Json stopped = summary(run + "outcome");
   EXPECT_LT(stopped["rolling_onset_s"], 5);
   EXPECT_EQ(stopped["outcome"], "rolling");
   EXPECT_TRUE(stopped["mass_loss_reached"]);
   EXPECT_TRUE(stopped["stop_reached"]);
+  EXPECT_FALSE(summary(run + "rolling")["mass_loss_reached"]);
 }
 
 TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {

@@ -100,6 +100,10 @@ TEST_F(Trace, RefusesDistancesThatMeanNothing) {
   expect_refusal(trace + "--rows 9 --method rk4", "--rows: only --method event knows");
   expect_refusal(trace + "--every 1e-3 --method rk4", "--every: only --method event knows");
   expect_refusal(trace + "--rows 9 --every 0.1", "--every");
+  write("s.toml", "window = { from = \"rolling_onset\", length_s = 1e-3 }\n");
+  for (const std::string distance : {"--rows 9", "--every 1e-4"})
+    expect_refusal("run --scene s.toml --trace t.csv " + distance,
+                   distance.substr(0, distance.find(' ')) + ": needs a window that begins at");
   expect_refusal("run --columns time_s", "--columns requires --trace, or is help");
 }
 
