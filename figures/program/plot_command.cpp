@@ -91,7 +91,7 @@ std::set<std::string> letters_beyond_ascii(std::string_view text) {
       letter = letter << 6U | (byte & 0x3fU);
       if (--more == 0) letters.insert(fmt::format("{:x}", letter));
     } else {
-      more = leading > 1 && leading < 5 ? leading - 1 : 0;
+      more = leading - 1;
       letter = byte & (0x7fU >> static_cast<unsigned>(leading));
     }
   }

@@ -76,8 +76,10 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
         stays_clear(a, {b.time, S(0), b.slope}, bound))
       return b.time;
 
-    S time = crosses && slow < 2 ? estimated_zero(a, b) + resolution / 2 : a.time + h / 2;
-    if (!(time > a.time && time < b.time)) time = a.time + h / 2;
+    S time = a.time + h / 2;
+    if (crosses && slow < 2)
+      if (const S zero = estimated_zero(a, b) + resolution / 2; zero > a.time && zero < b.time)
+        time = zero;
     const ValueAndSlope<S> middle = f(time);
     if (!(middle.value - middle.value + middle.slope - middle.slope == 0))  // it is not finite
       return crosses ? std::optional(b.time) : std::nullopt;

@@ -70,7 +70,7 @@ class StopObserver : public Observer {
       last_force_ = std::nullopt;
       return;
     }
-    const double force = at.touches() ? -ring_.touching_force(ring_.rim_point(at.motion())) : 0;
+    const double force = -ring_.normal_force(ring_.rim_point(at.motion()));
     const bool falls = last_force_ && force < *last_force_;
     if (falls && rises_) reached_ = true;
     rises_ = last_force_ && (rises_ || force > *last_force_);

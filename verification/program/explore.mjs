@@ -136,6 +136,11 @@ async function checkShares() {
       const seen = Number(told.match(new RegExp(`In (\\d+) of ${count} draws the rotor ${words}\\.`))?.[1] ?? 0) / count;
       return { outcome, seen, share: (expected[outcome] ?? 0) / native_count };
     });
+    for (const what of ["Largest normal force", "Touch-downs"]) {
+      const [least, greatest, median] = told.match(new RegExp(`${what}: (\\S+)(?: kN)? … (\\S+)(?: kN)?, median ([\\d.]*\\d)`))
+        ?.slice(1).map(Number) ?? [];
+      expect(least <= median && median <= greatest, `${what} from ${least} to ${greatest}, median ${median}`);
+    }
     const sum = shares.reduce((all, { seen }) => all + seen, 0);
     expect(Math.abs(sum - 1) < 1e-9, `the shares of ${JSON.stringify(options)} are ${sum} in all`);
     for (const { outcome, seen, share } of shares) {
@@ -201,6 +206,13 @@ async function checkKnobs() {
   await page.click(".knob:has(#friction) .reset");
   await shown();
   expect((await summary()).inputs.friction === 0.3, "one click does not bring the paper's friction back");
+  // Between the places where it can stand, the slider's mark is the paper's all the same.
+  await page.getByRole("slider", { name: /clearance/ }).focus();
+  for (const key of ["ArrowRight", "ArrowLeft"]) {
+    await page.keyboard.press(key);
+    await shown();
+  }
+  expect((await page.evaluate(() => location.hash)).length < 2, "a slider on its mark does not stand for the paper's value");
 
   await page.selectOption("#figure", { label: "Fig. 12" });
   await shown();
@@ -209,6 +221,9 @@ async function checkKnobs() {
   await shown();
   const speed = (await summary()).speed_at_separation_Hz;
   expect(Math.abs(speed - 75) < 1e-6, `the mass is lost at ${speed} Hz`);
+  await page.fill("#separation-time", "20");
+  await shown();
+  expect((await summary()).inputs.separation_time === 20, "the time of the mass loss does not replace its speed");
   await page.click("#paper");
   await shown();
 
@@ -293,6 +308,11 @@ async function checkViews() {
   expect(!(await page.locator("#orbit").screenshot()).equals(after[4]), "the orbit is the same in both frames");
   await page.selectOption("#frame", "stator");
   const told = await text("rotor-state");
+  const isSlowerBy = async (times) =>
+    expect((await text("rotor-state")).includes(`; ${times} times slower than real`), `the rotor is not ${times} times slower`);
+  await isSlowerBy(await page.inputValue("#slowness"));
+  await page.selectOption("#slowness", "1000");
+  await isSlowerBy("1000");
   await page.click("#play");
   await page.waitForTimeout(500);
   expect((await text("rotor-state")) !== told, "the rotor does not move");

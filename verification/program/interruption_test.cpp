@@ -119,7 +119,7 @@ TEST(Interruptions, AreEchoesForAShortTime) {
     static_cast<void>(std::raise(SIGINT));
     std::this_thread::sleep_for(apart);
     static_cast<void>(std::raise(SIGTERM));
-    std::_Exit(interrupting_signal());
+    std::exit(interrupting_signal());
   };
   EXPECT_EXIT(twice(20ms), testing::ExitedWithCode(SIGINT), "");
   EXPECT_EXIT(twice(400ms), testing::KilledBySignal(SIGTERM), "");
