@@ -22,9 +22,9 @@ class Make : public CommandLine {
     write("figures/paper/fig18.toml", "");
   }
 
-  /// Not as a part of the make that may run the tests.
+  /// Not as a part of the make that may run the tests, nor with the options it was given.
   Outcome make(const std::string& arguments) const {
-    return shell("env -u MAKEFLAGS -u MAKELEVEL -u CXX make " + arguments);
+    return shell("env -i PATH=\"$PATH\" make " + arguments);
   }
   /// What it would do.
   std::string plan(const std::string& arguments) const { return make("-n " + arguments).output; }
@@ -153,9 +153,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   write("figures/paper/style.gp", "");
   const auto make_figure = [&](const std::string& end) {
     program("bin/gnuplot", "echo '<svg>" + end + "' > build/figures/fig18.svg.part\n");
-    return shell(
-        "PATH=$PWD/bin:$PATH env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o build/rotor "
-        "fig18");
+    return shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18");
   };
   EXPECT_EQ(make_figure("</svg>").status, 0);
   for (const char* removed : {"build/figures/fig18.csv", "build/figures/fig18.svg"}) {
@@ -169,10 +167,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
     write(std::string("reference-data/digitised/") + file, "");
   program("bin/gnuplot",
           "echo \"$*\" >arguments; echo '<svg></svg>' >build/figures/fig18.svg.part\n");
-  EXPECT_EQ(shell("PATH=$PWD/bin:$PATH env -u MAKEFLAGS -u MAKELEVEL -u CXX make -o build -o "
-                  "build/rotor fig18")
-                .status,
-            0);
+  EXPECT_EQ(shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18").status, 0);
   EXPECT_NE(content("arguments")
                 .find("points = 'reference-data/digitised/fig18_force.csv "
                       "reference-data/digitised/fig18_speed.csv'"),
@@ -287,8 +282,7 @@ TEST_F(Make, CallsGnuplotWithoutTheUsersSettings) {
 
 // Also of a command whose output another one reads, such as a build's.
 TEST_F(Make, FailsWhereACommandInAPipeDoes) {
-  EXPECT_NE(
-      shell("env -u MAKEFLAGS -u MAKELEVEL make --eval='piped: ; @false | true' piped").status, 0);
+  EXPECT_NE(shell("env -i PATH=\"$PATH\" make --eval='piped: ; @false | true' piped").status, 0);
 }
 
 }  // namespace
