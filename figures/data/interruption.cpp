@@ -9,8 +9,9 @@
 namespace rotor {
 namespace {
 
-volatile std::sig_atomic_t noted = 0;
+std::atomic<int> noted{0};
 std::atomic<std::int64_t> noted_ms{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 std::int64_t now_ms() {
@@ -20,13 +21,15 @@ std::int64_t now_ms() {
 }
 
 /// A second signal ends the program at once, unless it is the first one's echo: some programs send
-/// theirs to a process and then to its whole group.
+/// theirs to a process and then to its whole group. It may interrupt the first one's handling, or
+/// be handled by another thread at the same time.
 void note(int signal) {
   constexpr std::int64_t echo_ms = 200;
-  if (noted == 0) {
+  const std::int64_t now = now_ms();
+  std::int64_t first = 0;
+  if (noted_ms.compare_exchange_strong(first, now)) {
     noted = signal;
-    noted_ms = now_ms();
-  } else if (now_ms() - noted_ms > echo_ms) {
+  } else if (now - first > echo_ms) {
     static_cast<void>(::signal(signal, SIG_DFL));
     static_cast<void>(::raise(signal));
   }

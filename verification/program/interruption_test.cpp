@@ -18,9 +18,9 @@ using namespace std::chrono_literals;
 TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
   for (const std::string signal : {"INT", "TERM"}) {
     write("t.csv", "precious");
-    const auto [status, output] = shell("bash -c 'set -m; \"$0\" " + long_run +
-                                        " --trace t.csv & sleep 0.3; ls -A | wc -l; kill -" +
-                                        signal + " %1; wait %1; echo status $?' \"$rotor\"");
+    const auto [status, output] =
+        shell("bash -c 'set -m; \"$0\" " + long_run + " --trace t.csv & " + wait_for_rows +
+              "; ls -A | wc -l; kill -" + signal + " %1; wait %1; echo status $?' \"$rotor\"");
     EXPECT_TRUE(output.starts_with("2\n")) << output;  // the draft was there
     EXPECT_NE(output.find("rotor: interrupted; no file has been written"), std::string::npos);
     EXPECT_NE(output.find(signal == "INT" ? "status 130" : "status 143"), std::string::npos);
@@ -80,8 +80,8 @@ TEST_F(Writing, EndsAFigureWhenInterrupted) {
 
 TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
   const auto [status, output] =
-      shell("bash -c 'set -m; \"$0\" " + long_run +
-            " --json --keep-partial --trace t.csv & sleep 0.5; kill -INT %1; wait %1' \"$rotor\"");
+      shell("bash -c 'set -m; \"$0\" " + long_run + " --json --keep-partial --trace t.csv & " +
+            wait_for_rows + "; kill -INT %1; wait %1' \"$rotor\"");
   EXPECT_EQ(status, 0) << output;
   EXPECT_NE(output.find("\"cut_short_at_s\": "), std::string::npos) << output;
   const std::string trace = content("t.csv");
@@ -92,8 +92,8 @@ TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
 }
 
 TEST_F(Writing, RemovesWhatAKilledRunHasLeft) {
-  shell("bash -c '\"$0\" " + long_run +
-        " --trace t.csv & sleep 0.3; kill -KILL $!; wait' \"$rotor\"");
+  shell("bash -c '\"$0\" " + long_run + " --trace t.csv & " + wait_for_rows +
+        "; kill -KILL $!; wait' \"$rotor\"");
   EXPECT_EQ(files(), 1);  // its draft
   EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
   EXPECT_EQ(rotor(short_run + " --trace t.csv").status, 0);
@@ -102,10 +102,10 @@ TEST_F(Writing, RemovesWhatAKilledRunHasLeft) {
 
 // Some programs send their signal to a process and then to its group, that is twice.
 TEST_F(Writing, TakesTheEchoOfASignalForTheSame) {
-  const auto [status, output] =
-      shell("bash -c 'set -m; \"$0\" " + long_run +
-            " --keep-partial --trace t.csv & sleep 0.5; kill -INT %1; kill -TERM %1; wait %1' "
-            "\"$rotor\"");
+  const auto [status, output] = shell("bash -c 'set -m; \"$0\" " + long_run +
+                                      " --keep-partial --trace t.csv & " + wait_for_rows +
+                                      "; kill -INT %1; kill -TERM %1; wait %1' "
+                                      "\"$rotor\"");
   EXPECT_EQ(status, 0) << output;
   EXPECT_NE(output.find("rotor: cut short at "), std::string::npos) << output;
   EXPECT_NE(content("t.csv").find("\n# cut short at "), std::string::npos);
