@@ -94,9 +94,12 @@ double View::normal_force() { return in_contact() ? context_.ring.touching_force
 
 double View::friction() {
   if (!in_contact()) return 0;
-  return rotor::friction(at_.body, ring(), motion(), rim_point(),
-                         supports().loads(at_.body, motion(), at_.motor_on), normal_force(),
-                         at_.contact == ContactState::rolling && context_.rolls);
+  if (at_.contact == ContactState::rolling && context_.rolls)
+    return friction_without_slip(at_.body, ring(), motion(), rim_point(),
+                                 supports().loads(at_.body, motion(), at_.motor_on),
+                                 normal_force());
+  const int own = rim_point().slip_velocity > 0 ? 1 : -1;
+  return ring().sliding_friction(normal_force(), at_.direction == 0 ? own : at_.direction);
 }
 
 Vector<double> View::bearing_force() {

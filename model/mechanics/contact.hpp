@@ -167,19 +167,4 @@ inline S friction_without_slip(const Body<S>& body, const Ring<S>& ring, const M
                                ring.rotor_radius);
 }
 
-/// F_tau on a rim that touches, N: of a constraint if it rolls, else of Coulomb against its slip,
-/// or, out of rest, against where the rim will slide: where the friction that would hold it does
-/// not want it.
-template <class S>
-inline S friction(const Body<S>& body, const Ring<S>& ring, const Motion<S>& motion,
-                  const RimPoint<S>& k, const Loads<S>& supports, const S& normal_force,
-                  bool rolls) {
-  using std::abs;
-  const S rest = 64 * std::numeric_limits<S>::epsilon() * ring.rotor_radius * abs(motion.speed);
-  if (!rolls && abs(k.slip_velocity) > rest)
-    return ring.sliding_friction(normal_force, k.slip_velocity > 0 ? 1 : -1);
-  const S holding = friction_without_slip(body, ring, motion, k, supports, normal_force);
-  return rolls ? holding : ring.sliding_friction(normal_force, holding > 0 ? -1 : 1);
-}
-
 }  // namespace rotor

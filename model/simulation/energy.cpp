@@ -13,10 +13,9 @@ Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<d
   if (at.contact != ContactState::free) {
     const RimPoint<double> k = ring.rim_point(m);
     contact_damping = ring.damping_power(k, at.contact);
-    if (at.touches())
+    if (at.contact == ContactState::sliding)
       contact_friction =
-          k.slip_velocity * friction(at.body, ring, m, k, supports.loads(at.body, m, at.motor_on),
-                                     ring.elastic_force(k), at.contact == ContactState::rolling);
+          k.slip_velocity * ring.sliding_friction(ring.elastic_force(k), at.direction);
   }
   return {at.motor_on ? supports.torque * m.speed : 0,
           supports.gravity_moment(at.body, m) * m.speed,

@@ -82,7 +82,6 @@ class EventMethod {
   std::variant<std::monostate, FlightChart<S>, ContactChart<S>> chart_;  ///< none at a restart
   Point start_;                         ///< of the next step, in that chart
   bool phase_is_new_ = true;            ///< whether only the unknowns are known there
-  int direction_ = 0;                   ///< of the slip, while sliding
   S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
   S first_steps_{1};                    ///< share of what they are otherwise
   S slip_disturbance_{0};               ///< share of the slip at a touch-down

@@ -84,7 +84,7 @@ template <class S, class Stepper>
 void EventMethod<S, Stepper>::enter(const Transition& next) {
   at_.contact = next.contact;
   at_.event = next.event;
-  direction_ = next.direction;
+  at_.direction = next.direction;
   if (next.event == Event::motor_off) {
     rotor_.motor_on = at_.motor_on = false;
     if (auto* chart = std::get_if<FlightChart<S>>(&chart_)) chart->switch_motor_off(start_.x);
@@ -125,9 +125,9 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
     }
     case ContactState::sliding: {
       auto& chart = this->chart<ContactChart<S>>();
-      if (S(direction_) * start_.x[4] < 0)
+      if (S(at_.direction) * start_.x[4] < 0)
         start_.x = chart.without_slip(start_.x);  // by rounding alone
-      return in(Sliding<S>(rotor_, chart, direction_), chart, contact_step_);
+      return in(Sliding<S>(rotor_, chart, at_.direction), chart, contact_step_);
     }
     case ContactState::rolling: {
       auto& chart = this->chart<ContactChart<S>>();

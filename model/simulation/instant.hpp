@@ -16,6 +16,7 @@ struct BasicInstant {
   bool motor_on = true;
   bool separated = false;  ///< whether the mass has been lost
   ContactState contact = ContactState::free;
+  int direction = 0;          ///< sign of the slip velocity, if a phase of sliding has it
   Event event = Event::none;  ///< what has just happened
 
   Motion<S> motion() const { return RotatingFrame<S>::motion(body, state); }

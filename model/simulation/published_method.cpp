@@ -66,6 +66,7 @@ PublishedMethod::PublishedMethod(const Scenario& scenario, const Instant& from)
 void PublishedMethod::restart(const Instant& from) {
   at_ = from;
   at_.event = Event::none;  // fixed steps locate none
+  at_.direction = 0;        // and know no phases
   origin_s_ = at_.time_s;
   steps_ = 0;
   whirl_angle_ = at_.contact == ContactState::free ? 0 : RotatingFrame<double>::angle(at_.state);

@@ -22,11 +22,11 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
   at.state = loss.separate(at.state, scenario.equations);
   at.body = loss.after;
   at.separated = true;
-  at.event = Event::mass_loss;
   const bool jumps = at.state != method.instant().state;
   if (at.contact == ContactState::rolling && jumps) at.contact = ContactState::sliding;
   method.restart(at);
-  at.contact = method.instant().contact;
+  at = method.instant();
+  at.event = Event::mass_loss;
   observer.on_instant(at);
 }
 

@@ -228,6 +228,21 @@ TEST(FlightBounds, AreSharpAboutTheTurningPointOfAnUndampedOscillation) {
   }
 }
 
+// Of a rotor so light at its rim that the damping of O brakes the rotation.
+TEST(FlightBounds, AreNoneWhereDampingMayTakeHalfOfTheSpeedInAStep) {
+  Parameters p{.inertia = 1e-3, .eccentricity = 1e-3};
+  const double h = 1e-4;
+  for (const double share : {0.49, 0.51}) {
+    p.support_damping = share * p.inertia / (p.eccentricity * p.eccentricity * h);
+    const RotorSystem<double> rotor(p, Equations::consistent);
+    const State<double> q = {0, 0, 0, 0, 0, 100};
+    const FlightChart<double> chart(rotor, q);
+    const FreeFlight<double> phase(rotor, chart);
+    const FlightPoint from = point_of(phase, 0, chart.unknowns(q));
+    EXPECT_EQ(phase.reach(from, later(from, h)).has_value(), share < 0.5) << share;
+  }
+}
+
 // Over steps in which a strong motor drives a rotor that mostly turns slowly at first, and damping
 // takes up to half of its speed, no bound is less than what is reached in between.
 TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {

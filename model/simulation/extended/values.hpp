@@ -185,6 +185,7 @@ Instant in_double(const BasicInstant<S>& at) {
                  .motor_on = at.motor_on,
                  .separated = at.separated,
                  .contact = at.contact,
+                 .direction = at.direction,
                  .event = at.event};
   std::transform(at.state.begin(), at.state.end(), result.state.begin(), d);
   return result;
