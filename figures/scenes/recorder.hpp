@@ -30,8 +30,9 @@ using RowSink = std::function<void(std::span<const double>)>;
 
 class Recorder : public Observer {
  public:
-  /// Between the rows, each column is within `tolerance` of the motion where that is known,
-  /// relative to the column's range so far.
+  /// Where the motion is known, rows lie so close that halfway between two of them each column is
+  /// within `tolerance` of a straight line, relative to its range so far; a 64th of an arc is the
+  /// closest.
   Recorder(const Window& window, std::vector<const Column*> columns, const Scenario& scenario,
            double tolerance, RowSink sink);
 

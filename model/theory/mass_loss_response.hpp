@@ -62,9 +62,9 @@ class MassLossResponse {
   double steady() const { return std::abs(steady_); }  ///< what |z| tends to, m
   double bound() const { return reach_from(0); }       ///< above |z| for ever, m
 
-  /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-4 of it.
-  /// Of a vibration that damping has not ended by then, that of 16,000 periods of the faster
-  /// motion.
+  /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-4 of it up
+  /// to half the critical damping. Of a vibration that damping has not ended by then, that of
+  /// 16,000 periods of the faster motion.
   double greatest() const {
     constexpr double none = std::numeric_limits<double>::infinity();  // before the first look
     double found = steady(), last = none, here = std::abs(position(0)), t = 0;
@@ -80,7 +80,7 @@ class MassLossResponse {
   }
 
   /// When |z| reaches the clearance for the first time, if it does within so many periods,
-  /// s. A glance by less than 1e-4 may be missed.
+  /// s. A glance that is over between two looks, 64 a period of the faster motion, is missed.
   std::optional<double> first_contact() const {
     const auto gap = [&](double t) { return clearance_ - std::abs(position(t)); };
     double clear = 0;

@@ -24,8 +24,8 @@
 ///     N = (m w^2 - k) rho + m w^2 e cos(phi),
 ///     m w^2 e sin(phi) = d w rho + mu N (1 - m r rho / I).
 ///
-/// There is such a phi, with N > 0, as long as mu does not exceed synchronous_friction(). Above it
-/// no forward rub can last.
+/// Above synchronous_friction() there is no such phi with N > 0, and no forward rub can last. Up to
+/// it there is one, but for rings so wide that m r rho > I: there damping may need some friction.
 ///
 /// All of this is derived here. The literature asks the same questions of a rotor and a stator that
 /// may vibrate (Black 1968), of backward whirl (Jiang 2007) and of the onset of dry whip (Jiang and
@@ -84,8 +84,7 @@ class Whirl {
 
   /// The friction up to which forward synchronous rub can last at a speed, the indentation
   /// neglected beside the clearance: 0 if the unbalance cannot overcome the damping and press O
-  /// against the ring at once, infinite if it overcomes any friction. In so wide a ring that
-  /// friction moves C back, slowing the rotor down, damping may need some of it.
+  /// against the ring at once, infinite if it overcomes any friction.
   double synchronous_friction(double speed) const {
     const double inertia_force = body_.mass * speed * speed;
     const double unbalance = inertia_force * body_.eccentricity / ring_.clearance;

@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(BothSets, MassLossAudit,
                            return set.param == Equations::published ? "Published" : "Consistent";
                          });
 
-TEST(Audit, TheAccidentAt75HzExistsOnlyWithTheJumpCountedTwice) {
+TEST(Audit, AtThePrintedInputsTheAccidentAt75HzNeedsTheJumpCountedTwice) {
   Scenario scenario{.parameters = {.separation_time = 14.15}, .until = 14.4};
   EXPECT_NEAR(*summary_of(scenario).peak_normal_force_N, 136e3, 500);
   scenario.equations = Equations::consistent;

@@ -1,5 +1,7 @@
 #include "verification/paper/ensembles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -67,11 +69,13 @@ Draws evaluate(const std::vector<std::string>& readings, const Points& points, i
 }
 
 Draws draw(const std::vector<std::string>& readings, const std::filesystem::path& printed_inputs,
-           Rounded rounded, long count, int threads, const std::function<void(long)>& told) {
+           Rounded rounded, const Equations& equations, long count, int threads,
+           const std::function<void(long)>& told) {
   const Sweep sweep = sweep_of(printed_inputs, rounded, count);
   const SweepPoints points(sweep);
   const auto at = [&](long n) {
     PaperInputs inputs;
+    inputs.statement.equations = equations;
     for (const auto& [input, value] : points(n).statement.numbers) inputs.set(input, value);
     return inputs;
   };
@@ -93,6 +97,35 @@ Spread spread(std::vector<double> values, const std::function<bool(double)>& hol
   result.low = quantile(0.05);
   result.high = quantile(0.95);
   return result;
+}
+
+const std::vector<std::string>& forces_of_accidents() {
+  static const std::vector<std::string> readings = {"peak_kN", "peak_kN_100", "peak_kN_75"};
+  return readings;
+}
+
+Accidents read_accidents(const std::filesystem::path& table) {
+  Accidents accidents;
+  for (const CsvRow& row : read_csv(table)) {
+    const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
+    accidents[{row["reading"], row["equations"]}] = {static_cast<long>(number("draws")),
+                                                     number("median_kN"), number("p5_kN"),
+                                                     number("p95_kN"), number("share_touching")};
+  }
+  return accidents;
+}
+
+std::string accidents_csv(const Draws& published, const Draws& consistent) {
+  std::string csv = "reading,equations,draws,share_touching,median_kN,p5_kN,p95_kN\n";
+  for (const std::string& reading : forces_of_accidents())
+    for (const auto& [equations, draws] :
+         {std::pair("published", &published), {"consistent", &consistent}}) {
+      const Spread found =
+          spread(draws->at(reading), [](double force) { return !std::isnan(force); });
+      csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.6g}\n", reading, equations, found.draws,
+                         found.share, found.median, found.low, found.high);
+    }
+  return csv;
 }
 
 }  // namespace rotor

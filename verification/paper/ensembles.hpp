@@ -36,7 +36,8 @@ Draws evaluate(
 /// The same over so many draws from the first one of Sobol's sequence on.
 Draws draw(
     const std::vector<std::string>& readings, const std::filesystem::path& printed_inputs,
-    Rounded rounded, long count, int threads, const std::function<void(long)>& told = [](long) {});
+    Rounded rounded, const Equations& equations, long count, int threads,
+    const std::function<void(long)>& told = [](long) {});
 
 /// A stored ensemble of one reading.
 struct Spread {
@@ -47,5 +48,17 @@ struct Spread {
 
 /// Of the values that hold by a predicate.
 Spread spread(std::vector<double> values, const std::function<bool(double)>& holds);
+
+/// The readings of the largest force after each of the text's losses that lead to contact, kN.
+/// There is none if the rotor stays clear of the ring.
+const std::vector<std::string>& forces_of_accidents();
+
+/// Stored ensembles of these, over every printed digit, by the names of reading and equations.
+/// Their share is that of the draws with contact.
+using Accidents = std::map<std::pair<std::string, std::string>, Spread>;
+Accidents read_accidents(const std::filesystem::path& table);
+
+/// Rows of accidents.csv.
+std::string accidents_csv(const Draws& published, const Draws& consistent);
 
 }  // namespace rotor

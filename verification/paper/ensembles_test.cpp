@@ -20,7 +20,8 @@ TEST(Ensembles, AreWhatRunsGive) {
   const auto inputs = std::filesystem::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv";
   for (const auto& [rounded, count] :
        {std::pair(Rounded::times, 40L), {Rounded::everything, 120L}}) {
-    const Draws draws = draw(readings_to_draw(judged()), inputs, rounded, count, 2);
+    const Draws draws =
+        draw(readings_to_draw(judged()), inputs, rounded, Equations::published, count, 2);
     for (const Number& number : judged())
       for (const Reading& reading : number.readings) {
         if (number.kind != Kind::simulated) continue;
@@ -44,10 +45,44 @@ TEST(Ensembles, AreWhatRunsGive) {
   }
 }
 
+// Of the accidents in either set of equations: shares within three standard errors, and half of the
+// forces on either side of the median.
+TEST(Ensembles, OfAccidentsAreWhatRunsGive) {
+  const std::filesystem::path folder(ROTOR_REFERENCE_DATA);
+  const auto stored = read_accidents(folder / "accidents.csv");
+  EXPECT_EQ(stored.size(), 2 * forces_of_accidents().size());
+  constexpr long count = 150;
+  for (const auto& [name, equations] :
+       {std::pair("published", Equations::published), {"consistent", Equations::consistent}}) {
+    const Draws draws = draw(forces_of_accidents(), folder / "printed-inputs.csv",
+                             Rounded::everything, equations, count, 2);
+    for (const std::string& reading : forces_of_accidents()) {
+      const Spread& all = stored.at({reading, name});
+      const auto& forces = draws.at(reading);
+      EXPECT_EQ(all.draws, 10000);
+      EXPECT_NEAR(values_share(forces), all.share,
+                  3 * std::sqrt(all.share * (1 - all.share) / count) + 1. / count)
+          << reading << name;
+      const auto share = [&](double until) {
+        return spread(forces, [&](double force) { return force <= until; }).share /
+               values_share(forces);
+      };
+      const double touching = count * all.share;
+      for (const auto& [until, expected] :
+           {std::pair(all.low, 0.05), {all.median, 0.5}, {all.high, 0.95}})
+        EXPECT_NEAR(share(until), expected,
+                    3 * std::sqrt(expected * (1 - expected) / touching) + 1 / touching)
+            << reading << name << expected;
+    }
+  }
+}
+
 TEST(Ensembles, DoNotDependOnTheNumberOfThreads) {
   const auto inputs = std::filesystem::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv";
-  const Draws one = draw(readings_to_draw(judged()), inputs, Rounded::everything, 3, 1);
-  const Draws two = draw(readings_to_draw(judged()), inputs, Rounded::everything, 3, 2);
+  const Draws one =
+      draw(readings_to_draw(judged()), inputs, Rounded::everything, Equations::published, 3, 1);
+  const Draws two =
+      draw(readings_to_draw(judged()), inputs, Rounded::everything, Equations::published, 3, 2);
   for (const auto& [reading, values] : one)
     for (std::size_t n = 0; n < values.size(); ++n)
       EXPECT_TRUE(values[n] == two.at(reading)[n] ||

@@ -88,7 +88,7 @@ Json table_json(const std::filesystem::path& csv) {
 Json document(const Sources& sources) {
   const std::vector<Number> judged = judged_numbers(sources.reference_data);
   const Json claims = claims_json(judged);
-  const Json values = values_json(judged);
+  const Json values = values_json(judged, read_accidents(sources.reference_data / "accidents.csv"));
   const Json words = with_numbers(read_json(sources.texts), values);
   Json all = {{"title", words.at("title")},
               {"paper", words.at("paper")},

@@ -29,7 +29,7 @@ Json document(const Sources& sources);
 
 // Its parts.
 Json claims_json(const std::vector<Number>& numbers);
-Json values_json(const std::vector<Number>& numbers);
+Json values_json(const std::vector<Number>& numbers, const Accidents& accidents);
 Json figures_json(const Sources& sources, const Json& claims);
 Json accident_json(const Sources& sources);
 Json studies_json(const Sources& sources);

@@ -40,6 +40,10 @@ std::vector<std::string> all_texts() {
   return all;
 }
 
+Json all_values() {
+  return values_json(judged(), read_accidents(ROTOR_REFERENCE_DATA "/accidents.csv"));
+}
+
 TEST(ReportTexts, StateNoResultThemselves) {
   // What the scenarios state, places in the paper, names and units may stand there; results come in
   // by places such as {{reading.f_q1.f0}}.
@@ -83,12 +87,12 @@ TEST(WithNumbers, PutsInWhatAPlaceAsksFor) {
 }
 
 TEST(ReportTexts, AskForValuesThatThereAre) {
-  EXPECT_NO_THROW(with_numbers(texts(), values_json(judged())));
+  EXPECT_NO_THROW(with_numbers(texts(), all_values()));
 }
 
 // Which of two numbers is the greater is said beside them.
 TEST(ReportTexts, SayOfNumbersWhichIsTheGreater) {
-  const Json values = values_json(judged());
+  const Json values = all_values();
   const auto number = [&](const std::string& name) {
     return std::stod(with_numbers(Json("{{" + name + ".f2}}"), values).get<std::string>());
   };

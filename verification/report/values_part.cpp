@@ -34,12 +34,17 @@ Json run_json(const Summary& s) {
   return all;
 }
 
-/// The runs of the paper in a set of equations.
-Json runs_json(const Equations& equations) {
-  const auto run_of = [&](Parameters parameters, double until_s) {
+/// Runs in a set of equations.
+auto runs_in(const Equations& equations) {
+  return [equations](const Parameters& parameters, double until_s) {
     return run_json(
         summary_of({.parameters = parameters, .equations = equations, .until = until_s}));
   };
+}
+
+/// The runs of the paper in a set of equations.
+Json runs_json(const Equations& equations) {
+  const auto run_of = runs_in(equations);
   return {{"name", name_of(equations)},
           {"mu_03", run_of({.friction = 0.3}, 29.35)},
           {"mu_02", run_of({.friction = 0.2}, 29.35)},
@@ -52,6 +57,22 @@ Json runs_json(const Equations& equations) {
           {"t_2", run_of({.separation_time = 2.2}, 4)},
           {"t_2_earlier", run_of({.separation_time = 2}, 6)},
           {"lowest_Hz", onset_speed_Hz(equations)}};
+}
+
+/// With gravity's moment balanced, all else as printed.
+Json balanced_json() {
+  const auto run_of = runs_in({VelocityJump::twice, GravityMoment::balanced});
+  return {{"mu_03", run_of({.friction = 0.3}, 29.35)},
+          {"mu_008", run_of({.friction = 0.08}, 29.35)}};
+}
+
+Json accidents_json(const Accidents& accidents) {
+  Json all;
+  for (const auto& [key, spread] : accidents)
+    all[key.second][key.first] = {{"draws", spread.draws},
+                                  {"touch_in_percent", 100 * spread.share},
+                                  {"median_kN", spread.median}};
+  return all;
 }
 
 /// What the second jump adds to the rotor's momentum, and to the energy of rotor and piece.
@@ -74,7 +95,7 @@ Json separation_json() {
 
 }  // namespace
 
-Json values_json(const std::vector<Number>& numbers) {
+Json values_json(const std::vector<Number>& numbers, const Accidents& accidents) {
   Json readings, printed, shares;
   for (const Number& number : numbers) {
     printed[number.id] = number.printed;
@@ -90,6 +111,8 @@ Json values_json(const std::vector<Number>& numbers) {
           {"holds_in_percent", shares},
           {"published", runs_json(Equations::published)},
           {"consistent", runs_json(Equations::consistent)},
+          {"balanced", balanced_json()},
+          {"accidents", accidents_json(accidents)},
           {"separation", separation_json()}};
 }
 
