@@ -47,7 +47,7 @@ PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtom
 # Peers of the benchmark: SUNDIALS and GSL in C, SciPy in Debian's Python; Google Benchmark times
 # single evaluations.
 BENCH_PACKAGES := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
-LINT_PACKAGES  := clang-format clang-tidy
+LINT_PACKAGES  := clang-format clang-tidy python3
 # The program that makes wrong changes is written in Python, with nothing but its own library.
 MUTANTS_PACKAGES := python3
 # Another compiler; another processor, with a program that runs its programs here.

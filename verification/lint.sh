@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# What `make lint` does: the format of all sources, and clang-tidy (see .clang-tidy) on those of
-# model/ and figures/. cppcheck was tried and found nothing that is.
+# What `make lint` does: whether all wrong changes of `make mutants` can still be made, the format of
+# all sources, and clang-tidy (see .clang-tidy) on those of model/ and figures/. cppcheck was tried and
+# found nothing that is.
 set -uo pipefail
 build=$1/lint
+python3 -B verification/robustness/mutants.py --check || exit 1
 mapfile -t all < <(git ls-files '*.cpp' '*.hpp' '*.ipp')
 clang-format --dry-run -Werror "${all[@]}" || exit 1
 

@@ -25,9 +25,9 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
   const bool jumps = at.state != method.instant().state;
   if (at.contact == ContactState::rolling && jumps) at.contact = ContactState::sliding;
   method.restart(at);
-  at = method.instant();
-  at.event = Event::mass_loss;
-  observer.on_instant(at);
+  BasicInstant<S> after = method.instant();
+  after.event = Event::mass_loss;
+  observer.on_instant(after);
 }
 
 /// To the end of a scenario, through its mass loss and all contacts.

@@ -447,12 +447,15 @@ def main():
     parser.add_argument('--seed', type=int, default=1, help='of the sample of mechanical changes')
     parser.add_argument('--count', type=int, default=100, help='of mechanical changes')
     parser.add_argument('--only', default='', help='only changes in files whose path fits this expression')
+    parser.add_argument('--check', action='store_true', help='only whether those by hand can be made')
     parser.add_argument('--thorough', action='store_true', help='run all tests that reach a change')
     options = parser.parse_args()
 
-    WORK.mkdir(parents=True, exist_ok=True)
     start = time.monotonic()
     hand = list(by_hand())
+    if options.check:
+        return 0
+    WORK.mkdir(parents=True, exist_ok=True)
     candidates = sample(options.seed, round(MORE * options.count))
     changes = build(hand, candidates, options.count)
     changes = [c for c in changes + [c for c in hand if c.whole_file] if re.search(options.only, c.file)]
