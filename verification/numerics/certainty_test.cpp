@@ -90,6 +90,33 @@ TEST(Computations, AgreeIfTheyHaveAllEventsInCommonAndEndAlike) {
   others([](auto& other) { other.summary.outcome = Outcome::stalled; });
 }
 
+// Of a run that ends between the instants which two computations find for an event.
+TEST(Comparisons, KnowACourseOnlyIfAllComputationsTakeIt) {
+  using Fehlberg = Fehlberg78<std::array<double, 6>, double>;
+  const double tolerance = 1e-4;
+  const auto coarse = [&](const Scenario& scenario) {
+    return compute<double>(scenario, {tolerance}, always);
+  };
+  const auto finest = [&](const Scenario& scenario) {
+    return compute<double>(scenario, {tolerance / Comparison::finest, 3. / 8}, always);
+  };
+  const auto other = [&](const Scenario& scenario) {
+    const Settings<double> settings{tolerance / Comparison::other, 5. / 8,
+                                    disturbances<double>().back()};
+    return compute<double, Fehlberg>(scenario, settings, always);
+  };
+  Scenario scenario = short_run(0.04);
+  const auto early = coarse(scenario).events, exact = finest(scenario).events;
+  int coarse_alone = 0;
+  for (std::size_t n = 0; n < std::min(early.size(), exact.size()); ++n) {
+    scenario.until = 0.9 * early[n].time_s + 0.1 * exact[n].time_s;
+    if (agree(finest(scenario), coarse(scenario))) continue;
+    coarse_alone += agree(finest(scenario), other(scenario));
+    EXPECT_FALSE(compare<double>(scenario, tolerance, always)->same_course) << n;
+  }
+  EXPECT_GT(coarse_alone, 5);
+}
+
 // What is printed of a value is rounded to double precision.
 TEST(Estimates, HaveTheRoundingOfWhatIsPrintedInTheirError) {
   NamedValue<long double> third{.name = "third", .value = 1.0L / 3};

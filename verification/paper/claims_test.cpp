@@ -28,7 +28,8 @@ TEST(Claims, ThatAreNotReproducedHaveAReason) {
 }
 
 TEST(Claims, StandOnceAndUseEveryReading) {
-  std::set<std::string> ids, used;
+  const auto of_accidents = readings_of_accidents();
+  std::set<std::string> ids, used(of_accidents.begin(), of_accidents.end());
   for (const Number& number : judged()) {
     EXPECT_TRUE(ids.insert(number.id).second) << number.id;
     for (const Reading& reading : number.readings) used.insert(reading.name);

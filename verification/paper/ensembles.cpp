@@ -15,6 +15,15 @@
 namespace rotor {
 namespace {
 
+/// By the instant of the loss.
+struct ReadingsOfLoss {
+  const char *force, *rolls;
+};
+const std::map<std::string, ReadingsOfLoss> readings_of_losses = {
+    {"29.1 s", {"peak_kN", "rolls"}},
+    {"19.1 s", {"peak_kN_100", "rolls_at_100"}},
+    {"14.15 s", {"peak_kN_75", "rolls_at_75"}}};
+
 /// Draws need but the digits that are printed.
 constexpr double tolerance_of_draws = 1e-8;
 
@@ -99,8 +108,17 @@ Spread spread(std::vector<double> values, const std::function<bool(double)>& hol
   return result;
 }
 
-const std::vector<std::string>& forces_of_accidents() {
-  static const std::vector<std::string> readings = {"peak_kN", "peak_kN_100", "peak_kN_75"};
+const std::vector<std::string>& losses_of_accidents() {
+  static const std::vector<std::string> losses = {"29.1 s", "19.1 s", "14.15 s"};
+  return losses;
+}
+
+std::vector<std::string> readings_of_accidents() {
+  std::vector<std::string> readings;
+  for (const auto& [loss, of_loss] : readings_of_losses) {
+    readings.emplace_back(of_loss.force);
+    readings.emplace_back(of_loss.rolls);
+  }
   return readings;
 }
 
@@ -108,22 +126,28 @@ Accidents read_accidents(const std::filesystem::path& table) {
   Accidents accidents;
   for (const CsvRow& row : read_csv(table)) {
     const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
-    accidents[{row["reading"], row["equations"]}] = {static_cast<long>(number("draws")),
-                                                     number("median_kN"), number("p5_kN"),
-                                                     number("p95_kN"), number("share_touching")};
+    accidents[{row["loss"], row["equations"]}] = {
+        {static_cast<long>(number("draws")), number("median_kN"), number("p5_kN"), number("p95_kN"),
+         number("share_touching")},
+        number("share_rolling")};
   }
   return accidents;
 }
 
+Accident accident(const std::string& loss, const Draws& draws) {
+  const auto& [force, rolls] = readings_of_losses.at(loss);
+  return {spread(draws.at(force), [](double value) { return !std::isnan(value); }),
+          spread(draws.at(rolls), [](double value) { return value == 1; }).share};
+}
+
 std::string accidents_csv(const Draws& published, const Draws& consistent) {
-  std::string csv = "reading,equations,draws,share_touching,median_kN,p5_kN,p95_kN\n";
-  for (const std::string& reading : forces_of_accidents())
+  std::string csv = "loss,equations,draws,share_touching,share_rolling,median_kN,p5_kN,p95_kN\n";
+  for (const std::string& loss : losses_of_accidents())
     for (const auto& [equations, draws] :
          {std::pair("published", &published), {"consistent", &consistent}}) {
-      const Spread found =
-          spread(draws->at(reading), [](double force) { return !std::isnan(force); });
-      csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.6g}\n", reading, equations, found.draws,
-                         found.share, found.median, found.low, found.high);
+      const auto [force, rolls] = accident(loss, *draws);
+      csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", loss, equations,
+                         force.draws, force.share, rolls, force.median, force.low, force.high);
     }
   return csv;
 }

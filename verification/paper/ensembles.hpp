@@ -49,14 +49,24 @@ struct Spread {
 /// Of the values that hold by a predicate.
 Spread spread(std::vector<double> values, const std::function<bool(double)>& holds);
 
-/// The readings of the largest force after each of the text's losses that lead to contact, kN.
-/// There is none if the rotor stays clear of the ring.
-const std::vector<std::string>& forces_of_accidents();
+/// What becomes of a loss that the text lets lead to an accident, over every printed digit: a row
+/// of accidents.csv.
+struct Accident {
+  Spread force;      ///< the largest one, kN, of the draws with contact, which are its share
+  double rolls = 0;  ///< share of the draws in which the rotor comes to roll
+};
 
-/// Stored ensembles of these, over every printed digit, by the names of reading and equations.
-/// Their share is that of the draws with contact.
-using Accidents = std::map<std::pair<std::string, std::string>, Spread>;
+/// The instants of these losses, as the accidents' names.
+const std::vector<std::string>& losses_of_accidents();
+/// What is to be drawn for them.
+std::vector<std::string> readings_of_accidents();
+
+/// By the instant of the loss and the name of the equations.
+using Accidents = std::map<std::pair<std::string, std::string>, Accident>;
 Accidents read_accidents(const std::filesystem::path& table);
+
+/// Of draws in one set of equations.
+Accident accident(const std::string& loss, const Draws& draws);
 
 /// Rows of accidents.csv.
 std::string accidents_csv(const Draws& published, const Draws& consistent);

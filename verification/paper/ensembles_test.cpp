@@ -45,34 +45,36 @@ TEST(Ensembles, AreWhatRunsGive) {
   }
 }
 
-// Of the accidents in either set of equations: shares within three standard errors, and half of the
-// forces on either side of the median.
+// Of the accidents in either set of equations: shares within three standard errors, and as many of
+// the forces on either side of the quantiles.
 TEST(Ensembles, OfAccidentsAreWhatRunsGive) {
   const std::filesystem::path folder(ROTOR_REFERENCE_DATA);
-  const auto stored = read_accidents(folder / "accidents.csv");
-  EXPECT_EQ(stored.size(), 2 * forces_of_accidents().size());
-  constexpr long count = 150;
+  const Accidents all = read_accidents(folder / "accidents.csv");
+  EXPECT_EQ(all.size(), 2 * losses_of_accidents().size());
+  constexpr double count = 150;
+  const auto error = [](double share, double of) {
+    return 3 * std::sqrt(share * (1 - share) / of) + 1 / of;
+  };
   for (const auto& [name, equations] :
        {std::pair("published", Equations::published), {"consistent", Equations::consistent}}) {
-    const Draws draws = draw(forces_of_accidents(), folder / "printed-inputs.csv",
-                             Rounded::everything, equations, count, 2);
-    for (const std::string& reading : forces_of_accidents()) {
-      const Spread& all = stored.at({reading, name});
-      const auto& forces = draws.at(reading);
-      EXPECT_EQ(all.draws, 10000);
-      EXPECT_NEAR(values_share(forces), all.share,
-                  3 * std::sqrt(all.share * (1 - all.share) / count) + 1. / count)
-          << reading << name;
-      const auto share = [&](double until) {
-        return spread(forces, [&](double force) { return force <= until; }).share /
-               values_share(forces);
-      };
-      const double touching = count * all.share;
+    const Draws draws = draw(readings_of_accidents(), folder / "printed-inputs.csv",
+                             Rounded::everything, equations, static_cast<long>(count), 2);
+    for (const std::string& loss : losses_of_accidents()) {
+      const auto& [force, rolls] = all.at({loss, name});
+      const Accident anew = accident(loss, draws);
+      EXPECT_EQ(force.draws, 10000);
+      EXPECT_NEAR(anew.force.share, force.share, error(force.share, count)) << loss << name;
+      EXPECT_NEAR(anew.rolls, rolls, error(rolls, count)) << loss << name;
+      const auto& forces = draws.at(loss == "29.1 s"   ? "peak_kN"
+                                    : loss == "19.1 s" ? "peak_kN_100"
+                                                       : "peak_kN_75");
       for (const auto& [until, expected] :
-           {std::pair(all.low, 0.05), {all.median, 0.5}, {all.high, 0.95}})
-        EXPECT_NEAR(share(until), expected,
-                    3 * std::sqrt(expected * (1 - expected) / touching) + 1 / touching)
-            << reading << name << expected;
+           {std::pair(force.low, 0.05), {force.median, 0.5}, {force.high, 0.95}}) {
+        const double below =
+            spread(forces, [limit = until](double value) { return value <= limit; }).share;
+        EXPECT_NEAR(below / anew.force.share, expected, error(expected, count * force.share))
+            << loss << name << expected;
+      }
     }
   }
 }

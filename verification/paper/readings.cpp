@@ -455,6 +455,7 @@ const std::map<std::string, Formula>& readings() {
          return value ? Value(*value / 1e3) : std::nullopt;
        }},
       {"rolls_at_100", [](PaperRuns& r) -> Value { return r.at_100_Hz().onset() ? 1. : 0.; }},
+      {"rolls_at_75", [](PaperRuns& r) -> Value { return r.at_75_Hz().onset() ? 1. : 0.; }},
       {"collisions_100", [](PaperRuns& r) -> Value {
          const auto count = r.at_100_Hz().touch_downs_before_rolling();
          return count > 0 ? Value(count) : std::nullopt;

@@ -96,7 +96,7 @@ TEST_F(Verdicts, AboutRollingAtLowFrictionAreShares) {
     rolls[row["contact_damping"]] += row["outcome"] == "rolling";
   ASSERT_EQ(rolls.size(), 2U);
   const std::string sentence =
-      fmt::format("rolling in {} of the 40 runs with 9e3 N s/m, and in {} of those with 1e4",
+      fmt::format("rolling in {} of the 400 runs with 9e3 N s/m, and in {} of those with 1e4",
                   rolls.at("9000"), rolls.at("10000"));
   EXPECT_NE(text.find(sentence), std::string::npos) << sentence;
 }

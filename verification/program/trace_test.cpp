@@ -33,6 +33,13 @@ class Trace : public CommandLine {
   }
 };
 
+TEST_F(Trace, OfEventsHasStateForceAndSlip) {
+  ASSERT_EQ(rotor("run --until 29.12 --events e.csv").status, 0);
+  EXPECT_EQ(rows_of("e.csv").front(),
+            "event,time_s,q1_m,q2_m,q3_rad,q1_rate_m_per_s,q2_rate_m_per_s,q3_rate_rad_per_s,"
+            "contact_state,normal_force_N,slip_velocity_m_per_s");
+}
+
 TEST_F(Trace, HasARowAtEqualDistancesFromTheFirstToTheLastInstant) {
   const std::string window = "--from 29.1 --until 29.12 --columns time_s,q1_m ";
   const auto rows = numbers(window + "--rows 401");

@@ -1,4 +1,5 @@
 /// The numbers that the page's words ask for.
+#include <algorithm>
 #include <cmath>
 
 #include "figures/scenes/names.hpp"
@@ -68,10 +69,14 @@ Json balanced_json() {
 
 Json accidents_json(const Accidents& accidents) {
   Json all;
-  for (const auto& [key, spread] : accidents)
-    all[key.second][key.first] = {{"draws", spread.draws},
-                                  {"touch_in_percent", 100 * spread.share},
-                                  {"median_kN", spread.median}};
+  for (const auto& [key, accident] : accidents) {
+    std::string loss = key.first;
+    std::ranges::replace(loss, '.', '_');
+    all[key.second]["at_" + loss.substr(0, loss.find(' '))] = {
+        {"draws", accident.force.draws},
+        {"touch_in_percent", 100 * accident.force.share},
+        {"roll_in_percent", 100 * accident.rolls}};
+  }
   return all;
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Breaks the program on purpose in many ways, one at a time: the tests must notice each.
 
-The changes are those of mutants.txt, and a seeded sample of what can be changed mechanically in model/
-and figures/. All are compiled at once into a copy of the sources, each behind a switch that the
+The changes are a seeded sample of those of mutants.txt, and one of what can be changed mechanically in
+model/ and figures/. All are compiled at once into a copy of the sources, each behind a switch that the
 environment turns on (ROTOR_MUTANT=17), so that programs which tests start have it too. What is read at
 run time (scenes, gnuplot scripts, texts) is replaced in the copy for a run, one file at a time.
 
@@ -445,6 +445,7 @@ class Run:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n', maxsplit=1)[0])
     parser.add_argument('--seed', type=int, default=1, help='of the sample of mechanical changes')
+    parser.add_argument('--hand', type=int, default=150, help='of changes by hand')
     parser.add_argument('--count', type=int, default=100, help='of mechanical changes')
     parser.add_argument('--only', default='', help='only changes in files whose path fits this expression')
     parser.add_argument('--check', action='store_true', help='only whether those by hand can be made')
@@ -455,6 +456,7 @@ def main():
     hand = list(by_hand())
     if options.check:
         return 0
+    hand = random.Random(options.seed).sample(hand, min(options.hand, len(hand)))
     WORK.mkdir(parents=True, exist_ok=True)
     candidates = sample(options.seed, round(MORE * options.count))
     changes = build(hand, candidates, options.count)
