@@ -7,7 +7,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "model/simulation/simulation.hpp"
 
@@ -98,16 +97,6 @@ TEST_F(ReadmeResults, ShowsBothSetsOfEquationsBesideThePaper) {
   }
 }
 
-TEST_F(ReadmeResults, ShowsTheDigitsThatItsExampleGives) {
-  const std::string example = "--friction 0.05 --until 29.23 --digits 6", key = "final_q2_m";
-  const auto [status, printed] = rotor("run " + example + " 2>messages");
-  EXPECT_EQ(status, 0);
-  std::istringstream line(printed.substr(printed.find(key) + key.size()));
-  std::string digits;
-  line >> digits;
-  expect_said("build/rotor run " + example + " # " + key + ' ' + digits + ' ');
-}
-
 TEST_F(ReadmeResults, ShowsWhatItsThreeCasesGive) {
   const auto rows = table("| `build/rotor run` |");
   ASSERT_EQ(rows.size(), 3U);
@@ -172,7 +161,7 @@ TEST_F(Readme, HasExamplesThatRun) {
   ASSERT_EQ(examples.size(), 2U);
   write("my-rotor.toml", examples[0]);
   write("damping.toml", examples[1]);
-  for (const std::string& line : commands)  // the one with digits is run for them
+  for (const std::string& line : commands)  // RunCommand runs that with digits
     EXPECT_TRUE(line.find("--digits") != std::string::npos || rotor(line).status == 0) << line;
   EXPECT_EQ(commands.size(), 3U);
   const auto [status, output] = rotor("sweep damping.toml --dry-run");
