@@ -1,7 +1,9 @@
 /// What the program writes, and what it leaves alone.
 #include "verification/support/writing.hpp"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <sstream>
 
@@ -261,11 +263,14 @@ TEST_F(Writing, TouchesNobodysOwnDrafts) {
 TEST_F(Writing, ClearsAwayTheDraftsOfProcessesThatWereKilled) {
   fs::create_symlink("t.csv", folder_ / "link");
   write(".t.csv.4194305-0.part", "half");
+  const std::string own = fmt::format(".t.csv.{}-0.part", ::getpid());
   write(".t.csv.1-0.part", "being written");
+  write(own, "being written");
   EXPECT_EQ(rotor(short_run + " --trace link").status, 0);
   EXPECT_FALSE(fs::exists(folder_ / ".t.csv.4194305-0.part"));
   EXPECT_EQ(content(".t.csv.1-0.part"), "being written");
   remove(".t.csv.1-0.part");
+  remove(own);
   remove("link");
   remove("t.csv");
 }
