@@ -110,6 +110,24 @@ TEST(PublishedMethod, CountsTheWhirlFromTheOnsetOfRolling) {
   EXPECT_EQ(observer.summary().whirl_from_s, observer.summary().rolling_onset_s);
 }
 
+// A rim that slips in between rolls anew.
+TEST(PublishedMethod, CountsTheWhirlOfTheLastTimeThatItRollsAlone) {
+  Scenario scenario{.method = Method::rk4};
+  scenario.parameters.separates = false;
+  SummaryObserver observer(scenario);
+  Instant at = at_rest(scenario.parameters);
+  at.state = {3.01e-3, 0, 0, 0, 0, 400};
+  using enum ContactState;
+  for (const ContactState contact : {free, sliding, rolling, rolling, sliding, rolling, rolling}) {
+    at.contact = contact;
+    at.time_s += 1;
+    observer.on_instant(at);
+    observer.goes_on({at.time_s, 400, -at.time_s});
+  }
+  EXPECT_EQ(observer.summary().whirl_from_s, 6);
+  EXPECT_EQ(observer.summary().whirl_until_s, 7);
+}
+
 /// All instants of a run by the published method.
 struct Steps : Observer {
   void on_instant(const Instant& at) override { all.push_back(at); }
