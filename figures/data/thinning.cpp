@@ -9,20 +9,30 @@
 namespace rotor {
 namespace {
 
-/// One column, scaled so that its values lie between 0 and 1. A constant column is all zero; what
-/// is not a number is zero as well.
-std::vector<double> scaled(const Table& table, std::size_t column) {
+/// A column's least and greatest value, and the first rows that have them.
+struct Range {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  std::size_t least_row = 0, greatest_row = 0;
+};
+
+Range range_of(const Table& table, std::size_t column) {
+  Range range;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double value = table.row(i)[column];
-    if (value < least) least = value;
-    if (value > greatest) greatest = value;
+    if (value < range.least) range.least = value, range.least_row = i;
+    if (value > range.greatest) range.greatest = value, range.greatest_row = i;
   }
-  const double range = greatest > least ? greatest - least : 1;
+  return range;
+}
+
+/// One column, scaled so that its values lie between 0 and 1. A constant column is all zero; what
+/// is not a number is zero as well.
+std::vector<double> scaled(const Table& table, std::size_t column, const Range& range) {
+  const double length = range.greatest > range.least ? range.greatest - range.least : 1;
   std::vector<double> values(table.rows());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double value = table.row(i)[column];
-    values[i] = std::isnan(value) ? 0 : (value - least) / range;
+    values[i] = std::isnan(value) ? 0 : (value - range.least) / length;
   }
   return values;
 }
@@ -78,14 +88,14 @@ void mark_corners(const Curves& curves, std::size_t first, std::size_t last, dou
 
 Table thinned(const Table& table, double tolerance) {
   if (table.rows() == 0) return table;
-  Curves curves{scaled(table, 0), {}};
+  Curves curves{scaled(table, 0, range_of(table, 0)), {}};
   std::vector<char> needed(table.rows(), false);
   for (std::size_t column = 1; column < table.columns(); ++column) {
-    const std::vector<double>& y = curves.all.emplace_back(scaled(table, column));
+    const Range range = range_of(table, column);
+    curves.all.push_back(scaled(table, column, range));
     mark_gaps(table, column, needed);
     // The ends of the range are what annotations quote: they stay to the last digit.
-    needed[static_cast<std::size_t>(std::min_element(y.begin(), y.end()) - y.begin())] = true;
-    needed[static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin())] = true;
+    needed[range.least_row] = needed[range.greatest_row] = true;
   }
   // Piece by piece, because the time that it takes grows faster than a piece's length.
   constexpr std::size_t piece_length = 512;

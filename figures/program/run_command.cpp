@@ -219,7 +219,6 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
       finish(outputs.empty() ? run_ups.depart(scenario, progress) : Departure(scenario), scenario,
              options.stop_on, audience);
   if (account.early.interrupted) {
-    if (!options.keep_partial) throw Interrupted();
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
                                    account.end.last.time_s, scenario.until));
   } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
@@ -230,11 +229,9 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     const double error = estimated_relative_error(scenario, account.summary, [&](double time_s) {
       return other_progress.goes_on({time_s, 0, 0});
     });
-    if (!is_interrupted())
-      account.estimated_relative_error = error;
-    else if (!options.keep_partial)
-      throw Interrupted();
+    if (!is_interrupted()) account.estimated_relative_error = error;
   }
+  if (is_interrupted() && !options.keep_partial) throw Interrupted();
   files.commit();
   Printed printed{to_json(account), remarks(account)};
   if (energy) printed.summary["energy_J"] = to_json(*energy);

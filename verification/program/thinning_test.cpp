@@ -47,5 +47,32 @@ TEST(Thinning, KeepsWhatIsBesideAGap) {
   EXPECT_EQ(thin.row(thin.rows() - 1)[1], 10000);
 }
 
+// Annotations quote them.
+TEST(Thinning, KeepsTheEndsOfTheRangeOfWhatHasGapsToTheLastDigit) {
+  Table full(2);
+  for (int i = 0; i <= 100; ++i) {
+    full.add(i);
+    full.add(i == 0 ? std::numeric_limits<double>::quiet_NaN() : 1 + 1e-5 * std::cos(i / 10.));
+  }
+  const Table thin = thinned(full, 1);
+  ASSERT_EQ(thin.rows(), 5U);  // of the gap, of the range and at the end
+  EXPECT_EQ(thin.row(1)[0], 1);
+  EXPECT_EQ(thin.row(2)[0], 63);
+  EXPECT_EQ(thin.row(3)[0], 94);
+  EXPECT_EQ(thin.row(4)[0], 100);
+}
+
+// The range is that of all rows, the first and the last one too.
+TEST(Thinning, MeasuresBySpikesAtTheEndsToo) {
+  for (const int spike : {0, 100}) {
+    Table full(2);
+    for (int i = 0; i <= 100; ++i) {
+      full.add(i);
+      full.add(i == spike ? 1000 : i % 2);
+    }
+    EXPECT_LT(thinned(full, 2e-3).rows(), 6U) << spike;
+  }
+}
+
 }  // namespace
 }  // namespace rotor
