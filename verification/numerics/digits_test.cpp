@@ -102,20 +102,25 @@ TEST(ManyDigits, AreHadWhereContactsMultiplyRounding) {
     }
 }
 
+/// How many computations it takes, and whether the last are in double precision.
+std::pair<int, bool> computations(const Scenario& scenario, int digits) {
+  int number = 1;
+  double last_s = 0;
+  const auto found = run_to_digits(scenario, digits, [&](double time_s) {
+    number += time_s < last_s;
+    last_s = time_s;
+    return true;
+  });
+  EXPECT_TRUE(found && has_digits(*found, digits)) << scenario.parameters.friction << ' ' << digits;
+  return {number, found->precision == Precision::double_};
+}
+
 // What the first comparison tells is enough to choose the one that serves, or nearly.
 TEST(ManyDigits, AreHadByFewComputations) {
   const auto computations = [](double friction, int digits) {
     Scenario scenario{.parameters = {.friction = friction}, .start_speed_Hz = 149.5, .until = 0.06};
     scenario.parameters.separation_time = 1e-3;
-    int number = 1;
-    double last_s = 0;
-    const auto found = run_to_digits(scenario, digits, [&](double time_s) {
-      number += time_s < last_s;
-      last_s = time_s;
-      return true;
-    });
-    EXPECT_TRUE(found && has_digits(*found, digits)) << friction << ' ' << digits;
-    return std::pair(number, found->precision == Precision::double_);
+    return rotor::computations(scenario, digits);
   };
   constexpr bool in_double = true;
   EXPECT_EQ(computations(0.3, 3), std::pair(4, in_double));
@@ -127,6 +132,23 @@ TEST(ManyDigits, AreHadByFewComputations) {
   EXPECT_EQ(computations(0.08, 8), std::pair(7, !in_double));
   // At first they do not even agree on the events.
   EXPECT_EQ(computations(0.08, 3), std::pair(12, in_double));
+}
+
+// How close a miss is tells how much finer it has to be told from a contact.
+TEST(ManyDigits, OfAMissAreHadByFewComputations) {
+  Scenario scenario{.start_speed_Hz = 149.5, .until = 0.03};
+  scenario.parameters.separation_time = 1e-3;
+  scenario.parameters.stator_radius = 0.1;
+  SummaryObserver wide(scenario);
+  run(scenario, wide);
+  const double reached = wide.summary().max_displacement_m.value();
+  const auto computations_of_miss = [&](double miss) {
+    scenario.parameters.stator_radius = scenario.parameters.rotor_radius + (1 + miss) * reached;
+    return computations(scenario, 3).first;
+  };
+  EXPECT_EQ(computations_of_miss(1e-6), 4);
+  EXPECT_EQ(computations_of_miss(1e-8), 8);
+  EXPECT_EQ(computations_of_miss(1e-11), 12);
 }
 
 // Every event of the paper's runs, against the landmarks in quadruple precision.
