@@ -151,29 +151,16 @@ class FlightChart {
     const Kinematics at = kinematics(x);
     const S angle = this->angle(x, at);
     speed_ = at.motion.speed;
-    has_none_ = false;
+    synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_, Synchronous::Terms::all)
+                                   : Synchronous();
+    x = without_synchronous(at.motion, angle);
+    has_none_ = synchronous_.exists() && !(synchronous_.is_good() && is_near_where_laid(x));
+    if (!has_none_) return;
     synchronous_ = Synchronous();
-    if (is_fast(speed_)) {
-      synchronous_ = {rotor_, speed_, down_, Synchronous::Terms::all};
-      x = without_synchronous(at.motion, angle);
-      has_none_ = !(synchronous_.is_good() && is_that_of(at.motion, angle, x));
-      if (!has_none_) return;
-      synchronous_ = Synchronous();
-    }
     x = without_synchronous(at.motion, angle);
   }
 
-  /// Whether the ripple could be taken out: it is small, and what is left leads back.
-  bool is_that_of(const Motion<S>& m, const S& angle, const Unknowns& x) const {
-    using std::abs;
-    const S few = 1000 * std::numeric_limits<S>::epsilon();
-    const Kinematics at = kinematics(x);
-    return abs(this->speed(x) - m.speed) <= Synchronous::range() * abs(m.speed) &&
-           abs(at.motion.speed - m.speed) <= few * abs(m.speed) &&
-           abs(this->angle(x, at) - angle) <= few * (1 + abs(angle));
-  }
-
-  /// The speed has hardly changed since then.
+  /// The speed is, but for a ripple, that at which the synchronous motion was worked out.
   bool is_near_where_laid(const Unknowns& x) const {
     using std::abs;
     return abs(x[5]) <= Synchronous::range() * abs(speed_);

@@ -112,7 +112,10 @@ TEST(Comparisons, KnowACourseOnlyIfAllComputationsTakeIt) {
     scenario.until = 0.9 * early[n].time_s + 0.1 * exact[n].time_s;
     if (agree(finest(scenario), coarse(scenario))) continue;
     coarse_alone += agree(finest(scenario), other(scenario));
-    EXPECT_FALSE(compare<double>(scenario, tolerance, always)->same_course) << n;
+    const auto found = compare<double>(scenario, tolerance, always);
+    EXPECT_FALSE(found->same_course) << n;
+    EXPECT_LE(found->events.size(), common_events(finest(scenario), coarse(scenario)) + 1) << n;
+    EXPECT_LE(found->events.size(), common_events(finest(scenario), other(scenario)) + 1) << n;
   }
   EXPECT_GT(coarse_alone, 5);
 }
@@ -203,6 +206,7 @@ TEST(SizesOfValues, OfAVelocityAreThoseInTheStator) {
   Instant resting;  // in the stator's middle
   resting.state[5] = 900;
   EXPECT_DOUBLE_EQ(values_of(resting, 3e-3)[4].size, 3e-9 * 900);
+  EXPECT_DOUBLE_EQ(values_of(resting, 3e-3)[3].size, 1e-6);  // of an angle: a millionth of 1 rad
 }
 
 TEST(SureDigits, AreThoseThatTheErrorIsLessThanHalfOf) {

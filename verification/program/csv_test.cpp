@@ -49,5 +49,18 @@ TEST(Csv, NamesTheLineOfARowBelowOthersThatTakeSeveral) {
   EXPECT_EQ(places, "t.csv:4: t.csv:6: t.csv:8: ");
 }
 
+TEST(Csv, NamesTheCellThatIsNoNumber) {
+  for (const char* cell : {"", "z", "2z", "1e9999"}) {
+    std::istringstream text(std::string("a,c\n1,") + cell + "\n");
+    const CsvRow row = read_csv(text, "t.csv").front();
+    EXPECT_EQ(row.number("a"), 1);
+    try {
+      FAIL() << static_cast<double>(row.number("c"));
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(error.what(), "t.csv:2: c: must be a number, not \"" + std::string(cell) + '"');
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rotor

@@ -3,6 +3,7 @@
 
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "figures/scenes/account.hpp"
 #include "figures/scenes/audience.hpp"
@@ -67,6 +68,26 @@ TEST(RunUps, LeadWhereARunOfItsOwnLeadsTo) {
     EXPECT_EQ(finished(shared, scenario), alone);
   }
   EXPECT_GT(touching_before, 3);
+}
+
+// It is looked for from the last of the places that are kept before it.
+TEST(RunUps, FindTheTimeAtASpeedWhereverOthersHaveDeparted) {
+  Observer null_observer;
+  const Scenario scenario;
+  RunUps used;
+  const auto depart_at = [&](double time_s) {
+    Scenario other = scenario;
+    other.parameters.separation_time = time_s;
+    used.depart(other, null_observer);
+  };
+  for (const double time_s : {24., 12., 18.}) depart_at(time_s);
+  for (const double speed_Hz : {10., 50., 80., 100., 130.}) {
+    const double alone_s =
+        RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer).time_s.value();
+    const double found_s =
+        used.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer).time_s.value();
+    EXPECT_NEAR(found_s / alone_s, 1, 1e-13) << speed_Hz;
+  }
 }
 
 // A second run of the same way costs no run-up.
@@ -257,11 +278,29 @@ TEST(Audience, IsToldOfEachStepAltogether) {
   for (const Listener* listener : {&first, &bored, &last}) EXPECT_EQ(listener->steps, 2);
 }
 
-// Fixed steps of another length lead another way.
-TEST(RunUpPart, DependsOnTheStepsOfFixedOnes) {
-  Scenario scenario{.method = Method::rk4}, other = scenario;
-  other.step_run_up *= 2;
-  EXPECT_FALSE(run_up_part(scenario) == run_up_part(other));
+// A run-up is shared by all that differ only in what comes into play with the loss or the ring.
+TEST(RunUpPart, DependsOnWhatTheRotorMeetsUntilTheLossOrTheFirstContact) {
+  const std::set<std::string_view> without = {"contact_stiffness", "contact_damping", "friction",
+                                              "unbalance_factor",  "separation_time", "until",
+                                              "step_rub"};
+  const Scenario scenario;
+  for (const Quantity& quantity : quantities()) {
+    Scenario other = scenario;
+    quantity.in(other) = 1.01 * quantity.in(other) + 0.01;
+    EXPECT_EQ(run_up_part(scenario) == run_up_part(other), without.contains(quantity.name))
+        << quantity.name;
+  }
+  const auto is_shared_with = [&](auto change) {
+    Scenario other = scenario;
+    change(other);
+    return run_up_part(scenario) == run_up_part(other);
+  };
+  EXPECT_TRUE(is_shared_with([](Scenario& other) { other.parameters.separates = false; }));
+  EXPECT_TRUE(
+      is_shared_with([](Scenario& other) { other.equations.velocity_jump = VelocityJump::once; }));
+  EXPECT_FALSE(is_shared_with(
+      [](Scenario& other) { other.equations.gravity_moment = GravityMoment::balanced; }));
+  EXPECT_FALSE(is_shared_with([](Scenario& other) { other.method = Method::rk4; }));
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
-/// What the program writes, and what it leaves alone.
+/// How the program writes, and what it leaves behind.
 #include "verification/support/writing.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <sstream>
@@ -45,92 +44,6 @@ TEST_F(Writing, WritesToADescriptorInItsPlace) {
   remove("t.csv");
 }
 
-// A folder in memory among the devices has files like any other.
-TEST_F(Writing, ReplacesFilesInSharedMemory) {
-  if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is none";
-  const std::string file = "/dev/shm/" + folder_.filename().string() + ".csv";
-  write("long", std::string(1000000, 'x'));
-  for (const bool exists : {false, true}) {
-    if (exists) fs::copy_file(folder_ / "long", file, fs::copy_options::overwrite_existing);
-    EXPECT_EQ(rotor(short_run + " --trace " + file).status, 0);
-    EXPECT_LT(fs::file_size(file), 1000000U);
-    fs::remove(file);
-  }
-  remove("long");
-}
-
-TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
-  write("target", "old");
-  ASSERT_EQ(::chmod((folder_ / "target").c_str(), 0600), 0);
-  fs::create_symlink("target", folder_ / "link");
-  EXPECT_EQ(rotor(short_run + " --trace link").status, 0);
-  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  EXPECT_GT(rows_of("target").size(), 10U);
-  EXPECT_EQ(fs::status(folder_ / "target").permissions(),
-            fs::perms::owner_read | fs::perms::owner_write);
-  remove("link");
-  remove("target");
-  fs::create_symlink("not-yet", folder_ / "link");  // which leads nowhere so far
-  EXPECT_EQ(shell("umask 027; $rotor " + short_run + " --trace link").status, 0);
-  EXPECT_EQ(fs::status(folder_ / "not-yet").permissions(), fs::perms{0640});
-  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
-  remove("link");
-  remove("not-yet");
-}
-
-// A link leads on from where it stands, not from where the program was started.
-TEST_F(Writing, FollowsARelativeLinkInAnotherFolder) {
-  fs::create_directory(folder_ / "other");
-  fs::create_symlink("target", folder_ / "other/link");
-  EXPECT_EQ(rotor(short_run + " --trace other/link").status, 0);
-  EXPECT_GT(rows_of("other/target").size(), 10U);
-  EXPECT_FALSE(fs::exists(folder_ / "target"));
-  fs::remove_all(folder_ / "other");
-}
-
-// Whoever may write anywhere, as tests in containers do, does without that right for once.
-TEST_F(Writing, RefusesWhatItsOwnerMayNotWrite) {
-  write("t.csv", "precious");
-  const auto [status, output] = shell(
-      "chmod 444 t.csv; owner=; "
-      "[ $(id -u) -ne 0 ] || owner='setpriv --inh-caps -dac_override --bounding-set "
-      "-dac_override'; "
-      "$owner $rotor " +
-      short_run + " --trace t.csv");
-  EXPECT_EQ(status, 1);
-  EXPECT_EQ(output, "rotor: t.csv: cannot be written: Permission denied\n");
-  EXPECT_EQ(content("t.csv"), "precious");
-  remove("t.csv");
-}
-
-TEST_F(Writing, ReplacesNothingThatItReads) {
-  const std::string scene = "[parameters]\nuntil = 0.1\n";
-  write("s.toml", scene);
-  for (const char* outputs : {"run --scene s.toml --trace ./s.toml",
-                              "run --scene s.toml --events s.toml", "plot s.toml --out s.toml"})
-    EXPECT_NE(rotor(outputs).status, 0) << outputs;
-  expect_refusal("run --scene s.toml --trace ./s.toml",
-                 "./s.toml: cannot be written: it is what the runs are read from");
-  const std::string sweep =
-      "[parameters]\nuntil = 0.1\n[[axis]]\nquantity = \"mass\"\nvalues = [5]\n";
-  write("w.toml", sweep);
-  expect_refusal("sweep w.toml --out w.toml", "it is what the runs are read from");
-  EXPECT_EQ(content("s.toml"), scene);
-  EXPECT_EQ(content("w.toml"), sweep);
-  remove("s.toml");
-  remove("w.toml");
-}
-
-// Behind a link, two dots are the folder above where it leads.
-TEST_F(Writing, LeavesALinkedFolderUpwardsWhereItLeads) {
-  ASSERT_EQ(shell("mkdir -p other/sub && ln -s other/sub link").status, 0);
-  EXPECT_EQ(rotor(short_run + " --trace link/../t.csv").status, 0);
-  EXPECT_GT(rows_of("other/t.csv").size(), 10U);
-  EXPECT_FALSE(fs::exists(folder_ / "t.csv"));
-  fs::remove_all(folder_ / "other");
-  remove("link");
-}
-
 TEST_F(Writing, LeavesNoFolderOfARunThatFails) {
   EXPECT_EQ(rotor("run --stop-on rolling --from 29.3 --trace new/folder/t.csv").status, 1);
   EXPECT_FALSE(fs::exists(folder_ / "new"));
@@ -138,19 +51,6 @@ TEST_F(Writing, LeavesNoFolderOfARunThatFails) {
                 .status,
             1);
   EXPECT_FALSE(fs::exists(folder_ / "new"));
-}
-
-TEST_F(Writing, CutsNoHardLink) {
-  write("one", "precious");
-  fs::create_hard_link(folder_ / "one", folder_ / "two");
-  expect_refusal(short_run + " --trace one", "one: cannot be written: it has several hard links");
-  write("s.toml", "[[axis]]\nquantity = \"friction\"\nvalues = [0.3]\n");
-  expect_refusal("sweep s.toml --out one", "one: cannot be written: it has several hard links");
-  EXPECT_FALSE(fs::exists(folder_ / "one.journal"));  // nothing has been computed
-  remove("s.toml");
-  EXPECT_EQ(content("two"), "precious");
-  remove("one");
-  remove("two");
 }
 
 TEST_F(Writing, ToStandardOutputLeavesTheSummaryToStandardError) {
