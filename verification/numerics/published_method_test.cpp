@@ -83,7 +83,11 @@ TEST(PublishedMethod, GivesTheSameBitsWhereverTheRunWasInterrupted) {
   Simulation simulation(scenario);
   for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, null_observer);
   simulation.pass_mass_loss(null_observer);
-  for (const double stop : {29.1066, 29.12, 29.2}) simulation.approach(stop, null_observer);
+  for (const double stop : {29.1066, 29.12, 29.2}) {
+    simulation.approach(stop, null_observer);
+    EXPECT_LE(simulation.instant().time_s, stop);
+    EXPECT_NEAR(simulation.instant().time_s, stop, 1e-5);  // by whole steps
+  }
   simulation.finish(null_observer);
   EXPECT_EQ(simulation.instant().state, run_whole(scenario).last.state);
 }
