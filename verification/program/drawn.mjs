@@ -28,8 +28,8 @@ function traceOf(rotor, options, from_s) {
 const least = (column) => column.reduce((one, other) => Math.min(one, other));
 const greatest = (column) => column.reduce((one, other) => Math.max(one, other));
 
-/// `set(options)` shows a setting, `summary()` is what the page has of it then.
-export async function checkDrawing({ page, rotor, set, summary, expect }) {
+/// `set(options)` shows a setting, `shown()` waits for it, `summary()` is what the page has of it then.
+export async function checkDrawing({ page, rotor, set, shown, summary, expect }) {
   // Contacts, rolling and the time before the mass loss, none of which hangs on the last digits.
   const options = { friction: "0.2", until: "29.2" };
   const stated = Object.entries(options).flatMap(([name, value]) => [`--${name}`, value]);
@@ -74,13 +74,16 @@ export async function checkDrawing({ page, rotor, set, summary, expect }) {
   }
 
   // The orbit: x_a down, y_a to the right, the clearance fitting in.
-  await page.evaluate(() => {
-    window.drawn.orbit = { lines: [], texts: [] };
-    document.getElementById("frame").dispatchEvent(new Event("change"));
-  });
-  await page.waitForTimeout(300);
-  const orbit = await page.evaluate(() => ({ ...window.drawn.orbit, width: document.getElementById("orbit").clientWidth,
-    height: document.getElementById("orbit").clientHeight }));
+  const drawnOrbit = async () => {
+    await page.evaluate(() => {
+      window.drawn.orbit = { lines: [], texts: [] };
+      document.getElementById("frame").dispatchEvent(new Event("change"));
+    });
+    await page.waitForTimeout(300);
+    return page.evaluate(() => ({ ...window.drawn.orbit, width: document.getElementById("orbit").clientWidth,
+      height: document.getElementById("orbit").clientHeight }));
+  };
+  const orbit = await drawnOrbit();
   expect(orbit.texts.includes("y_a →") && orbit.texts.includes("x_a ↓"), `the orbit's axes are ${orbit.texts}`);
   const { inputs } = seen;
   const pixels = orbit.width / 2 / (1.25 * (inputs.stator_radius - inputs.rotor_radius));
@@ -111,7 +114,7 @@ export async function checkDrawing({ page, rotor, set, summary, expect }) {
   // The numbers, in the same words as the program's.
   const rows = Object.fromEntries(await page.$$eval("#numbers tr", (all) =>
     all.map((one) => [one.querySelector("th").textContent, one.querySelector("td").textContent])));
-  const shown = {
+  const expected = {
     outcome: seen.outcome, "touch-downs": String(seen.collisions),
     "first contact": `${seen.first_contact_s.toFixed(4)} s`, "onset of rolling": `${seen.rolling_onset_s.toFixed(4)} s`,
     "speed then": `${seen.rolling_onset_speed_Hz.toFixed(2)} Hz`,
@@ -121,8 +124,8 @@ export async function checkDrawing({ page, rotor, set, summary, expect }) {
     "speed at the loss": `${seen.speed_at_separation_Hz.toFixed(2)} Hz`,
     "speed at the end": `${seen.final_speed_Hz.toFixed(2)} Hz`,
   };
-  for (const name of new Set([...Object.keys(rows), ...Object.keys(shown)]))
-    expect(rows[name] === shown[name], `${name} is "${rows[name]}" on the page, not "${shown[name]}"`);
+  for (const name of new Set([...Object.keys(rows), ...Object.keys(expected)]))
+    expect(rows[name] === expected[name], `${name} is "${rows[name]}" on the page, not "${expected[name]}"`);
 
   // The command, and what is printed in the paper.
   const command = await page.textContent("#command");
@@ -131,4 +134,15 @@ export async function checkDrawing({ page, rotor, set, summary, expect }) {
     const label = await page.textContent(`label:has(#${id})`);
     expect(new RegExp(`as printed: .*${printed}`).test(label), `${label} does not say "${printed}"`);
   }
+
+  // An orbit that is compared with is drawn behind, as long before its mass loss and after it.
+  await page.click("#keep");
+  await page.fill("#separation-time", "29");
+  await shown();
+  await page.click("#show-all");
+  const both = await drawnOrbit();
+  await page.click("#alone");
+  const alone = await drawnOrbit();
+  const behind = both.lines.length - alone.lines.length;
+  expect(Math.abs(behind - curve.length) < 3, `of an orbit of ${curve.length} points ${behind} are drawn behind`);
 }

@@ -310,13 +310,35 @@ async function checkViews() {
   const told = await text("rotor-state");
   const isSlowerBy = async (times) =>
     expect((await text("rotor-state")).includes(`; ${times} times slower than real`), `the rotor is not ${times} times slower`);
-  await isSlowerBy(await page.inputValue("#slowness"));
+  await isSlowerBy("300");
   await page.selectOption("#slowness", "1000");
   await isSlowerBy("1000");
   await page.click("#play");
   await page.waitForTimeout(500);
   expect((await text("rotor-state")) !== told, "the rotor does not move");
   await page.click("#play");
+  await page.click("#show-all");
+
+  // A finger that is drawn to the right brings what was before into view.
+  const timesDrawn = async (act) => {
+    await page.evaluate(() => (window.drawn[""] = { lines: [], texts: [] })); // of the plots' canvases
+    await act();
+    await page.waitForTimeout(300);
+    const texts = await page.evaluate(() => window.drawn[""].texts);
+    return texts.map(Number).filter((number) => number > 29 && number < 30);
+  };
+  const before_it = await timesDrawn(() => page.click("#show-rolling"));
+  const box = await page.locator("#force .u-over").boundingBox();
+  const finger = await context.newCDPSession(page);
+  const touch = (type, share) => finger.send("Input.dispatchTouchEvent", { type,
+    touchPoints: share === null ? [] : [{ x: box.x + share * box.width, y: box.y + box.height / 2 }] });
+  const behind_it = await timesDrawn(async () => {
+    await touch("touchStart", 0.25);
+    for (const share of [0.35, 0.45, 0.55]) await touch("touchMove", share);
+    await touch("touchEnd", null);
+  });
+  expect(Math.min(...behind_it) < Math.min(...before_it) && Math.max(...behind_it) <= Math.max(...before_it),
+    `a finger drawn to the right shows ${behind_it} s after ${before_it} s`);
   await page.click("#show-all");
 }
 
@@ -364,7 +386,7 @@ try {
   await page.goto(address);
   await shown();
   await checkNumbers();
-  await checkDrawing({ page, rotor, set, summary, expect });
+  await checkDrawing({ page, rotor, set, shown, summary, expect });
   await checkKnobs();
   await checkRefusals();
   await checkLongRuns();

@@ -130,17 +130,28 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   EXPECT_EQ(curve, picture.curves.size());
 }
 
-// Of an orbit that is smaller than the ring, too.
+// Of an orbit that is smaller than the ring, and of whichever run has the widest, too.
 TEST_F(Plot, DrawsTheWholeRing) {
-  write("clear.toml", "[parameters]\nstart_speed_hz = 30\nno_separation = true\nuntil = 1\n");
-  const DrawnPicture picture = drawn("clear");
-  const DrawnCurve& ring = picture.curves.at(4);
-  const double diameter = pixel(ring.y, 3) - pixel(ring.y, -3);
-  const auto [left, right] = std::ranges::minmax_element(ring.points);
-  EXPECT_NEAR(right->first - left->first, diameter, 1);
-  const auto [top, bottom] =
-      std::ranges::minmax_element(ring.points, {}, [](const auto& point) { return point.second; });
-  EXPECT_NEAR(bottom->second - top->second, diameter, 1);
+  const auto expect_whole = [](const DrawnCurve& ring, double clearance_mm) {
+    const double diameter = pixel(ring.y, clearance_mm) - pixel(ring.y, -clearance_mm);
+    const auto [left, right] = std::ranges::minmax_element(ring.points);
+    EXPECT_NEAR(right->first - left->first, diameter, 1) << clearance_mm;
+    const auto [top, bottom] = std::ranges::minmax_element(
+        ring.points, {}, [](const auto& point) { return point.second; });
+    EXPECT_NEAR(bottom->second - top->second, diameter, 1) << clearance_mm;
+  };
+  const std::string clear = "[parameters]\nstart_speed_hz = 30\nno_separation = true\nuntil = 1\n";
+  write("clear.toml", clear);
+  expect_whole(drawn("clear").curves.at(4), 3);
+  for (const bool widens : {true, false}) {
+    const double first_mm = widens ? 3 : 6, second_mm = 9 - first_mm;
+    write("clear.toml", clear + fmt::format("[[run]]\nname = \"a\"\nclearance = {}e-3\n"
+                                            "[[run]]\nname = \"b\"\nclearance = {}e-3\n",
+                                            first_mm, second_mm));
+    const DrawnPicture picture = drawn("clear");
+    expect_whole(picture.curves.at(8), first_mm);
+    expect_whole(picture.curves.at(9), second_mm);
+  }
 }
 
 // However long its names are, the key lies above all panels.
