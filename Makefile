@@ -87,7 +87,7 @@ help: ## list all targets
 	  awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
 	@echo "  make figNN          redraw one figure: $(FIGURES)"
 	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures),"
-	@echo "         SEED=7, HAND=150, COUNT=100 (of make mutants: which changes by hand and mechanical, and how many)"
+	@echo "         SEED=7, HAND=50, COUNT=100 (of make mutants: which changes by hand and mechanical, and how many)"
 	@echo "         POINTS=40 (of make maps: points along each axis, 400 if not given)"
 	@echo "         RUNS=100 (of make stress: how many, with SEED, to 3, 6, 9 and 12 digits)"
 
@@ -239,7 +239,7 @@ portable: build ## build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)
 
 SEED  ?= 1
-HAND  ?= 150
+HAND  ?= 50
 COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
 	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT)

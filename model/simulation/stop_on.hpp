@@ -66,10 +66,7 @@ class StopObserver : public Observer {
  private:
   /// Fixed steps show no maxima, but the ends of all steps: the force has risen and falls.
   void note_force(const Instant& at) {
-    if (!awaits_maximum()) {
-      last_force_ = std::nullopt;
-      return;
-    }
+    if (!awaits_maximum()) return;
     const double force = -ring_.normal_force(ring_.rim_point(at.motion()));
     const bool falls = last_force_ && force < *last_force_;
     if (falls && rises_) reached_ = true;

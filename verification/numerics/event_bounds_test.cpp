@@ -27,7 +27,8 @@ FlightPoint later(FlightPoint at, double by) {
   return at;
 }
 
-// Over steps of no length, at any state in rolling, with eccentricities beyond the rim as well.
+// Over steps of no length, at any state in rolling, with eccentricities beyond the rim and dampers
+// that hold the rotor more than its springs as well.
 TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
   RandomScenarios random(5);
   std::mt19937_64 engine(6);
@@ -39,6 +40,10 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
     const Ring<double>& ring = rotor.ring;
     const bool beyond = n % 2 == 0;
     if (beyond) rotor.body.eccentricity = ring.rotor_radius * (1 + any(engine) / 2);
+    if (n % 4 == 1) {
+      rotor.body.eccentricity = 0.2 * ring.rotor_radius * std::abs(any(engine));
+      rotor.supports.damping = 5e3 * std::abs(any(engine));
+    }
     const double rho = ring.clearance * (1 + 0.1 * std::abs(any(engine)));
     const double direction = 3 * any(engine), speed = random.speed();
     const State<double> q = {

@@ -104,6 +104,13 @@ TEST(Crossing, IsFoundAfterAFunctionHasLeftZeroTooSlowlyForItsSlopeToShowIt) {
   EXPECT_NEAR(crossing(f, slope).value_or(-1), 0.5, 2 * resolution);
 }
 
+// So it is where the function has gone on falling, for as long as rounding lasts, before it left.
+TEST(Crossing, IsFoundAfterAFunctionThatIsBeyondZeroByRoundingHasLeftIt) {
+  const auto f = [](double t) { return t * (t - 1e-15) * (0.2 - t); };
+  const auto slope = [](double t) { return (2 * t - 1e-15) * (0.2 - t) - t * (t - 1e-15); };
+  EXPECT_NEAR(crossing(f, slope).value_or(-1), 0.2, 2 * resolution);
+}
+
 TEST(Crossing, EndsWhereTheFunctionIsNotFinite) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   int evaluations = 0;
@@ -235,6 +242,28 @@ TEST(Pendulum, KeepsItsEnergyAndItsPeriodThroughEvents) {
     const double accuracy = 1000 * rounding_of_a_step;  // of some 700 steps
     EXPECT_NEAR(verticals[n].time / (period * (0.25 + 0.5 * static_cast<double>(n))), 1, accuracy);
     EXPECT_NEAR(Pendulum::energy(verticals[n].x) / Pendulum::energy({amplitude, 0}), 1, accuracy);
+  }
+}
+
+// A ball that is thrown a little higher than a ceiling, by more than a step's error of some 1e-13:
+// what is found of the dip is its beginning, on the far side.
+TEST(Step, FindsTheBeginningOfAShallowDip) {
+  for (int n = 0; n < 100; ++n) {
+    const double depth = std::exp2(-20 - n / 5.), apex_s = 0.2 + n * 1e-4;
+    Control2 control(1e-14);
+    const Ball ball;
+    Point2 start{.x = {depth - gravity * apex_s * apex_s / 2, gravity * apex_s}}, end{.time = 0.5};
+    ball(start.x, start.rates, 0);
+    control.step(ball, start, end);
+    ball(end.x, end.rates, 0);
+    Step<double, Stepper2, Ball> step(control, ball, start, end);
+    const auto room = [](const Ball::Unknowns& x) { return -x[0]; };
+    const auto dip =
+        step.crossing(room, step.observe(room, start), step.observe(room, apex_s + 0.1), gravity);
+    ASSERT_TRUE(dip) << depth;
+    EXPECT_LE(room(dip->x), 0) << depth;
+    const double half_s = std::sqrt(2 * depth / gravity);
+    EXPECT_NEAR(dip->time, apex_s - half_s, 1e-12 / (gravity * half_s)) << depth;
   }
 }
 

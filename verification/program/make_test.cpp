@@ -100,7 +100,7 @@ TEST_F(Make, DoesAllThatItsTargetsPromise) {
       {"mpi", {"--target rotor-mpi ", "verification/program/mpi.sh build/mpi/rotor"}},
       {"portable", {"verification/program/portable.sh build\n"}},
       {"explore", {"figures/explore/build.sh build\n"}},
-      {"mutants", {"verification/robustness/mutants.py --seed 1 --hand 150 --count 100\n"}},
+      {"mutants", {"verification/robustness/mutants.py --seed 1 --hand 50 --count 100\n"}},
       {"SEED=7 HAND=400 COUNT=50 mutants", {"mutants.py --seed 7 --hand 400 --count 50\n"}},
       {"reference",
        {"digits-reference reference-data/random-runs.csv\n",

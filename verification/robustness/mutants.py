@@ -445,7 +445,7 @@ class Run:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n', maxsplit=1)[0])
     parser.add_argument('--seed', type=int, default=1, help='of both samples')
-    parser.add_argument('--hand', type=int, default=150, help='of changes by hand')
+    parser.add_argument('--hand', type=int, default=50, help='of changes by hand')
     parser.add_argument('--count', type=int, default=100, help='of mechanical changes')
     parser.add_argument('--only', default='', help='only changes in files whose path fits this expression')
     parser.add_argument('--check', action='store_true', help='only whether those by hand can be made')
