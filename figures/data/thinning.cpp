@@ -19,8 +19,14 @@ Range range_of(const Table& table, std::size_t column) {
   Range range;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const double value = table.row(i)[column];
-    if (value < range.least) range.least = value, range.least_row = i;
-    if (value > range.greatest) range.greatest = value, range.greatest_row = i;
+    if (value < range.least) {
+      range.least = value;
+      range.least_row = i;
+    }
+    if (value > range.greatest) {
+      range.greatest = value;
+      range.greatest_row = i;
+    }
   }
   return range;
 }
