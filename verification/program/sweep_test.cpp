@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
+#include <utility>
 
 #include "figures/data/csv.hpp"
 #include "figures/sweep/sweep_row.hpp"
@@ -151,25 +151,28 @@ TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
 
 // Or interrupted; at twenty instants, wherever it is then. None of its rows is worked out twice.
 TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
-  write(
-      "s.toml",
-      "[parameters]\ntolerance = 1e-6\nuntil = 29.4\n[sample]\ncount = 4000\nmethod = \"random\"\n"
-      "[[sample.over]]\nquantity = \"friction\"\nlog_uniform = [0.05, 1]\n");
-  ASSERT_EQ(rotor("sweep s.toml --out whole.csv --jobs 2").status, 0);
+  const auto sweep_whole = [&](int count) {
+    write("s.toml", fmt::format("[parameters]\ntolerance = 1e-6\nuntil = 29.4\n[sample]\n"
+                                "count = {}\nmethod = \"random\"\n[[sample.over]]\n"
+                                "quantity = \"friction\"\nlog_uniform = [0.05, 1]\n",
+                                count));
+    EXPECT_EQ(rotor("sweep s.toml --out whole.csv --jobs 2").status, 0);
+    return content("whole.csv");
+  };
   // Killed within the head, in the first row, and in a block of rows; nobody is told of it then.
-  const std::string whole = content("whole.csv");
+  const std::string few = sweep_whole(400);
   const auto row = [&](int n) {
-    std::size_t at = whole.find("\n", whole.find("refusal"));
-    for (; n > 0; --n) at = whole.find('\n', at + 1);
+    std::size_t at = few.find("\n", few.find("refusal"));
+    for (; n > 0; --n) at = few.find('\n', at + 1);
     return at + 1;
   };
-  for (const std::size_t cut : {row(0) + 3, row(5), row(6) + 3}) {
-    write("cut.csv.journal", whole.substr(0, cut));
+  for (const std::size_t cut : {std::size_t{40}, row(0) + 3, row(5), row(6) + 3}) {
+    write("cut.csv.journal", few.substr(0, cut));
     EXPECT_EQ(rotor("sweep s.toml --out cut.csv 2>&-").status, 0) << cut;
-    EXPECT_TRUE(content("cut.csv") == whole) << cut;
+    EXPECT_TRUE(content("cut.csv") == few) << cut;
     fs::remove(folder_ / "cut.csv");
   }
-  write("cut.csv.journal", whole.substr(0, 40));
+  const std::string whole = sweep_whole(4000);
   std::mt19937 random(1);
   std::size_t last = 0;
   int kills = 0;
@@ -178,13 +181,12 @@ TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
         "timeout --foreground --signal={} {} $rotor sweep s.toml --out cut.csv --jobs 2",
         kills % 2 ? "INT" : "KILL", 0.03 + static_cast<double>(random() % 60) / 1000));
     const std::size_t now = content("cut.csv.journal").size();
-    EXPECT_TRUE(now >= last || fs::exists(folder_ / "cut.csv")) << kills;
-    last = now;
+    EXPECT_TRUE(now >= std::exchange(last, now) || fs::exists(folder_ / "cut.csv")) << kills;
     if (kills == 3) write("cut.csv.journal", content("cut.csv.journal") + "0.07,rol");  // torn
   }
   EXPECT_GE(kills, 5);
   EXPECT_EQ(rotor("sweep s.toml --out cut.csv").status, 0);
-  EXPECT_TRUE(content("cut.csv") == content("whole.csv"));
+  EXPECT_TRUE(content("cut.csv") == whole);
   EXPECT_EQ(files(), 3);
 }
 
