@@ -15,15 +15,6 @@
 namespace rotor {
 namespace {
 
-/// By the instant of the loss.
-struct ReadingsOfLoss {
-  const char *force, *rolls;
-};
-const std::map<std::string, ReadingsOfLoss> readings_of_losses = {
-    {"29.1 s", {"peak_kN", "rolls"}},
-    {"19.1 s", {"peak_kN_100", "rolls_at_100"}},
-    {"14.15 s", {"peak_kN_75", "rolls_at_75"}}};
-
 /// Draws need but the digits that are printed.
 constexpr double tolerance_of_draws = 1e-8;
 
@@ -108,16 +99,18 @@ Spread spread(std::vector<double> values, const std::function<bool(double)>& hol
   return result;
 }
 
-const std::vector<std::string>& losses_of_accidents() {
-  static const std::vector<std::string> losses = {"29.1 s", "19.1 s", "14.15 s"};
+const std::vector<LossOfAccident>& losses_of_accidents() {
+  static const std::vector<LossOfAccident> losses = {{"29.1 s", "peak_kN", "rolls"},
+                                                     {"19.1 s", "peak_kN_100", "rolls_at_100"},
+                                                     {"14.15 s", "peak_kN_75", "rolls_at_75"}};
   return losses;
 }
 
 std::vector<std::string> readings_of_accidents() {
   std::vector<std::string> readings;
-  for (const auto& [loss, of_loss] : readings_of_losses) {
-    readings.emplace_back(of_loss.force);
-    readings.emplace_back(of_loss.rolls);
+  for (const LossOfAccident& loss : losses_of_accidents()) {
+    readings.push_back(loss.force);
+    readings.push_back(loss.rolls);
   }
   return readings;
 }
@@ -134,19 +127,18 @@ Accidents read_accidents(const std::filesystem::path& table) {
   return accidents;
 }
 
-Accident accident(const std::string& loss, const Draws& draws) {
-  const auto& [force, rolls] = readings_of_losses.at(loss);
-  return {spread(draws.at(force), [](double value) { return !std::isnan(value); }),
-          spread(draws.at(rolls), [](double value) { return value == 1; }).share};
+Accident accident(const LossOfAccident& loss, const Draws& draws) {
+  return {spread(draws.at(loss.force), [](double value) { return !std::isnan(value); }),
+          spread(draws.at(loss.rolls), [](double value) { return value == 1; }).share};
 }
 
 std::string accidents_csv(const Draws& published, const Draws& consistent) {
   std::string csv = "loss,equations,draws,share_touching,share_rolling,median_kN,p5_kN,p95_kN\n";
-  for (const std::string& loss : losses_of_accidents())
+  for (const LossOfAccident& loss : losses_of_accidents())
     for (const auto& [equations, draws] :
          {std::pair("published", &published), {"consistent", &consistent}}) {
       const auto [force, rolls] = accident(loss, *draws);
-      csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", loss, equations,
+      csv += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", loss.at, equations,
                          force.draws, force.share, rolls, force.median, force.low, force.high);
     }
   return csv;

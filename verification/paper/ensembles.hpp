@@ -56,9 +56,12 @@ struct Accident {
   double rolls = 0;  ///< share of the draws in which the rotor comes to roll
 };
 
-/// The instants of these losses, as the accidents' names.
-const std::vector<std::string>& losses_of_accidents();
-/// What is to be drawn for them.
+/// Such a loss, by its instant, and the readings that tell what becomes of it.
+struct LossOfAccident {
+  std::string at, force, rolls;
+};
+const std::vector<LossOfAccident>& losses_of_accidents();
+/// All of their readings.
 std::vector<std::string> readings_of_accidents();
 
 /// By the instant of the loss and the name of the equations.
@@ -66,7 +69,7 @@ using Accidents = std::map<std::pair<std::string, std::string>, Accident>;
 Accidents read_accidents(const std::filesystem::path& table);
 
 /// Of draws in one set of equations.
-Accident accident(const std::string& loss, const Draws& draws);
+Accident accident(const LossOfAccident& loss, const Draws& draws);
 
 /// Rows of accidents.csv.
 std::string accidents_csv(const Draws& published, const Draws& consistent);

@@ -59,21 +59,19 @@ TEST(Ensembles, OfAccidentsAreWhatRunsGive) {
        {std::pair("published", Equations::published), {"consistent", Equations::consistent}}) {
     const Draws draws = draw(readings_of_accidents(), folder / "printed-inputs.csv",
                              Rounded::everything, equations, static_cast<long>(count), 2);
-    for (const std::string& loss : losses_of_accidents()) {
-      const auto& [force, rolls] = all.at({loss, name});
+    for (const LossOfAccident& loss : losses_of_accidents()) {
+      const auto& [force, rolls] = all.at({loss.at, name});
       const Accident anew = accident(loss, draws);
       EXPECT_EQ(force.draws, 10000);
-      EXPECT_NEAR(anew.force.share, force.share, error(force.share, count)) << loss << name;
-      EXPECT_NEAR(anew.rolls, rolls, error(rolls, count)) << loss << name;
-      const auto& forces = draws.at(loss == "29.1 s"   ? "peak_kN"
-                                    : loss == "19.1 s" ? "peak_kN_100"
-                                                       : "peak_kN_75");
+      EXPECT_NEAR(anew.force.share, force.share, error(force.share, count)) << loss.at << name;
+      EXPECT_NEAR(anew.rolls, rolls, error(rolls, count)) << loss.at << name;
+      const auto& forces = draws.at(loss.force);
       for (const auto& [until, expected] :
            {std::pair(force.low, 0.05), {force.median, 0.5}, {force.high, 0.95}}) {
         const double below =
             spread(forces, [limit = until](double value) { return value <= limit; }).share;
         EXPECT_NEAR(below / anew.force.share, expected, error(expected, count * force.share))
-            << loss << name << expected;
+            << loss.at << name << expected;
       }
     }
   }

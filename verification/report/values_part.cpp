@@ -73,9 +73,7 @@ Json accidents_json(const Accidents& accidents) {
     std::string loss = key.first;
     std::ranges::replace(loss, '.', '_');
     all[key.second]["at_" + loss.substr(0, loss.find(' '))] = {
-        {"draws", accident.force.draws},
-        {"touch_in_percent", 100 * accident.force.share},
-        {"roll_in_percent", 100 * accident.rolls}};
+        {"draws", accident.force.draws}, {"roll_in_percent", 100 * accident.rolls}};
   }
   return all;
 }
