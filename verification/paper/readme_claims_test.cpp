@@ -31,6 +31,7 @@ TEST_F(Readme, SaysWhichAccidentsSurviveTheCorrection) {
       percent("29.1 s", "published"), percent("29.1 s", "consistent"),
       percent("14.15 s", "published"), percent("14.15 s", "consistent"),
       percent("19.1 s", "published"), percent("19.1 s", "consistent")));
+  expect_said("after one at 1 s, at the inputs as printed, the motor stalls at resonance.");
   for (const char* equations : {"published", "consistent"})
     EXPECT_EQ(summary(fmt::format("--separation-time 1 --until 12 --tolerance 1e-8 --equations {}",
                                   equations))["outcome"],
@@ -137,6 +138,11 @@ TEST_F(Readme, CountsVerdictsAndWrongChanges) {
   for (std::string line; std::getline(changes, line);) wrong_changes += !line.starts_with('#');
   expect_said(fmt::format("breaks the program on purpose in 50 of {} ways", wrong_changes));
   expect_said(fmt::format("`HAND={}` tries all", wrong_changes));
+  std::ifstream guide(ROTOR_SOURCES "/verification/README.md");
+  const std::string text{std::istreambuf_iterator<char>(guide), {}};
+  for (const std::string& said : {std::string("`make mutants` makes 50 of them"),
+                                  fmt::format("`HAND={}` and", wrong_changes)})
+    EXPECT_NE(text.find(said), std::string::npos) << said;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -101,15 +102,30 @@ TEST_F(Verdicts, AboutRollingAtLowFrictionAreShares) {
   EXPECT_NE(text.find(sentence), std::string::npos) << sentence;
 }
 
+/// What a reason says of draws, in percent; "some" is a tenth at most.
+void expect_share(const std::string& reason, double holds_percent) {
+  static const std::regex share("(fails|holds) in (some )?([0-9]+) % of the draws");
+  std::smatch said;
+  if (!std::regex_search(reason, said, share)) return;
+  EXPECT_NEAR(std::stod(said[3]), said[1] == "fails" ? 100 - holds_percent : holds_percent,
+              said[2].matched ? 0.1 * holds_percent : 0.5)
+      << reason;
+}
+
 TEST_F(Verdicts, ThatHaveChangedAreThoseOfToday) {
   std::map<std::string, std::string> today;
-  for (const Number& number : judged()) today[number.id] = number.verdict;
+  std::map<std::string, double> holds_percent;
+  for (const Number& number : judged()) {
+    today[number.id] = number.verdict;
+    holds_percent[number.id] = 100 * number.readings.front().everything.share;
+  }
   const auto rows = table("| number | before | now | why |");
   EXPECT_GT(rows.size(), 20U);
   for (const Cells& row : rows) {
     ASSERT_TRUE(today.contains(row[0])) << row[0];
     EXPECT_EQ(today.at(row[0]), row[2]) << row[0];
     EXPECT_NE(row[1], row[2]) << row[0];
+    expect_share(row[3], holds_percent.at(row[0]));
   }
 }
 
