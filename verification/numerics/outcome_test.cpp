@@ -123,6 +123,46 @@ TEST_P(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
 
 INSTANTIATE_TEST_SUITE_P(BelowAndAboveTheCriticalSpeed, Reach, testing::Values(6.3, 60.));
 
+// The bounds of energy between which the speed is looked for, written out anew: the springs, the
+// vibration and gravity take it from the rotation or give it, the damping takes, the motor gives.
+// The response of O to the unbalance is that without damping, of which there is next to none.
+class Clear : public testing::TestWithParam<double> {};
+
+TEST_P(Clear, IsARotorThatNoSpeedWithinTheBoundsOfEnergyBringsToTheRing) {
+  const bool speeds_up = GetParam() < 10;  // to the critical speed, 10.07 Hz, or down to it
+  const double until_s = 1e4;
+  Scenario scenario{.until = until_s};
+  Parameters& p = scenario.parameters;
+  p.separates = false;
+  p.support_damping = 1e-3;
+  p.stator_radius = 1;
+  scenario.start_speed_Hz = GetParam();
+  Instant at = start_of(scenario);
+  const double amplitude = 0.8e-3, speed = at.state[5], square = p.support_stiffness / p.mass;
+  at.state[1] += amplitude;
+  at.state[3] += amplitude * speed;  // which leaves C the velocity that it has in steady response
+  const auto response = [&](double w) { return p.eccentricity * w * w / std::abs(square - w * w); };
+  const double farthest = amplitude + response(speed);
+  const double velocity = amplitude * std::sqrt(square) + response(speed) * speed;
+  const double exchanged = p.mass * velocity * velocity / 2 + 2 * p.mass * p.gravity * farthest +
+                           p.support_stiffness * farthest * farthest / 2;
+  const double damped = p.support_damping * velocity * velocity * until_s;
+  p.inertia = 2 * exchanged / (0.2 * speed * speed);  // so that a fifth of the energy is at stake
+  p.torque = 0.05 * speed * p.inertia / until_s;
+  const double bound = speeds_up ? std::sqrt(1.2) * speed + 0.05 * speed
+                                 : std::sqrt(0.8 * speed * speed - 2 * damped / p.inertia);
+  ASSERT_GT(response(bound), 1.1 * response(speed));  // elsewhere than at the present speed
+  at.body = Body<double>::of(p);
+  for (const double share : {0.999, 1.001}) {
+    p.stator_radius = p.rotor_radius + share * (amplitude + response(bound));
+    OutcomeWatch watch(scenario);
+    watch.note(at);
+    EXPECT_EQ(watch.stays_clear(), share > 1) << share;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BelowAndAboveTheCriticalSpeed, Clear, testing::Values(6.3, 16.));
+
 // At rest where it would be without supports: it moves nowhere.
 TEST(Outcome, OfARotorWithoutSupportsThatMovesNowhereIsNoContact) {
   Scenario scenario{.start_speed_Hz = 50, .until = 1};

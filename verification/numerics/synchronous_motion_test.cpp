@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "model/phases/flight.hpp"
 #include "model/simulation/simulation.hpp"
@@ -119,7 +120,9 @@ TEST_P(Run, LeavesNothingThatTurnsAboveTheTolerance) {
   }
 }
 
-// The bounds on which contact is told by hold whatever the angle, and are no wider than they must.
+// The bounds on which contact is told by hold whatever the angle, and are no wider than they must:
+// at some angle the harmonics of a vector add up, those of a ripple, which is a part of one,
+// nearly.
 TEST_P(Run, StaysWithinItsAmplitudes) {
   for (const auto& [speed, faster] : {std::pair(S(150), S(0)), {300, 0}, {900, 0}, {300, 2}}) {
     const FlightChart<S> chart = this->chart(speed);
@@ -132,11 +135,12 @@ TEST_P(Run, StaysWithinItsAmplitudes) {
       velocity = std::max(velocity, m.mass_centre_velocity().norm());
       ripple = std::max(ripple, std::abs(m.speed - chart.speed(x)));
     }
-    for (const auto& [greatest, limit] : {std::pair(displacement, bound.displacement),
-                                          {velocity, bound.velocity},
-                                          {ripple, bound.speed_ripple}}) {
+    for (const auto& [greatest, limit, excess] :
+         {std::tuple(displacement, bound.displacement, 1e-9L),
+          {velocity, bound.velocity, 1e-9L},
+          {ripple, bound.speed_ripple, 1e-2L}}) {
       EXPECT_LE(greatest, limit * (1 + 1e-12L)) << speed;
-      EXPECT_GE(greatest, 0.9L * limit) << speed;
+      EXPECT_GE(greatest, limit * (1 - excess)) << speed;
     }
   }
 }

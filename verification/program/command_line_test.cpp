@@ -61,6 +61,13 @@ TEST(Suggestion, CountsLettersThatChangedPlacesAsOneMistake) {
   EXPECT_EQ(suggestion("bxdcef", {"abcdef"}), "");
 }
 
+// Nobody mistypes a name for a text, and comparing letters takes the product of both lengths.
+TEST(Suggestion, IsNoneForLongTexts) {
+  const std::string longest(60, 'a'), longer(61, 'a');
+  EXPECT_EQ(suggestion(longest, {longest}), "; did you mean " + longest + "?");
+  EXPECT_EQ(suggestion(longer, {longest}), "");
+}
+
 TEST(Shown, LeavesOutWholeLettersOnly) {
   EXPECT_EQ(shown(std::string(59, 'a') + "äb"), std::string(59, 'a') + "...");
   EXPECT_EQ(shown(std::string(58, 'a') + "äb"), std::string(58, 'a') + "ä...");
