@@ -19,7 +19,6 @@ long steps(const Departure& departure) { return departure.simulation.counters().
 /// A run-up that nothing ends.
 Scenario endless(Scenario run_up) {
   run_up.until = std::numeric_limits<double>::max();
-  run_up.parameters.separates = false;
   return run_up;
 }
 

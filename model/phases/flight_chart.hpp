@@ -146,7 +146,7 @@ class FlightChart {
 
  private:
   /// Works the synchronous motion out for the present speed. There is none where the rotor is not
-  /// fast, or where its speed changes or ripples too much.
+  /// fast, or where its speed ripples too much.
   void renew(Unknowns& x) {
     const Kinematics at = kinematics(x);
     const S angle = this->angle(x, at);
@@ -154,7 +154,7 @@ class FlightChart {
     synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_, Synchronous::Terms::all)
                                    : Synchronous();
     x = without_synchronous(at.motion, angle);
-    has_none_ = synchronous_.exists() && !(synchronous_.is_good() && is_near_where_laid(x));
+    has_none_ = synchronous_.exists() && !(synchronous_.ripples_little() && is_near_where_laid(x));
     if (!has_none_) return;
     synchronous_ = Synchronous();
     x = without_synchronous(at.motion, angle);

@@ -47,8 +47,7 @@ class SynchronousMotion {
 
   bool exists() const { return exists_; }
   bool is_complete() const { return is_complete_; }
-  /// Whether the speed changes slowly, and ripples little.
-  bool is_good() const { return is_good_; }
+  bool ripples_little() const { return ripples_little_; }
 
   /// How far the speed may change, relative to it.
   static S range() { return S(1) / 100; }
@@ -199,7 +198,7 @@ class SynchronousMotion {
   }
 
   void expand(const RotorSystem<S>& rotor, const Vector<S>& down) {
-    using std::abs, std::sqrt;
+    using std::sqrt;
     const Supports<S>& supports = rotor.supports;
     const S k = supports.stiffness, d = supports.damping, m = rotor.body.mass;
     const S e = rotor.body.eccentricity, inertia = rotor.body.inertia;
@@ -229,8 +228,6 @@ class SynchronousMotion {
         rate.alpha[1] -= d * e * e / inertia;
         return lacking(1, force, A);
       });
-    const S slowly = centre_ * centre_ / 20;  // a third in a turn
-    is_good_ = abs(rate.alpha[0]) < slowly;
     first_.lay(displacement, A);
     first_.lay(velocity, rate(1, A));
     has_ripple_ = is_complete_ && supports.gravity != 0;
@@ -253,8 +250,9 @@ class SynchronousMotion {
       const S drag = d * e * e / inertia, pull = k * e * e / (2 * inertia);
       H = integral(n, g + pull * K - drag * H);
       K = integral(n, H);
-      is_good_ = is_good_ && K[0].norm() < range();  // as large is the ripple of the speed, to it
-      if (!is_good_) return Series();
+      // By as much of itself the speed ripples as by radians the angle.
+      ripples_little_ = ripples_little_ && K[0].norm() < range();
+      if (!ripples_little_) return Series();
       harmonic.lay(speed_ripple, H);
       harmonic.lay(angle_ripple, K);
       return K;
@@ -272,7 +270,7 @@ class SynchronousMotion {
     make_ripple(2, second_, balanced ? shift : A2);
   }
 
-  bool exists_ = false, is_complete_ = false, is_good_ = true, has_ripple_ = false;
+  bool exists_ = false, is_complete_ = false, ripples_little_ = true, has_ripple_ = false;
   S centre_{0};
   Harmonic<degree> first_;
   Harmonic<2> second_;  ///< smaller by the ripple

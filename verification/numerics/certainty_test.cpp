@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "figures/scenes/certain_account.hpp"
 #include "model/simulation/extended/comparison.ipp"
@@ -130,6 +131,18 @@ TEST(Estimates, HaveTheRoundingOfWhatIsPrintedInTheirError) {
   EXPECT_LT(error(), 1.5 * rounding);
   third.is_exact = true;
   EXPECT_EQ(error(), rounding);
+}
+
+// A value that not all computations have is known to nobody, whichever lacks it.
+TEST(Estimates, HaveAnInfiniteErrorWhereAComputationLacksTheValue) {
+  const NamedValue<double> known{.name = "speed", .value = 1.0};
+  const NamedValue<double> missing{.name = "speed", .value = std::nullopt};
+  EXPECT_LT(estimate(known, known, known, known, 0).estimate->error, 1e-12);
+  for (const auto& [coarse, disturbed, other] :
+       {std::tuple(missing, known, known), {known, missing, known}, {known, known, missing}})
+    EXPECT_EQ(estimate(known, coarse, disturbed, other, 0).estimate->error,
+              std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(estimate(missing, known, known, known, 0).estimate.has_value());
 }
 
 // Of a run to a finer tolerance, in steps of other lengths, with other roundings.

@@ -299,5 +299,14 @@ TEST(ErrorControl, CallsAMotionThatIsNotFiniteInfinitelyWrong) {
   EXPECT_LT(control.step_factor(std::numeric_limits<double>::infinity()), 1);
 }
 
+// An error is an estimate: a step that by it could be longer or shorter by orders is changed by a
+// few times.
+TEST(ErrorControl, ChangesTheStepByBoundedFactors) {
+  EXPECT_EQ(Control2::step_factor(0), 4);
+  EXPECT_EQ(Control2::step_factor(1e-30), 4);
+  EXPECT_EQ(Control2::step_factor(1), 0.9);
+  EXPECT_EQ(Control2::step_factor(1e30), 0.2);
+}
+
 }  // namespace
 }  // namespace rotor

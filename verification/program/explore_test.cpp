@@ -236,6 +236,17 @@ TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
   EXPECT_EQ(losses.size(), 3U);
 }
 
+// A run that ends before its mass loss, whose time the draws vary, is drawn until its own end.
+TEST_F(Explore, ShowsTheSamePartOfADrawWithoutAMassLoss) {
+  const Options options = {{"separation-time", "3"}, {"until", "2"}};
+  const double from_s = explorer_.run(options, unconcerned_).told["from_s"];
+  for (long n = 0; n < 2; ++n) {
+    const Picture draw = explorer_.draw(options, n, 2, unconcerned_);
+    EXPECT_EQ(draw.told["until_s"], 2);
+    EXPECT_EQ(draw.told["from_s"], from_s);
+  }
+}
+
 TEST_F(Explore, DrawsWithTheToleranceThatIsStated) {
   const Options options = {{"until", "29.12"}, {"tolerance", "1e-6"}};
   EXPECT_EQ(explorer_.draw(options, 0, 3, unconcerned_).told["summary"]["inputs"]["tolerance"],

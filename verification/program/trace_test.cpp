@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "figures/scenes/columns.hpp"
 #include "figures/scenes/recorder.hpp"
@@ -76,6 +77,27 @@ TEST_F(Trace, AsksForMaximaAboveThoseThatItHas) {
   EXPECT_NEAR(threshold(), 8000, 1e-6);
   recorder.on_maximum({Extreme::normal_force, 1e4, pressed(1.2e-5)});
   EXPECT_NEAR(threshold(), 9600, 1e-6);
+}
+
+// The largest force is shown to the digit wherever in its step the window begins or ends.
+TEST_F(Trace, ShowsAMaximumCloseToTheEndsOfItsWindow) {
+  const Scenario scenario{.until = 29.11};
+  const auto& force = find_column("normal_force_N");
+  const auto record = [&](const Window& window) {
+    std::pair<double, double> largest{0, 0};  // F_n and its time
+    Recorder recorder(window, {find_column("time_s"), force}, scenario, 1e-4, [&](auto row) {
+      if (row[1] < largest.first) largest = {row[1], row[0]};
+    });
+    run(scenario, recorder);
+    return largest;
+  };
+  const auto largest = record({.from_s = 29.1});
+  ASSERT_LT(largest.first, -1e4);
+  for (const double apart_s : {1e-7, 1e-6, 3e-6}) {
+    EXPECT_EQ(record({.from_s = largest.second - apart_s}), largest) << apart_s;
+    EXPECT_EQ(record({.from_s = 29.1, .length_s = largest.second + apart_s - 29.1}), largest)
+        << apart_s;
+  }
 }
 
 // Asked directly: a run that ends at the time of a row.
