@@ -19,8 +19,9 @@ using Drawn = PublishedFigures;
 
 // Arrows on orbits point where the rotor goes.
 TEST_F(Drawn, OrbitsHaveArrowsInTheSenseOfTheMotion) {
-  for (const auto& [number, run, times] :
-       {std::tuple(8, "run", std::array{29.102, -2e-4}), {9, "event", {29.102, -1e-3}}}) {
+  for (const auto& [number, run, times] : {std::tuple(8, "run", std::array{29.102, -2e-4}),
+                                           {9, "event", {29.102, -1e-3}},
+                                           {16, "run", {9.408, -0.05}}}) {
     const DrawnPicture picture = drawn(number);
     std::vector<CsvRow> rows = data_of(number);
     std::erase_if(rows, [run = std::string(run)](const CsvRow& row) { return row["run"] != run; });

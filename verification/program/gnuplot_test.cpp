@@ -109,7 +109,7 @@ TEST_F(Gnuplot, IsGivenNoLettersThatNoFontHas) {
   write("greek.toml", "title = \"Läuft: µ, ρ, 100 €" + rest);
   EXPECT_EQ(rotor("plot greek.toml --out a.png").status, 0);
   const std::string unassigned = "\xf3\xb0\x80\x80";  // for private use
-  write("odd.toml", "title = \"a " + unassigned + rest);
+  write("odd.toml", "title = \"ä " + unassigned + rest);
   for (const char* name : {"a.png", "a.pdf"})
     expect_refusal(std::string("plot odd.toml --out ") + name,
                    "no font here has its letter U+f0000, which png and pdf need");

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -54,6 +55,11 @@ TEST_F(RunCommand, RemarksOnContactBeforeTheLossAndOnDeepIndentation) {
   EXPECT_NE(remarks(stiff + "--contact-stiffness 1.7e9").find("indented by 0.1 of the clearance"),
             std::string::npos);
   EXPECT_EQ(remarks(stiff + "--contact-stiffness 2e9"), "[]");
+  // Deepest before the mass loss, after which it is indented by 9 of it.
+  EXPECT_NE(remarks("--clearance 1e-4 --contact-stiffness 1e6 --contact-damping 100 "
+                    "--separation-time 2.5 --until 2.5001 --tolerance 1e-7")
+                .find("indented by 19 of the clearance"),
+            std::string::npos);
   const Json early = summary("--clearance 1e-3 --friction 0.8 --stop-on rolling");
   EXPECT_NE(early["remarks"].dump().find(
                 fmt::format("the mass loss at 29.1 s was not reached; the run ends at {} s",
@@ -132,6 +138,13 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   EXPECT_NEAR(end["residual"], residual, 1e-12 * end["initial"].get<double>());
   expect_refusal("run --energy --method rk4", "--energy: only --method event knows the motion");
   EXPECT_TRUE(summary("--energy --separation-time 9.4")["energy_J"]["until_rolling"].is_null());
+  // What a rotor starts with is no work of a mass loss that it has not.
+  const Json turning =
+      summary("--energy --no-separation --start-speed-hz 100 --until 0.1")["energy_J"]["until_end"];
+  const double speed = 200 * std::numbers::pi;
+  EXPECT_NEAR(turning["initial"].get<double>() / (Parameters().inertia / 2 * speed * speed), 1,
+              1e-3);  // and a little of the response to the unbalance
+  EXPECT_EQ(turning["mass_loss"], 0);
 }
 
 // What rolled before the mass loss alone has not rolled since.

@@ -41,6 +41,16 @@ TEST_F(Trace, OfEventsHasStateForceAndSlip) {
             "contact_state,normal_force_N,slip_velocity_m_per_s");
 }
 
+// With a trace or without: whose run-up others could share has its events as well.
+TEST_F(Trace, OfEventsBeginsBeforeTheMassLoss) {
+  const std::string run =
+      "run --start-speed-hz 100 --motor-off-hz 101 --separation-time 3 --until 3.01 --events ";
+  ASSERT_EQ(rotor(run + "alone.csv").status, 0);
+  ASSERT_EQ(rotor(run + "e.csv --trace t.csv").status, 0);
+  EXPECT_TRUE(rows_of("alone.csv").at(1).starts_with("motor_off,"));
+  EXPECT_EQ(rows_of("alone.csv"), rows_of("e.csv"));
+}
+
 TEST_F(Trace, HasARowAtEqualDistancesFromTheFirstToTheLastInstant) {
   const std::string window = "--from 29.1 --until 29.12 --columns time_s,q1_m ";
   const auto rows = numbers(window + "--rows 401");

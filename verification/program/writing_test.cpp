@@ -95,6 +95,13 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
                             "--trace new/t.csv --events new/../new/t.csv", "--trace - --events -",
                             "--trace - --events /dev/stdout"})
     expect_refusal(long_run + " " + twice, "it is asked for twice");
+  expect_refusal(long_run + " --trace t.csv --events " + (folder_ / "t.csv").string(),
+                 "it is asked for twice");
+  fs::create_directory(folder_ / "real");
+  fs::create_directory_symlink("real", folder_ / "linked");
+  expect_refusal(long_run + " --trace real/t.csv --events linked/t.csv", "it is asked for twice");
+  remove("linked");
+  remove("real");
   EXPECT_EQ(shell("$rotor " + long_run + " --trace - --events - 2>&1 >/dev/null").output,
             "rotor: -: cannot be written: it is asked for twice\n");
   EXPECT_NE(
