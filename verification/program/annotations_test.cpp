@@ -170,6 +170,19 @@ TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
                   return (-dx * down + dy * right) / (std::hypot(dx, dy) * rho) > 0.99;
                 }),
             2);
+  // So does the contact around O_a; the rotor turns about O with the rotation.
+  const auto turns = [&](const std::string& name, const std::string& centre) {
+    const auto [beside_x, beside_y] = place(name);
+    const auto distance = [x = beside_x, y = beside_y](const Arrow& arrow) {
+      return std::hypot(arrow.tip.first - x, arrow.tip.second - y);
+    };
+    const auto [base, tip] = *std::ranges::min_element(picture.arrows, {}, distance);
+    const auto [centre_x, centre_y] = place(centre);
+    return (tip.first - centre_x) * (tip.second - base.second) -
+           (tip.second - centre_y) * (tip.first - base.first);
+  };
+  EXPECT_LT(turns("f", "O"), 0);
+  EXPECT_GT(turns("frol", "Oa"), 0);
 }
 
 // Each panel of Fig. 3 is of its own friction.

@@ -151,50 +151,6 @@ TEST_F(CommandLine, TellsTheDefaultsOfItsOptions) {
   EXPECT_NE(line, std::string::npos) << help;
 }
 
-TEST(Duration, IsSaidInAUnitThatSuitsIt) {
-  EXPECT_EQ(duration(99), "99 s");
-  EXPECT_EQ(duration(120), "2 min");
-  EXPECT_EQ(duration(7200), "2 h");
-  EXPECT_EQ(duration(259'200), "3 days");
-  EXPECT_EQ(time_to_go_s(10, 2, 8), 30);
-  EXPECT_EQ(time_to_go_s(10, 8, 8), 0);
-}
-
-// Progress is for those who wait: on a terminal, a run that is over at once leaves no line.
-TEST_F(CommandLine, SaysNothingOfTheProgressOfAQuickRun) {
-  const auto [status, output] = shell(
-      "script -qec \"$rotor run --separation-time 9.4 --equations published --json 2>&1 >summary\" "
-      "/dev/null");
-  EXPECT_EQ(status, 0);
-  EXPECT_EQ(output, "");
-  EXPECT_FALSE(content("summary").empty());
-}
-
-// A long one says from the third second how it goes on, once a second at most; in a file, which is
-// no terminal, in lines.
-TEST_F(CommandLine, SaysTheProgressOfALongRunOnATerminal) {
-  const std::string long_run = "$rotor run --until 1e6 --no-separation --tolerance 1e-14";
-  const auto [status, output] =
-      interrupted_on_terminal(long_run + " 2> log & " + long_run, "in [4-9] s;");
-  const std::string log = content("log");  // says it again after four times as long
-  EXPECT_TRUE(log.starts_with("rotor: at ")) << log;
-  EXPECT_LE(std::ranges::count(log, '\n'), 2) << log;
-  EXPECT_EQ(log.find('\r'), std::string::npos) << log;
-  EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("stops)  ^C\r\nrotor: interrupted; no file has been written\r\n"),
-            std::string::npos)
-      << output;
-  int reports = 0;
-  double last_s = 0;
-  for (std::size_t at = 0; (at = output.find("\rat ", at)) != std::string::npos; ++reports, ++at)
-    ASSERT_EQ(std::sscanf(output.c_str() + at, "\rat %*f s of 1e+06 s after %*d steps in %lf s;",
-                          &last_s),
-              1)
-        << output;
-  EXPECT_GE(reports, 1) << output;
-  EXPECT_LE(reports, last_s - 1.5) << output;  // which are rounded
-}
-
 TEST_F(CommandLine, SummarisesARunAsJsonAndTracesIt) {
   const auto [status, output] =
       rotor("run --method rk4 --until 0.01 --trace t.csv --columns time_s,rho_m --json");

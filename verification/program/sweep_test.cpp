@@ -227,33 +227,6 @@ TEST_F(SweepCommand, SaysInItsHeadWhatItIs) {
   EXPECT_TRUE(content("r.csv").starts_with("# Sweep: How short\n# rotor ")) << content("r.csv");
 }
 
-// On a terminal, what comes next stands in a line of its own; how many a second there are is told
-// of those that were done since the start.
-TEST_F(SweepCommand, SaysHowItGoesOnATerminal) {
-  write("s.toml",
-        "[parameters]\ntolerance = 1e-13\n[[axis]]\nquantity = \"friction\"\n"
-        "from = 0.1\nto = 0.3\npoints = 100000\n");
-  for (const bool is_resumed : {false, true}) {
-    const std::string journal = is_resumed ? content("r.csv.journal") : "";
-    double begun = 0;
-    std::istringstream lines(journal);
-    for (std::string line; std::getline(lines, line);) begun += std::isdigit(line[0]) != 0;
-    const std::string output =
-        interrupted_on_terminal("$rotor sweep s.toml --out r.csv", " to go ").output;
-    const auto report = output.rfind(" to go (Ctrl-C stops)");
-    ASSERT_NE(report, std::string::npos) << output;
-    EXPECT_NE(output.find("stops)  ^C\r\n", report), std::string::npos) << output;
-    double done = 0, elapsed_s = 0, rate = 0;
-    const auto said = output.rfind('\r', output.find(" of 100000 points in "));
-    ASSERT_EQ(std::sscanf(output.c_str() + said, "\r%lf of 100000 points in %lf s, %lf a second",
-                          &done, &elapsed_s, &rate),
-              3)
-        << output;
-    EXPECT_EQ(begun > 0, is_resumed);
-    EXPECT_NEAR(rate * elapsed_s / (done - begun), 1, 0.17) << output;  // of whole seconds
-  }
-}
-
 // A zero that nobody is sure of has no digit: the cell is empty, as that of what there is not.
 TEST_F(SweepCommand, LeavesACellWithoutASureDigitEmpty) {
   const auto rows = swept(
