@@ -185,6 +185,33 @@ TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
   EXPECT_GT(turns("frol", "Oa"), 0);
 }
 
+// From the energy after the mass loss by collisions to that of continuous contact, by sliding to
+// that of rolling.
+TEST_F(Drawn, BracketsOfEnergiesBeginAndEndAtThem) {
+  const DrawnPicture picture = drawn(6);
+  const std::vector<CsvRow> rows = data_of(6);
+  const auto energy = [&](const CsvRow& row) {
+    return static_cast<double>(row.number("kinetic_energy_J"));
+  };
+  const auto state = [](const CsvRow& row) { return row.number("contact_state"); };
+  std::vector<double> energies_J;
+  for (const CsvRow& row : rows)
+    if (row.number("time_s") == 29.1L) energies_J = {energy(row)};  // the last one is after it
+  int touch_downs = 0;
+  for (std::size_t n = 1; n < rows.size() && touch_downs < 6; ++n)
+    if (state(rows[n]) > 0 && state(rows[n - 1]) == 0 && ++touch_downs == 6)
+      energies_J.push_back(energy(rows[n]));
+  const auto onset = std::ranges::find_if(rows, [&](const CsvRow& row) { return state(row) == 2; });
+  energies_J.push_back(energy(*onset));
+  ASSERT_EQ(energies_J.size(), 3U);
+  ASSERT_EQ(picture.brackets.size(), 2U);
+  const Tics& y = picture.curves.front().y;
+  for (std::size_t n = 0; n < 2; ++n) {
+    EXPECT_NEAR(picture.brackets[n][0].second, pixel(y, energies_J[n]), 1);
+    EXPECT_NEAR(picture.brackets[n][1].second, pixel(y, energies_J[n + 1]), 1);
+  }
+}
+
 // Each panel of Fig. 3 is of its own friction.
 TEST_F(Drawn, PanelsOfFrictionsAreNamedByThem) {
   const DrawnPicture picture = drawn(3);

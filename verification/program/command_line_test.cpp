@@ -55,6 +55,11 @@ TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
   expect_refusal("run --until 1 --no-separation --trace t.csv --rows 00", "--rows 0: must be from");
 }
 
+TEST_F(CommandLine, NamesAnUnknownOptionWithoutItsValue) {
+  expect_refusal("run --frction=0.1=2",
+                 "--frction: there is no such option of run; did you mean --friction?");
+}
+
 // Of six letters two may be wrong.
 TEST(Suggestion, CountsLettersThatChangedPlacesAsOneMistake) {
   EXPECT_EQ(suggestion("badcef", {"abcdef"}), "; did you mean abcdef?");

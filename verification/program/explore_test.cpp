@@ -105,7 +105,17 @@ TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
     }
     EXPECT_EQ(refusal, rotor(fmt::format("run --trace t.csv --from {}", from)).output);
   }
-  EXPECT_THROW(explorer_.run({{"frction", "0.2"}}, unconcerned_), InputError);
+  for (const std::string option : {"friction", "velocity-jump", "no-separation", "from"}) {
+    std::string refusal;
+    const std::string mistyped = option.substr(0, 2) + option.substr(3);
+    try {
+      explorer_.run({{mistyped, "0.2"}}, unconcerned_);
+    } catch (const InputError& error) {
+      refusal = error.what();
+    }
+    EXPECT_EQ(refusal, fmt::format("--{}: there is no such option of run; did you mean --{}?",
+                                   mistyped, option));
+  }
 }
 
 // A window may begin before the way that the last one has left behind.

@@ -50,7 +50,7 @@ TEST_F(FigureData, AreSaidToHaveTakenWhatTheirPartsTook) {
 }
 
 TEST_F(FigureData, AreThoseOfScenesThatAreNamedLikeThemAlone) {
-  for (const char* name : {"fig31-old.toml", "31.toml", "fig3.toml", "afig31.toml"})
+  for (const char* name : {"fig31-old.toml", "31.toml", "fig3.toml", "afig31.toml", "fig31.toml~"})
     write(name, "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n");
   expect_refusal("figure --scenes . --out o", "there is no figNN.toml in this folder");
 }

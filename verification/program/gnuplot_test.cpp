@@ -108,11 +108,11 @@ TEST_F(Gnuplot, IsGivenNoLettersThatNoFontHas) {
   const std::string rest = "\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n";
   write("greek.toml", "title = \"Läuft: µ, ρ, 100 €" + rest);
   EXPECT_EQ(rotor("plot greek.toml --out a.png").status, 0);
-  const std::string unassigned = "\xf3\xb0\x80\x80";  // for private use
+  const std::string unassigned = "\xf4\x8f\xbf\xbd";  // for private use
   write("odd.toml", "title = \"ä " + unassigned + rest);
   for (const char* name : {"a.png", "a.pdf"})
     expect_refusal(std::string("plot odd.toml --out ") + name,
-                   "no font here has its letter U+f0000, which png and pdf need");
+                   "no font here has its letter U+10fffd, which png and pdf need");
   EXPECT_EQ(rotor("plot odd.toml --out a.svg").status, 0);
 }
 

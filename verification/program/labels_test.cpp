@@ -105,6 +105,7 @@ TEST_P(DrawnLabels, AreThoseOfWhatIsShownAndStated) {
       return text.find("beginning of Fig. 14:") != std::string::npos;
     }));
   }
+  EXPECT_EQ(picture.levels.size(), expected.levels.size());
   for (const double level : expected.levels)
     EXPECT_TRUE(std::ranges::any_of(picture.curves, [&](const DrawnCurve& curve) {
       return std::ranges::any_of(picture.levels, [&](double y) {

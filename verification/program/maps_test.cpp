@@ -107,8 +107,9 @@ TEST_P(Maps, AreDrawn) {
   const std::map<std::string, Axes> axes = {
       {"speed-friction", {{"speed at the mass loss, Hz", "coefficient of friction μ"}, {"0.3"}}},
       {"speed-clearance", {{"speed at the mass loss, Hz", "clearance, mm"}, {"3"}}},
-      {"clearance-stiffness", {{"clearance, mm", "stiffness of the supports k, N/m"}, {"3"}}},
-      {"contact", {{"contact stiffness kt, N/m", "contact damping dt, N s/m"}, {}}}};
+      {"clearance-stiffness",
+       {{"clearance, mm", "stiffness of the supports k, N/m"}, {"3", "105"}}},
+      {"contact", {{"contact stiffness kt, N/m", "contact damping dt, N s/m"}, {"109", "104"}}}};
   const DrawnPicture of_outcome(outcome), of_force(force);
   for (const DrawnPicture& picture : {of_outcome, of_force}) {
     const auto says = [&](const std::string& text) {

@@ -128,6 +128,11 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
     }
   }
   EXPECT_EQ(curve, picture.curves.size());
+  // The key's lines have the colours of the runs, which come last in each panel.
+  const std::vector<std::string> of_runs = {picture.curves[curve - 2].colour,
+                                            picture.curves[curve - 1].colour};
+  EXPECT_NE(of_runs[0], of_runs[1]);
+  EXPECT_EQ(picture.samples, of_runs);
 }
 
 // Of an orbit that is smaller than the ring, and of whichever run has the widest, too.

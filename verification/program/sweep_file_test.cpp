@@ -1,4 +1,5 @@
 /// Files that state no sweep, and what is said of them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "figures/sweep/sweep.hpp"
@@ -129,6 +130,21 @@ TEST_F(SweepFile, RefusesDrawsThatMeanNothing) {
             ":3: values: must be numbers"},
        })
     EXPECT_NE(refusal(text).find(message), std::string::npos) << text << refusal(text);
+}
+
+// All corners are looked at, of which there are as many as two to the power of what varies.
+TEST_F(SweepFile, VariesTwelveQuantitiesAtMost) {
+  std::string text = "[sample]\ncount = 3\n";
+  int varied = 0;
+  for (const char* quantity : {"mass", "inertia", "eccentricity", "support_stiffness",
+                               "support_damping", "gravity", "torque", "contact_stiffness",
+                               "contact_damping", "friction", "clearance", "separation_time"}) {
+    text += fmt::format("[[sample.over]]\nquantity = \"{}\"\nnormal = [{}, 1e-9]\n", quantity,
+                        1e-3 * ++varied);
+  }
+  EXPECT_EQ(refusal(text).find("quantities vary"), std::string::npos) << refusal(text);
+  text += "[[sample.over]]\nquantity = \"tolerance\"\nuniform = [1e-9, 2e-9]\n";
+  EXPECT_NE(refusal(text).find("more than 12 quantities vary"), std::string::npos) << refusal(text);
 }
 
 // What is drawn without ends is looked at beforehand where most of it lies.

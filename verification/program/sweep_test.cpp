@@ -272,6 +272,22 @@ TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
   EXPECT_LT(each_ms / 1000 * 50, took.count() * 1.01);  // which is what they took, one by one
 }
 
+// After some seconds it has tried enough.
+TEST_F(SweepCommand, SaysBeforehandHowLongSlowPointsTake) {
+  write("s.toml",
+        "stop_on = \"end\"\n[parameters]\ntolerance = 1e-14\nuntil = 3e4\nno_separation = true\n"
+        "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 1000\n");
+  const auto start = std::chrono::steady_clock::now();
+  const std::string said = rotor("sweep s.toml --dry-run").output;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  int tried = 0;
+  double each_ms = 0;
+  ASSERT_EQ(std::sscanf(said.c_str(), "1000 points; %d of them took %lf ms", &tried, &each_ms), 2)
+      << said;
+  EXPECT_LT(tried, 50);
+  EXPECT_NEAR(each_ms / 1000 * tried / took.count(), 1, 0.1);
+}
+
 // Each row has the digits that a run of its own prints; where a run ends must not hang on steps.
 TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
   const auto rows = swept(

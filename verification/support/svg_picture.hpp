@@ -24,6 +24,7 @@ inline double pixel(const Tics& axis, double value) {
 struct DrawnCurve {
   std::vector<std::pair<double, double>> points;  ///< pixels
   Tics y;
+  std::string colour = {};
 };
 
 using Points = std::vector<std::pair<double, double>>;
@@ -93,6 +94,16 @@ struct Arrow {
   std::pair<double, double> base, tip;  ///< of its head, pixels
 };
 
+/// The arrows with two flat heads in a path: where each begins and ends. The head at its end comes
+/// first.
+inline std::vector<Points> brackets_in(const Points& path) {
+  std::vector<Points> brackets;
+  for (std::size_t n = 0; n + 8 <= path.size(); n += 8)
+    if (path[n + 1] == path[n + 7] && path[n + 4] == path[n + 6])
+      brackets.push_back({path[n + 4], path[n + 1]});
+  return brackets;
+}
+
 /// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
 /// panel before its curves. All panels have the x axis of the last one.
 struct DrawnPicture {
@@ -119,6 +130,7 @@ struct DrawnPicture {
         curves.push_back({{}, y_axis});
       } else if (tag.starts_with("<path")) {
         const std::string head = svg.substr(at, svg.find(" d='", at) - at);
+        const std::string colour = head.substr(0, head.find(')'));  // of its stroke
         const Points points = corners(between(at, " d='", "'"));
         if (head.find("gridline") != std::string::npos) {
           line = points;
@@ -133,6 +145,11 @@ struct DrawnPicture {
           arrows.push_back({points[0], points[2]});
         } else if (in_curve && points.size() > curves.back().points.size()) {
           curves.back().points = points;  // the shorter one is the key's sample
+          curves.back().colour = colour;
+        } else if (!in_curve && points.size() == 2 && colour.find("rgb") != std::string::npos) {
+          samples.push_back(colour);
+        } else if (!in_curve) {
+          for (const Points& bracket : brackets_in(points)) brackets.push_back(bracket);
         }
       } else if (tag.starts_with("<use xlink:href='#gpPt") && tag.find("' tr") != tag.npos) {
         marks.push_back(corners(between(at, "translate(", ")")).front());
@@ -156,9 +173,11 @@ struct DrawnPicture {
   Tics x;
   std::vector<DrawnCurve> curves;
   std::vector<Arrow> arrows;
-  std::vector<Points> circles;  ///< dashed and closed, that are no curves
-  Points marks;                 ///< all symbols
-  Points squares;               ///< symbols of points that were read off, the key's included
+  std::vector<Points> brackets;      ///< beginning and end of arrows with flat heads
+  std::vector<std::string> samples;  ///< colours of full lines that are no curves
+  std::vector<Points> circles;       ///< dashed and closed, that are no curves
+  Points marks;                      ///< all symbols
+  Points squares;                    ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
   Points places;                     ///< of the texts
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
