@@ -181,6 +181,10 @@ TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
     return (tip.first - centre_x) * (tip.second - base.second) -
            (tip.second - centre_y) * (tip.first - base.first);
   };
+  // What is dashed leads from K to the opposite point and to the tip of its velocity.
+  ASSERT_EQ(picture.dashes.size(), 2U);
+  EXPECT_EQ(picture.dashes[0][0], picture.dashes[1][0]);
+  EXPECT_LT(std::hypot(picture.dashes[0][0].first - x, picture.dashes[0][0].second - y), 30);
   EXPECT_LT(turns("f", "O"), 0);
   EXPECT_GT(turns("frol", "Oa"), 0);
 }
@@ -209,6 +213,43 @@ TEST_F(Drawn, BracketsOfEnergiesBeginAndEndAtThem) {
   for (std::size_t n = 0; n < 2; ++n) {
     EXPECT_NEAR(picture.brackets[n][0].second, pixel(y, energies_J[n]), 1);
     EXPECT_NEAR(picture.brackets[n][1].second, pixel(y, energies_J[n + 1]), 1);
+  }
+}
+
+// Upright lines stand at the touch-down that is counted and at the onset of rolling.
+TEST_F(Drawn, UprightLinesStandAtTheEventsThatTheyName) {
+  for (const int number : {5, 6, 7}) {
+    const DrawnPicture picture = drawn(number);
+    std::vector<double> times_s;
+    int touch_downs = 0;
+    long double state = 0;
+    for (const CsvRow& row : data_of(number)) {
+      const long double now = row.number("contact_state");
+      if (number == 6 && now > 0 && state == 0 && ++touch_downs == 6)
+        times_s.push_back(static_cast<double>(row.number("time_s")));
+      if (now == 2 && state < 2) times_s.push_back(static_cast<double>(row.number("time_s")));
+      state = now;
+    }
+    ASSERT_EQ(picture.uprights.size(), times_s.size()) << number;
+    for (std::size_t n = 0; n < times_s.size(); ++n)
+      EXPECT_NEAR(picture.uprights[n], pixel(picture.x, times_s[n]), 1) << number;
+  }
+}
+
+// The mass is lost where the orbit is at that time.
+TEST_F(Drawn, MarksOfMassLossesLieOnTheOrbit) {
+  for (const auto& [number, loss_s] : {std::pair(8, 29.1L), {9, 29.1L}, {16, 9.4L}}) {
+    const DrawnPicture picture = drawn(number);
+    const auto rows = data_of(number);
+    const auto at = std::ranges::find_if(
+        rows, [t = loss_s](const CsvRow& row) { return row.number("time_s") == t; });
+    ASSERT_NE(at, rows.end()) << number;
+    const double x = pixel(picture.x, 1e3 * static_cast<double>(at->number("y_a_m"))),
+                 y = pixel(picture.curves.front().y,
+                           1e3 * static_cast<double>(at->number("x_a_m")));
+    EXPECT_TRUE(std::ranges::any_of(picture.marks, [&](const auto& mark) {
+      return std::hypot(mark.first - x, mark.second - y) < 1;
+    })) << number;
   }
 }
 

@@ -152,6 +152,14 @@ TEST_F(CommandLine, TellsTheDefaultsOfItsOptions) {
     EXPECT_EQ(help.find(option, at + 1), std::string::npos) << option;
   }
   EXPECT_EQ(help.find("--clearance m="), std::string::npos) << help;
+  for (const auto& [option, other] : {std::pair("\n  --clearance ", "--stator-radius"),
+                                      {"\n  --lost-mass ", "--unbalance-factor"},
+                                      {"\n  --separation-speed-hz ", "--separation-time"}}) {
+    const auto at = help.find(option);
+    ASSERT_NE(at, std::string::npos) << option << help;
+    const std::string line = help.substr(at + 1, help.find('\n', at + 1) - at - 1);
+    EXPECT_TRUE(line.ends_with(std::string(", instead of ") + other)) << line;
+  }
   const auto line = help.find("\n  --torque N m=0.3                  torque of the motor");
   EXPECT_NE(line, std::string::npos) << help;
 }

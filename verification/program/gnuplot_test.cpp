@@ -114,6 +114,19 @@ TEST_F(Gnuplot, IsGivenNoLettersThatNoFontHas) {
     expect_refusal(std::string("plot odd.toml --out ") + name,
                    "no font here has its letter U+10fffd, which png and pdf need");
   EXPECT_EQ(rotor("plot odd.toml --out a.svg").status, 0);
+  write("odd-run.toml", "title = \"a" + rest + "[[run]]\nname = \"" + unassigned + "\"\n");
+  expect_refusal("plot odd-run.toml --out a.png", "no font here has its letter U+10fffd");
+  // Where nobody can tell what fonts there are, it is drawn.
+  const Outcome unknown = shell(
+      "mkdir programs && ln -s \"$(command -v gnuplot)\" programs && "
+      "PATH=$PWD/programs \"$rotor\" plot greek.toml --out b.png");
+  EXPECT_EQ(unknown.output, "b.png\n");
+}
+
+TEST_F(Gnuplot, IsGivenATitleOnOneLine) {
+  write("lines.toml", "title = \"one\\ntwo\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n");
+  EXPECT_EQ(rotor("plot lines.toml --out a.svg").output, "a.svg\n");
+  EXPECT_NE(content("a.svg").find("one two"), std::string::npos);
 }
 
 }  // namespace

@@ -151,10 +151,13 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   program("build/rotor", "mkdir -p build/figures/new; echo data > build/figures/new/fig18.csv\n");
   write("figures/paper/fig18.gp", "");
   write("figures/paper/style.gp", "");
-  const auto make_figure = [&](const std::string& end) {
-    program("bin/gnuplot", "echo '<svg>" + end + "' > build/figures/fig18.svg.part\n");
-    return shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18");
+  const auto make_figure = [&](const std::string& end, const std::string& format = "svg") {
+    program("bin/gnuplot", "echo '<svg>" + end + "' > build/figures/fig18." + format + ".part\n");
+    return shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18 FORMAT=" +
+                 format);
   };
+  EXPECT_EQ(make_figure("IEND\xae\x42\x60\x82", "png").status, 0);
+  EXPECT_EQ(make_figure("%%EOF", "pdf").status, 0);
   EXPECT_EQ(make_figure("</svg>").status, 0);
   for (const char* removed : {"build/figures/fig18.csv", "build/figures/fig18.svg"}) {
     ASSERT_TRUE(fs::remove(folder_ / removed));

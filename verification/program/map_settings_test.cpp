@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <regex>
+#include <variant>
 
 #include "figures/data/csv.hpp"
 #include "figures/sweep/sweep.hpp"
@@ -49,6 +51,22 @@ INSTANTIATE_TEST_SUITE_P(Five, MapSettings,
                          [](const auto& map) {
                            return std::regex_replace(map.param, std::regex("-"), "_");
                          });
+
+// As far as the maps have been looked at: soft and hard contacts, slow and fast rotors.
+TEST_P(MapSettings, SpanWhatTheyAreMeantTo) {
+  const std::map<std::string, std::pair<double, double>> ends = {
+      {"friction", {0, 0.5}},          {"start_speed_hz", {3, 180}},
+      {"clearance", {0.25e-3, 6e-3}},  {"support_stiffness", {2e3, 1e7}},
+      {"contact_damping", {1e2, 1e6}}, {"contact_stiffness", {1e7, 1e11}}};
+  int ranges = 0;
+  for (const Axis& axis : read_sweep(maps + GetParam() + ".toml").axes)
+    if (const auto* const range = std::get_if<Range>(&axis.values)) {
+      EXPECT_EQ(std::pair(range->from, range->until), ends.at(axis.quantity)) << axis.quantity;
+      EXPECT_EQ(range->logarithmic, range->until / range->from > 100 && range->from > 0);
+      ++ranges;
+    }
+  EXPECT_EQ(ranges, 2);
+}
 
 TEST(MapOfRounding, DrawsWhatThePrintedDigitsAllow) {
   const Sweep sweep = read_sweep(maps + "rounding.toml");

@@ -207,6 +207,14 @@ TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {
   EXPECT_EQ(printed.find("final_q2_m               0.00156615194306"), std::string::npos);
 }
 
+TEST_F(RunCommand, MayBeInterruptedWhileItLooksForDigits) {
+  const auto [status, output] = shell(
+      "timeout --foreground --preserve-status --signal=INT 0.5 "
+      "$rotor run --friction 0.05 --until 29.23 --digits 12");
+  EXPECT_EQ(status, 130);
+  EXPECT_EQ(output, "rotor: interrupted; no file has been written\n");
+}
+
 // In JSON each number of the run has its error; everything else is as without.
 TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
   const Json schema = schema_of_summaries();
@@ -228,6 +236,9 @@ TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
   EXPECT_GT(before["collisions_before_loss"], 10);
   EXPECT_EQ(before["collisions_before_loss"], summary(narrow)["collisions_before_loss"]);
   EXPECT_NE(before["remarks"].dump().find("before the mass loss"), std::string::npos);
+  EXPECT_NE(rotor("run --digits 3 --until 0.1").output.find(
+                "rotor: the mass loss at 29.1 s was not reached; the run ends at 0.1 s\n"),
+            std::string::npos);
   // What it says of signs and times is so.
   const auto& says = schema["properties"];
   EXPECT_LT(plain["whirl_frequency_Hz"], 0);
@@ -261,6 +272,9 @@ TEST_F(RunCommand, TakesDigitsFromASceneAndRefusesWhatHasNone) {
   expect_refusal("run --digits 6 --stop-on rolling", "ends with a step");
   expect_refusal("run --digits 6 --trace t.csv", "those of a --trace are not known");
   expect_refusal("run --digits 6 --events e.csv", "the events stand in --json");
+  expect_refusal("run --digits 6 --estimate-error", "--digits excludes --estimate-error");
+  expect_refusal("run --scene sure.toml --estimate-error",
+                 "--estimate-error is of runs to a tolerance");
   expect_refusal("run --digits 6 --energy", "those of --energy are not known");
   for (const char* budget : {"0", "-1", "1e400"})
     expect_refusal(std::string("run --digits 6 --budget ") + budget,

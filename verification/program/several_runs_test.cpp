@@ -97,6 +97,9 @@ TEST_F(RunCommand, TellsWhatATableHasNoRoomFor) {
     EXPECT_NE(content("messages").find(run), std::string::npos) << content("messages");
   EXPECT_EQ(rotor("run --scene two.toml --equations published --json 2>messages").status, 0);
   EXPECT_EQ(content("messages"), "");
+  for (const char* option : {"--trace t.csv", "--events e.csv"})
+    expect_refusal(std::string("run --scene two.toml ") + option,
+                   "two.toml: --trace and --events are of one run; choose it with --run");
   for (const char* option : {"--energy", "--estimate-error"}) {
     expect_refusal(std::string("run --scene two.toml ") + option,
                    "two.toml: of several runs --energy and --estimate-error are told by --json "
@@ -143,9 +146,10 @@ TEST_F(RunCommand, TellsTheRunsBesideOneThatFails) {
         "[[run]]\nname = \"a name that is longer than twenty letters,\\nand a line\"\n");
   const auto [status, output] = rotor("run --scene two.toml --equations published 2> messages");
   EXPECT_EQ(status, 1);
-  EXPECT_NE(output.find("\na name that is longer than twenty letters,\\x0aand a line bouncing "),
-            std::string::npos)
-      << output;
+  const auto row =
+      output.find("\na name that is longer than twenty letters,\\x0aand a line bouncing ");
+  ASSERT_NE(row, std::string::npos) << output;
+  EXPECT_EQ(output.find("outcome "), output.find("bouncing ", row) - (row + 1)) << output;
   EXPECT_EQ(output.find("\ndiverges"), std::string::npos) << output;
   EXPECT_NE(content("messages").find("rotor: diverges: the rk4 run diverged"), std::string::npos);
   expect_refusal("plot two.toml", "two.toml: diverges: the rk4 run diverged");

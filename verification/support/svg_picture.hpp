@@ -138,6 +138,11 @@ struct DrawnPicture {
         } else if (points.size() == 2 && head.find("stroke-dasharray") != std::string::npos &&
                    points[0].second == points[1].second) {
           levels.push_back(points[0].second);
+        } else if (!in_curve && points.size() == 2 && points[0].first == points[1].first &&
+                   colour.find("rgb") != std::string::npos) {
+          uprights.push_back(points[0].first);
+        } else if (points.size() == 2 && head.find("stroke-dasharray") != std::string::npos) {
+          dashes.push_back(points);
         } else if (!in_curve && points.size() > 20 && is_closed(points) &&
                    head.find("stroke-dasharray") != std::string::npos) {
           circles.push_back(points);
@@ -183,6 +188,8 @@ struct DrawnPicture {
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
   std::vector<std::string> keys;     ///< titles of curves, in their order; each key is drawn twice
   std::vector<double> levels;        ///< of dashed horizontal lines
+  std::vector<double> uprights;      ///< of vertical lines
+  std::vector<Points> dashes;        ///< other dashed lines, from end to end
 };
 
 }  // namespace rotor
