@@ -57,6 +57,21 @@ struct BackwardRolling : testing::Test {
   }
 };
 
+// s = Omega/rho drho/dOmega with rho = c k_t/(k_t + k - m Omega^2), of rings soft and stiff.
+TEST(ShrinkingWhirl, IsTheSlopeOfItsRadius) {
+  for (const double stiffness : {1e5, 1e6, 8e8}) {
+    Parameters p;
+    p.contact_stiffness = stiffness;
+    const double mass = MassLoss<double>(p).after.mass;
+    const auto log_rho = [&](double rate) {
+      return -std::log(p.contact_stiffness + p.support_stiffness - mass * rate * rate);
+    };
+    const double rate = 0.7 * std::sqrt((stiffness + p.support_stiffness) / mass), h = 1e-5;
+    const double slope = (log_rho(rate * (1 + h)) - log_rho(rate * (1 - h))) / (2 * h);
+    EXPECT_NEAR(Whirl(p).shrinking(rate) / slope, 1, 1e-8) << stiffness;
+  }
+}
+
 TEST_F(BackwardRolling, GoesOnAtTheClosedFormsRateWithoutDampers) {
   scenario.parameters.support_damping = 0;
   scenario.parameters.friction = 1;

@@ -155,6 +155,13 @@ TEST(Margins, AreThoseOfFlightsThatNearlyTouch) {
   const auto reaches = margins_of(*found, "reach");
   ASSERT_EQ(reaches.size(), 1U);
   EXPECT_LT(reaches[0], 1.01 * reached);
+  // Flights after a contact that nearly touch reach less than what has been reached.
+  scenario.parameters.stator_radius = scenario.parameters.rotor_radius + 0.99 * reached;
+  scenario.until = 0.2;
+  const auto touching = compute<double>(scenario, {.tolerance = 1e-10}, always);
+  ASSERT_GT(touching.summary.collisions, 0);
+  const auto touch_down = std::ranges::find(touching.events, Event::touch_down, &Instant::event);
+  EXPECT_GT(touching.misses.rbegin()->first, touch_down + 1 - touching.events.begin());
 }
 
 // A course hangs on a margin that may be none; one that only some computations take for near is

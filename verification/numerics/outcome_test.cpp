@@ -70,11 +70,16 @@ TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
     watch.note(at);
     EXPECT_EQ(watch.outcome(), outcome) << periods;
   }
-  at.contact = ContactState::free;  // a new contact begins anew
-  watch.note(at);
-  at.contact = ContactState::sliding;
-  watch.note(at);
-  EXPECT_EQ(watch.outcome(), Outcome::bouncing);
+  for (const ContactState between : {ContactState::free, ContactState::indented}) {
+    at.contact = between;  // a new contact begins anew, though the ring may not be back
+    watch.note(at);
+    at.contact = ContactState::sliding;
+    watch.note(at);
+    EXPECT_EQ(watch.outcome(), Outcome::bouncing);
+    at.time_s += 2 * period;
+    watch.note(at);
+    EXPECT_EQ(watch.outcome(), Outcome::sliding);
+  }
 }
 
 // Still at the critical speed, but on its way through it.

@@ -15,6 +15,7 @@ double in_seconds(double duration, std::string_view unit) {
 TEST(Duration, IsSaidInAUnitThatSuitsIt) {
   EXPECT_EQ(duration(99), "99 s");
   EXPECT_EQ(duration(120), "2 min");
+  EXPECT_EQ(duration(5400), "90 min");
   EXPECT_EQ(duration(7200), "2 h");
   EXPECT_EQ(duration(259'200), "3 days");
   EXPECT_EQ(time_to_go_s(10, 2, 8), 30);

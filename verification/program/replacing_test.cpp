@@ -44,6 +44,10 @@ TEST_F(Replacing, FollowsLinksAndKeepsTheMode) {
   EXPECT_GT(rows_of("target").size(), 10U);
   EXPECT_EQ(fs::status(folder_ / "target").permissions(),
             fs::perms::owner_read | fs::perms::owner_write);
+  // Even what others have no permission to by default.
+  fs::permissions(folder_ / "target", fs::perms{0664});
+  EXPECT_EQ(shell("umask 077; $rotor " + short_run + " --trace link").status, 0);
+  EXPECT_EQ(fs::status(folder_ / "target").permissions(), fs::perms{0664});
   remove("link");
   remove("target");
   fs::create_symlink("not-yet", folder_ / "link");  // which leads nowhere so far
@@ -52,6 +56,13 @@ TEST_F(Replacing, FollowsLinksAndKeepsTheMode) {
   EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
   remove("link");
   remove("not-yet");
+}
+
+TEST_F(Replacing, RefusesALinkThatLeadsToItself) {
+  fs::create_symlink("loop", folder_ / "loop");
+  expect_refusal(short_run + " --trace loop", "loop: cannot be written: ");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "loop"));
+  remove("loop");
 }
 
 // A link leads on from where it stands, not from where the program was started.

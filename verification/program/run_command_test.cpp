@@ -236,9 +236,10 @@ TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
   EXPECT_GT(before["collisions_before_loss"], 10);
   EXPECT_EQ(before["collisions_before_loss"], summary(narrow)["collisions_before_loss"]);
   EXPECT_NE(before["remarks"].dump().find("before the mass loss"), std::string::npos);
-  EXPECT_NE(rotor("run --digits 3 --until 0.1").output.find(
-                "rotor: the mass loss at 29.1 s was not reached; the run ends at 0.1 s\n"),
-            std::string::npos);
+  EXPECT_NE(
+      rotor("run --digits 3 --until 0.1")
+          .output.find("rotor: the mass loss at 29.1 s was not reached; the run ends at 0.1 s\n"),
+      std::string::npos);
   // What it says of signs and times is so.
   const auto& says = schema["properties"];
   EXPECT_LT(plain["whirl_frequency_Hz"], 0);
@@ -293,6 +294,13 @@ TEST_F(RunCommand, NamesItsInputs) {
   EXPECT_NEAR(printed["speed_ratio_at_separation"].get<double>(), 75 / 10.065842420897408, 1e-9);
   EXPECT_NEAR(printed["critical_speed_Hz"].get<double>(), 10.065842420897408, 1e-12);
   EXPECT_NEAR(printed["lost_mass_kg"].get<double>(), 0.0248138957816, 1e-12);
+}
+
+// The speed is that of the exact run-up, whatever the method.
+TEST_F(RunCommand, LosesTheMassAtTheSameTimeByEitherMethod) {
+  const std::string lost = "--separation-speed-hz 20 --until 4.2 ";
+  EXPECT_EQ(summary(lost + "--method rk4")["inputs"]["separation_time"],
+            summary(lost)["inputs"]["separation_time"]);
 }
 
 TEST_F(RunCommand, SaysOfOptionsThatAreNumbersWhatTheyMustBe) {

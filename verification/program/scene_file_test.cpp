@@ -76,6 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"window = { from = \"rolling_onset\", length_s = inf }",
                  ":1: length_s: must be a finite number not below 0 s, not inf"},
         BadScene{"[[run]]\nfriction = 0.1", ":1: name: every [[run]] needs a name"},
+        BadScene{"[[run]]\nname = \"\"", ":1: name: every [[run]] needs a name"},
         BadScene{"[[run]]\nname = \"a\"\n[[run]]\nname = \"a\"", ":3: name: there is a run \"a\""},
         BadScene{"title = ", ":1: "}),
     [](const auto& scene) { return "No" + std::to_string(scene.index); });

@@ -159,6 +159,7 @@ struct DrawnPicture {
       } else if (tag.starts_with("<use xlink:href='#gpPt") && tag.find("' tr") != tag.npos) {
         marks.push_back(corners(between(at, "translate(", ")")).front());
         if (tag.starts_with("<use xlink:href='#gpPt3'")) squares.push_back(marks.back());
+        if (tag.starts_with("<use xlink:href='#gpPt1'")) crosses.push_back(marks.back());
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
         places.push_back(corners(group.substr(group.find('(') + 1)).front());
@@ -183,6 +184,7 @@ struct DrawnPicture {
   std::vector<Points> circles;       ///< dashed and closed, that are no curves
   Points marks;                      ///< all symbols
   Points squares;                    ///< symbols of points that were read off, the key's included
+  Points crosses;                    ///< symbols of mass losses, the key's included
   std::vector<std::string> texts;
   Points places;                     ///< of the texts
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
