@@ -278,14 +278,18 @@ TEST_F(SweepCommand, SaysBeforehandHowLongSlowPointsTake) {
         "stop_on = \"end\"\n[parameters]\ntolerance = 1e-14\nuntil = 1500\nno_separation = true\n"
         "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 1000\n");
   const auto start = std::chrono::steady_clock::now();
-  const std::string said = rotor("sweep s.toml --dry-run").output;
+  const std::string said = rotor("sweep s.toml --dry-run --jobs 3").output;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   int tried = 0;
-  double each_ms = 0;
-  ASSERT_EQ(std::sscanf(said.c_str(), "1000 points; %d of them took %lf ms", &tried, &each_ms), 2)
+  double each_ms = 0, all_s = 0;
+  ASSERT_EQ(
+      std::sscanf(said.c_str(), "1000 points; %d of them took %lf ms each: about %lf s with 3",
+                  &tried, &each_ms, &all_s),
+      3)
       << said;
   EXPECT_LT(tried, 50);
   EXPECT_NEAR(each_ms / 1000 * tried / took.count(), 1, 0.1);
+  EXPECT_NEAR(all_s / (each_ms / 1000 * 1000 / 3), 1, 0.01);
 }
 
 // Each row has the digits that a run of its own prints; where a run ends must not hang on steps.
