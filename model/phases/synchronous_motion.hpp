@@ -47,6 +47,7 @@ class SynchronousMotion {
 
   bool exists() const { return exists_; }
   bool is_complete() const { return is_complete_; }
+  /// Whether the angle ripples by less radians than range().
   bool ripples_little() const { return ripples_little_; }
 
   /// How far the speed may change, relative to it.
@@ -250,7 +251,8 @@ class SynchronousMotion {
       const S drag = d * e * e / inertia, pull = k * e * e / (2 * inertia);
       H = integral(n, g + pull * K - drag * H);
       K = integral(n, H);
-      // By as much of itself the speed ripples as by radians the angle.
+      // K is the angle's, in radians; that of the speed, of which it is a share, is n times as
+      // large.
       ripples_little_ = ripples_little_ && K[0].norm() < range();
       if (!ripples_little_) return Series();
       harmonic.lay(speed_ripple, H);

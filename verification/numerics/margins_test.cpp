@@ -161,7 +161,9 @@ TEST(Margins, AreThoseOfFlightsThatNearlyTouch) {
   const auto touching = compute<double>(scenario, {.tolerance = 1e-10}, always);
   ASSERT_GT(touching.summary.collisions, 0);
   const auto touch_down = std::ranges::find(touching.events, Event::touch_down, &Instant::event);
-  EXPECT_GT(touching.misses.rbegin()->first, touch_down + 1 - touching.events.begin());
+  const auto until_contact = static_cast<std::size_t>(touch_down + 1 - touching.events.begin());
+  ASSERT_FALSE(touching.misses.empty());
+  EXPECT_GT(touching.misses.rbegin()->first, until_contact);
 }
 
 // A course hangs on a margin that may be none; one that only some computations take for near is
