@@ -77,7 +77,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures pictures $(FIGURES) reference ensembles reasons verify report \
+.PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         deps-mutants deps-clang deps-portable deps-mpi deps-explore explore check-explore explore-preview mpi stress \
         sanitize portable deps-ranking ranking clean
@@ -152,19 +152,11 @@ $(OUT)/.data: $(ROTOR) $(SCENES)
 $(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data
 	$(if $(wildcard $@),,$(compute_data))
 
-# gnuplot does not say that a disk is full; a picture is whole if its end is there.
-define keep_picture
-  { tail -c 16 $@.part | grep -aq '</svg>\|%%EOF\|IEND' || \
-    { echo "$@: gnuplot has not drawn the whole picture" >&2; false; }; } && \
-  mv $@.part $@ && echo "$@" || { rm -f $@.part; false; }
-endef
-
 # Points that were read off a printed figure, if there are any, are drawn into it.
 DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
 $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
-	@gnuplot -d -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; equations = '$(EQUATIONS)'; \
-	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" \
-	  figures/paper/style.gp figures/paper/$*.gp && $(keep_picture)
+	@figures/draw.sh $@ "data = '$<'; equations = '$(EQUATIONS)'; \
+	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" figures/paper/$*.gp
 figures/paper/%.gp:
 	$(error The scene figures/paper/$*.toml has no script $@ that draws it)
 
@@ -188,14 +180,13 @@ $(MAP_OUT)/%-theory.csv: $(MAP_OUT)/%.toml $(BUILD)/map-theory
 	@$(BUILD)/map-theory $< > $@
 $(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
 	@awk -f figures/maps/shares.awk $< > $@
-draw_map = gnuplot -d -e "data = '$<'; output = '$@.part'; format = '$(FORMAT)'; $(1)" figures/paper/style.gp $(2) && \
-  $(keep_picture)
-$(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp figures/maps/map.gp
-	@$(call draw_map,theory = '$(word 2,$^)'; shows = 'outcome',figures/maps/$*.gp figures/maps/map.gp)
-$(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp figures/maps/map.gp
-	@$(call draw_map,theory = '$(word 2,$^)'; shows = 'force',figures/maps/$*.gp figures/maps/map.gp)
-$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv figures/maps/rounding.gp
-	@$(call draw_map,,figures/maps/rounding.gp)
+MAP_STYLE := figures/maps/map.gp figures/paper/style.gp
+$(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp $(MAP_STYLE)
+	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; shows = 'outcome'" figures/maps/$*.gp figures/maps/map.gp
+$(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp $(MAP_STYLE)
+	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; shows = 'force'" figures/maps/$*.gp figures/maps/map.gp
+$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv figures/maps/rounding.gp figures/paper/style.gp
+	@figures/draw.sh $@ "data = '$<'" figures/maps/rounding.gp
 
 verify: build ## build, run all tests, and hold the published numbers against ours
 	$(call build-target,all)
@@ -211,6 +202,10 @@ check-report: report ## look at the page in a browser, at its links, and at its 
 	@verification/report/check.sh $(BUILD)
 site: verify report ## page, pictures, data and maps for a static host, and as an archive
 	@verification/report/site.sh $(BUILD)
+
+approve: build ## write the approved transcripts in verification/approved anew; read the change before you commit it
+	$(call build-target,verification)
+	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat verification/approved
 
 lint: need-deps ## check the code's format, and look for mistakes with clang-tidy
 	@verification/lint.sh $(BUILD)
@@ -270,7 +265,7 @@ bench: bench-programs ## run time against error of every method, with pictures, 
 	@echo && $(BUILD)/scene-costs figures/paper
 	@echo && $(BUILD)/sweep-costs
 	@[ ! -x $(BUILD)/mpi/rotor ] || verification/benchmark/ranks.sh $(BUILD)/mpi/rotor
-	@gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
+	@LC_ALL=C.UTF-8 gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
 	  verification/benchmark/work-precision.gp
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
@@ -283,7 +278,7 @@ stress: build ## a hundred thousand random rotors, stability, precision: numbers
 	@$(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
 	@$(BUILD)/precision reference-data/high-precision.csv $(BUILD)/stress-results
-	@gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
+	@LC_ALL=C.UTF-8 gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
 	  figures/paper/style.gp verification/robustness/stress.gp
 	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)
 	@$(BUILD)/digits-reference stress $(RUNS) $(SEED) $(BUILD)/stress-results

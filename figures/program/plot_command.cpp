@@ -159,8 +159,9 @@ std::string read_picture(const fs::path& path, std::string_view end) {
   return picture;
 }
 
-/// Without the user's own settings.
+/// Without the user's own settings, and in a locale whose letters gnuplot can write.
 void run_gnuplot(const std::vector<std::string>& scripts) {
+  ::setenv("LC_ALL", "C.UTF-8", 1);
   std::vector<std::string> command = {"gnuplot", "--default-settings"};
   command.insert(command.end(), scripts.begin(), scripts.end());
   int status = 0;

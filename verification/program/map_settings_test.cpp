@@ -122,10 +122,10 @@ TEST_F(MapOfShares, ShowsThemWithTheirErrors) {
     EXPECT_NEAR(static_cast<double>(shares[n].number("standard_error")), error, 1e-6);  // as said
   }
   // Whose cells are drawn one by one, for once, so that their colours can be read.
-  const auto [status, output] = shell(fmt::format(
-      "sed 's/with image/& pixels/' {}rounding.gp > r.gp; "
-      "gnuplot -d -e \"data='s.csv'; output='s.svg'; format='svg'\" {}/figures/paper/style.gp r.gp",
-      maps, ROTOR_SOURCES));
+  const auto [status, output] =
+      shell(fmt::format("sed 's/with image/& pixels/' {}rounding.gp > r.gp; "
+                        "{}/figures/draw.sh s.svg \"data='s.csv'\" r.gp >/dev/null",
+                        maps, ROTOR_SOURCES));
   EXPECT_EQ(output, "");
   // Two of speed by two of friction in each panel, the shares above their errors.
   EXPECT_EQ(cells(content("s.svg")),

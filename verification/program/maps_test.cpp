@@ -84,9 +84,8 @@ TEST_P(Maps, AreDrawn) {
   coarse(map, is_previewed ? 40 : 6);
   const auto [status, output] = shell(fmt::format(
       "$rotor sweep {0}.toml --out {0}.csv >/dev/null 2>&1 && {1} {0}.toml > theory.csv && "
-      "for shows in outcome force; do gnuplot -d -e \"data='{0}.csv'; theory='theory.csv'; "
-      "output='$shows.svg'; format='svg'; shows='$shows'\" {2}/figures/paper/style.gp "
-      "{3}{0}.gp {3}map.gp; done",
+      "for shows in outcome force; do {2}/figures/draw.sh $shows.svg \"data='{0}.csv'; "
+      "theory='theory.csv'; shows='$shows'\" {3}{0}.gp {3}map.gp >/dev/null; done",
       map, ROTOR_MAP_THEORY, ROTOR_SOURCES, maps));
   EXPECT_EQ(status, 0);
   EXPECT_EQ(output, "");
@@ -210,7 +209,7 @@ TEST_F(Maps, ShowEveryOutcomeAsAClassOfItsOwn) {
   for (int n = 0; n <= static_cast<int>(rotor::Outcome::undecided); ++n)
     names += fmt::format(" {}", name_of(static_cast<rotor::Outcome>(n)));
   EXPECT_EQ(shell("{ sed -n '/^classes/,/^kN/p' " + maps + "map.gp; echo 'do for [o in \"" + names +
-                  " \"] { print name[code(o) + 1] }'; } | gnuplot -d")
+                  " \"] { print name[code(o) + 1] }'; } | LC_ALL=C.UTF-8 gnuplot -d")
                 .output,
             "backward rolling\ntouches or stalls before the loss\nsliding after 0.5 s\nfreed after "
             "contact\nno contact\nbouncing after 0.5 s\nundecided after 0.5 s\n");

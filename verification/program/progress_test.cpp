@@ -24,6 +24,7 @@ TEST(Duration, IsSaidInAUnitThatSuitsIt) {
 
 // Progress is for those who wait: on a terminal, a run that is over at once leaves no line.
 TEST_F(CommandLine, SaysNothingOfTheProgressOfAQuickRun) {
+  if (!has_terminals()) GTEST_SKIP() << "there are no pseudo-terminals";
   const auto [status, output] = shell(
       "script -qec \"$rotor run --separation-time 9.4 --equations published --json 2>&1 >summary\" "
       "/dev/null");
@@ -35,6 +36,7 @@ TEST_F(CommandLine, SaysNothingOfTheProgressOfAQuickRun) {
 // A long one says from the third second how it goes on, once a second at most; in a file, which is
 // no terminal, in lines.
 TEST_F(CommandLine, SaysTheProgressOfALongRunOnATerminal) {
+  if (!has_terminals()) GTEST_SKIP() << "there are no pseudo-terminals";
   const std::string long_run = "$rotor run --until 1e6 --no-separation --tolerance 1e-14";
   const auto [status, output] =
       interrupted_on_terminal(long_run + " 2> log & " + long_run, "in [4-9] s;");
@@ -63,6 +65,7 @@ TEST_F(CommandLine, SaysTheProgressOfALongRunOnATerminal) {
 // On a terminal, what comes next stands in a line of its own. What is told of those to come is told
 // by how many were done since the start; a point that takes long tells nothing.
 TEST_F(CommandLine, SaysHowASweepGoesOnATerminal) {
+  if (!has_terminals()) GTEST_SKIP() << "there are no pseudo-terminals";
   const std::string quantity = "[[axis]]\nquantity = \"friction\"\n";
   write("s.toml",
         "[parameters]\ntolerance = 1e-13\n" + quantity + "from = 0.1\nto = 0.3\npoints = 200000\n");

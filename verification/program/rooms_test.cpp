@@ -39,6 +39,7 @@ const std::map<std::string, Names>& allowed() {
       {"figures/maps", with(scenes, {"figures/sweep", "model/theory"})},
       {"figures/program", with(scenes, {"figures/sweep"})},
       {"verification/support", scenes},
+      {"verification/approved", {"verification/support"}},
       {"verification/equations", of_verification},
       {"verification/numerics", of_verification},
       {"verification/paper", of_verification},

@@ -104,10 +104,12 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
   remove("real");
   EXPECT_EQ(shell("$rotor " + long_run + " --trace - --events - 2>&1 >/dev/null").output,
             "rotor: -: cannot be written: it is asked for twice\n");
-  EXPECT_NE(
-      shell("script -qec \"$rotor " + long_run + " --trace - --events /dev/stdout\" /dev/null")
-          .output.find("it is asked for twice"),
-      std::string::npos);
+  if (has_terminals()) {
+    EXPECT_NE(
+        shell("script -qec \"$rotor " + long_run + " --trace - --events /dev/stdout\" /dev/null")
+            .output.find("it is asked for twice"),
+        std::string::npos);
+  }
   write("t.csv", "precious");
   fs::create_symlink("t.csv", folder_ / "link");
   expect_refusal(long_run + " --trace t.csv --events link", "it is asked for twice");

@@ -1,10 +1,13 @@
 /// Tests of the program as its users see it.
 #pragma once
 
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -34,6 +37,13 @@ class CommandLine : public InFolder {
       output.append(buffer.data(), size);
     const int status = ::pclose(pipe);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+  }
+
+  /// Where tests that need a terminal are skipped: in some containers.
+  static bool has_terminals() {
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+    if (terminal >= 0) ::close(terminal);
+    return terminal >= 0;
   }
 
   /// Runs a command on a terminal and presses Ctrl-C there once it shows what matches the pattern

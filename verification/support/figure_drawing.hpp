@@ -22,10 +22,8 @@ class FigureDrawing : public CommandLine {
   Outcome draw(int number, Equations equations, const std::string& points = "",
                const std::string& format = "svg") const {
     return shell(fmt::format(
-        "$rotor figure {0} --out . --equations {1} 2>/dev/null && gnuplot -d -e \"data = "
-        "'{2}.csv'; "
-        "output = '{2}.{5}'; format = '{5}'; equations = '{1}'; points = '{4}'\" {3}/style.gp "
-        "{3}/{2}.gp",
+        "$rotor figure {0} --out . --equations {1} 2>/dev/null && {3}/../draw.sh {2}.{5} "
+        "\"data = '{2}.csv'; equations = '{1}'; points = '{4}'\" {3}/{2}.gp >/dev/null",
         number, name_of(equations), name_of_figure(number), ROTOR_SCENES, points, format));
   }
   std::vector<CsvRow> data_of(int number) const {
