@@ -89,7 +89,7 @@ void add_options(CLI::App& command, FigureOptions& options) {
       ->check(not_empty())
       ->capture_default_str();
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
-      ->capture_default_str();
+      ->default_str("the paper's");
   add_options(command, static_cast<CommonOptions&>(options));
   command.footer(precedence);
 }

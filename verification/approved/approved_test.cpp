@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 #include "verification/support/command_line.hpp"
@@ -27,10 +28,10 @@ class Approved : public CommandLine, public testing::WithParamInterface<std::str
     std::string now, command;
     const auto run = [&] {
       if (command.empty()) return;
-      const auto [status, output] =
-          shell("sources='" ROTOR_SOURCES "'\n. \"$sources/verification/approved/commands.sh\"\n" +
-                command);
-      now += output;
+      const auto [status, output] = shell("sources='" ROTOR_SOURCES "' theory='" ROTOR_MAP_THEORY
+                                          "'\n. \"$sources/verification/approved/commands.sh\"\n" +
+                                          command);
+      now += std::regex_replace(output, std::regex(ROTOR_SOURCES), "(sources)");
       if (!output.empty() && !output.ends_with('\n')) now += "\n(without a newline)\n";
       if (status != 0) now += fmt::format("(status {})\n", status);
       now += '\n';

@@ -92,17 +92,6 @@ TEST_F(Drawn, EnergiesOfTheRubAreThoseBetweenItsEvents) {
   expect_said(picture, fmt::format("{:.0f} J left", rolling));
 }
 
-TEST_F(Drawn, GreatestDisplacementIsNamedWithItsTime) {
-  const DrawnPicture picture = drawn(2);
-  double greatest_mm = 0, time_s = 0;
-  for (const CsvRow& row : data_of(2)) {
-    const double rho_mm = 1e3 * static_cast<double>(row.number("rho_m"));
-    if (rho_mm > greatest_mm) time_s = static_cast<double>(row.number("time_s"));
-    greatest_mm = std::max(greatest_mm, rho_mm);
-  }
-  expect_said(picture, fmt::format("largest ρ = {:.2f} mm at {:.2f} s", greatest_mm, time_s));
-}
-
 TEST_F(Drawn, FrequencyOfQ1IsThatOfItsFirstPeriodsOfRolling) {
   const DrawnPicture picture = drawn(7);
   std::vector<double> upwards;
@@ -187,38 +176,6 @@ TEST_F(Drawn, SchemeOfRollingHasItsContactWhereTheRotorIs) {
   EXPECT_LT(std::hypot(picture.dashes[0][0].first - x, picture.dashes[0][0].second - y), 30);
   EXPECT_LT(turns("f", "O"), 0);
   EXPECT_GT(turns("frol", "Oa"), 0);
-}
-
-// Each panel of Fig. 3 is of its own friction.
-TEST_F(Drawn, PanelsOfFrictionsAreNamedByThem) {
-  const DrawnPicture picture = drawn(3);
-  for (const char* friction : {"0.3", "0.2", "0.08"}) {
-    double greatest_kN = 0;
-    for (const CsvRow& row : data_of(3))
-      if (row["run"] == std::string("mu = ") + friction)
-        greatest_kN =
-            std::max(greatest_kN, -static_cast<double>(row.number("normal_force_N")) / 1e3);
-    const std::string name = std::string("μ = ") + friction;
-    const auto named = std::ranges::find(picture.texts, name);
-    const auto next = std::find_if(named, picture.texts.end(),
-                                   [&](const std::string& text) { return text != name; });
-    ASSERT_NE(next, picture.texts.end()) << friction;  // in a box of its own
-    EXPECT_EQ(*next, fmt::format("largest |Fn|: {:.1f} kN", greatest_kN));
-  }
-}
-
-// Trajectories are nearly square, the other figures wide.
-TEST_F(Drawn, FiguresHaveTheSizeOfTheirFormat) {
-  using namespace std::string_literals;
-  for (const auto& [format, square, wide] :
-       {std::tuple("pdf"s, "/MediaBox [ 0 0 360 377 ]"s, "/MediaBox [ 0 0 453 264 ]"s),
-        {"svg"s, "viewBox=\"0 0 760 800\""s, "viewBox=\"0 0 960 560\""s},
-        {"png"s, "IHDR\0\0\x05\xf0\0\0\x06\x40"s, "IHDR\0\0\x07\x80\0\0\x04\x60"s}})
-    for (const auto& [number, size] : {std::pair(16, square), {13, wide}}) {
-      ASSERT_EQ(draw(number, Equations::published, "", format).status, 0);
-      EXPECT_NE(content(name_of_figure(number) + '.' + format).find(size), std::string::npos)
-          << number << ' ' << format;
-    }
 }
 
 }  // namespace

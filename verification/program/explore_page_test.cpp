@@ -28,51 +28,6 @@ std::vector<CsvRow> printed_inputs() {
   return read_csv(fs::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv");
 }
 
-TEST(ExplorePage, HasKnobsForNumbersThatThereAre) {
-  const Json numbers = Explorer(printed_inputs()).describe_numbers();
-  std::set<std::string> known;
-  for (const auto& group : Json::parse(text_of(page / "knobs.json")))
-    for (const auto& knob : group["knobs"]) {
-      const std::string name = knob["name"];
-      EXPECT_TRUE(known.insert(name).second) << name;
-      if (name == "until") {
-        EXPECT_EQ(knob["unstated"], "0.25 s after it");
-      }
-      if (knob.value("typed", false)) continue;
-      const Statable* statable = find_statable(name);
-      ASSERT_TRUE(statable) << name;
-      const double from = knob["from"], to = knob["to"];
-      EXPECT_LT(from, to) << name;
-      EXPECT_TRUE(statable->quantity.allows(from) && statable->quantity.allows(to)) << name;
-      EXPECT_TRUE(from > 0 || !knob.value("logarithmic", false)) << name;
-      EXPECT_EQ(knob.value("instead_of", ""),
-                name == "separation_speed_hz" ? "separation_time" : "");
-      const auto its = std::find_if(numbers.begin(), numbers.end(),
-                                    [&](const Json& number) { return number["name"] == name; });
-      if (!(*its)["paper"].is_null()) {
-        EXPECT_GT((*its)["paper"], from) << name;
-        EXPECT_LT((*its)["paper"], to) << name;
-      }
-    }
-  for (const char* name : {"friction", "unbalance_factor", "separation_time", "separation_speed_hz",
-                           "clearance", "contact_stiffness", "contact_damping", "support_stiffness",
-                           "support_damping", "eccentricity", "torque", "from", "until"})
-    EXPECT_TRUE(known.contains(name)) << name;
-}
-
-TEST(ExplorePage, HasWordsForEachOutcomeAndEvent) {
-  const std::string words = text_of(page / "page/outcome.js");
-  const Json schema = Json::parse(text_of(page / "../program/summary.schema.json"));
-  for (const auto& outcome : schema["properties"]["outcome"]["enum"])
-    EXPECT_NE(words.find(fmt::format("  {}: \"", outcome.get<std::string>())), std::string::npos)
-        << outcome;
-  for (const Event event : {Event::mass_loss, Event::touch_down, Event::release, Event::ring_clear,
-                            Event::renewed_contact, Event::rolling_onset, Event::slip_reversal,
-                            Event::break_away, Event::motor_off})
-    EXPECT_NE(words.find(fmt::format(" {}: \"", name_of(event))), std::string::npos)
-        << name_of(event);
-}
-
 TEST(ExplorePage, ReadsNothingOfARunThatThereIsNot) {
   Observer unconcerned;
   const Picture picture = Explorer(printed_inputs()).run({{"friction", "0.2"}}, unconcerned);

@@ -86,23 +86,5 @@ TEST_F(Drawn, CurvesAlongTimeFillTheirAxis) {
   }
 }
 
-// The mass is lost where the orbit is at that time.
-TEST_F(Drawn, MarksOfMassLossesLieOnTheOrbit) {
-  for (const auto& [number, loss_s] : {std::pair(8, 29.1L), {9, 29.1L}, {16, 9.4L}}) {
-    const DrawnPicture picture = drawn(number);
-    const auto rows = data_of(number);
-    const auto at = std::ranges::find_if(
-        rows, [t = loss_s](const CsvRow& row) { return row.number("time_s") == t; });
-    ASSERT_NE(at, rows.end()) << number;
-    const double x = pixel(picture.x, 1e3 * static_cast<double>(at->number("y_a_m"))),
-                 y = pixel(picture.curves.front().y,
-                           1e3 * static_cast<double>(at->number("x_a_m")));
-    EXPECT_EQ(picture.crosses.size(), 2U) << number;  // the other one is the key's
-    EXPECT_TRUE(std::ranges::any_of(picture.crosses, [&](const auto& mark) {
-      return std::hypot(mark.first - x, mark.second - y) < 1;
-    })) << number;
-  }
-}
-
 }  // namespace
 }  // namespace rotor

@@ -179,32 +179,12 @@ TEST_F(Options, AreThoseOfTheRun) {
   EXPECT_EQ(summary("--no-separation --until 0.01 --tolerance 3e-9")["tolerance"], 3e-9);
 }
 
-TEST_F(Options, ThatContradictOthersAreRefused) {
-  expect_refusal("run --start-speed-hz 60 --separation-speed-hz 50",
-                 "separation_speed_hz = 50 Hz: the rotor begins with 60 Hz already");
-  expect_refusal("run --digits 6 --method rk4", "digits: method rk4 is of first order");
-  expect_refusal("run --digits 6 --keep-partial", "digits: --keep-partial");
-}
-
 // m e/m/e may be less than 1 by rounding.
 TEST_F(Options, MayStateThatTheLostMassIsNone) {
   for (const char* rotor : {"--mass 5.6 --eccentricity 4e-4", "--mass 4.9 --eccentricity 1.1e-4"}) {
     const Json whole =
         inputs(std::string(rotor) + " --lost-mass 0 --start-speed-hz 150 --separation-time 1e-3");
     EXPECT_EQ(whole["unbalance_factor"], 1) << rotor;
-  }
-}
-
-// A set of equations states both of its corrections, over what a scene states of one.
-TEST_F(Options, OfTheEquationsStateBothCorrections) {
-  write("s.toml",
-        "[parameters]\nstart_speed_hz = 100\nuntil = 0.01\nno_separation = true\n"
-        "gravity_moment = \"balanced\"\nvelocity_jump = \"once\"\n");
-  for (const auto& [set, jump, moment] :
-       {std::tuple("published", "twice", "whole"), {"consistent", "once", "balanced"}}) {
-    const Json whole = summary(std::string("--scene s.toml --equations ") + set);
-    EXPECT_EQ(whole["velocity_jump"], jump);
-    EXPECT_EQ(whole["gravity_moment"], moment);
   }
 }
 

@@ -23,25 +23,6 @@ Json schema_of_summaries() {
   return Json::parse(file);
 }
 
-// Nothing of a run is left to be traced if it stops before the window begins.
-TEST_F(RunCommand, RefusesToTraceWhatIsOver) {
-  for (const std::string& rows : {std::string(), std::string(" --rows 10")})
-    expect_refusal("run --stop-on rolling --from 29.3 --trace t.csv" + rows,
-                   "--trace t.csv: nothing of the run lies in the window");
-}
-
-TEST_F(RunCommand, SaysWhatItHasNotReached) {
-  const Json missed = summary("--until 3 --stop-on rolling");
-  EXPECT_EQ(missed["mass_loss_reached"], false);
-  EXPECT_EQ(missed["motor_off_reached"], false);
-  EXPECT_EQ(missed["stop_reached"], false);
-  const std::string messages = content("messages");
-  EXPECT_NE(messages.find("the mass loss at 29.1 s was not reached; the run ends at 3 s"),
-            std::string::npos);
-  EXPECT_NE(messages.find("rolling, at which the run was to stop, was not reached until 3 s"),
-            std::string::npos);
-}
-
 TEST_F(RunCommand, RemarksOnContactBeforeTheLossAndOnDeepIndentation) {
   const auto remarks = [&](const std::string& arguments) {
     return summary(arguments)["remarks"].dump();
@@ -207,14 +188,6 @@ TEST_F(RunCommand, SaysWhichDigitsCannotBeHad) {
   EXPECT_EQ(printed.find("final_q2_m               0.00156615194306"), std::string::npos);
 }
 
-TEST_F(RunCommand, MayBeInterruptedWhileItLooksForDigits) {
-  const auto [status, output] = shell(
-      "timeout --foreground --preserve-status --signal=INT 0.5 "
-      "$rotor run --friction 0.05 --until 29.23 --digits 12");
-  EXPECT_EQ(status, 130);
-  EXPECT_EQ(output, "rotor: interrupted; no file has been written\n");
-}
-
 // In JSON each number of the run has its error; everything else is as without.
 TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
   const Json schema = schema_of_summaries();
@@ -256,37 +229,6 @@ TEST_F(RunCommand, PrintsWithDigitsWhatItsSchemaSays) {
   EXPECT_EQ(sure.size(), plain.size() + 2);
 }
 
-TEST_F(RunCommand, TakesDigitsFromASceneAndRefusesWhatHasNone) {
-  write("sure.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\ndigits = 6\n");
-  EXPECT_EQ(summary("--scene sure.toml")["digits"]["asked"], 6);
-  EXPECT_EQ(summary("--scene sure.toml --digits 3")["digits"]["asked"], 3);
-  EXPECT_FALSE(summary("--scene sure.toml --tolerance 1e-8").contains("digits"));
-  write("loose.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\ntolerance = 1e-5\n");
-  EXPECT_EQ(summary("--scene loose.toml --digits 3")["digits"]["asked"], 3);
-  expect_refusal("run --digits 16", "must be a whole number from 1 to 15");
-  expect_refusal("run --digits 2.5", "must be a whole number from 1 to 15");
-  expect_refusal("run --digits 6 --tolerance 1e-9", "digits and tolerance");
-  expect_refusal("run --digits 6 --clearance 2e-3", "digits and clearance: a stator_radius that");
-  expect_refusal("run --digits 6 --lost-mass 0.02", "state unbalance_factor");
-  expect_refusal("run --digits 6 --separation-speed-hz 75", "state separation_time");
-  expect_refusal("run --digits 6 --method rk4", "only event can have any number of them");
-  expect_refusal("run --digits 6 --stop-on rolling", "ends with a step");
-  expect_refusal("run --digits 6 --trace t.csv", "those of a --trace are not known");
-  expect_refusal("run --digits 6 --events e.csv", "the events stand in --json");
-  expect_refusal("run --digits 6 --estimate-error", "--digits excludes --estimate-error");
-  expect_refusal("run --scene sure.toml --estimate-error",
-                 "--estimate-error is of runs to a tolerance");
-  expect_refusal("run --digits 6 --energy", "those of --energy are not known");
-  for (const char* budget : {"0", "-1", "1e400"})
-    expect_refusal(std::string("run --digits 6 --budget ") + budget,
-                   "must be a finite number greater than 0 s");
-  expect_refusal("run --budget 6", "--budget is how long to look for them");
-  expect_refusal("run --estimate-error --method rk4", "is of whole runs by --method event");
-  write("bad.toml", "[parameters]\ndigits = 0\n");
-  expect_refusal("run --scene bad.toml",
-                 "bad.toml:2: digits: digits = 0: must be a whole number from 1");
-}
-
 TEST_F(RunCommand, NamesItsInputs) {
   const Json printed = summary("--separation-speed-hz 75 --clearance 2e-3");
   EXPECT_NEAR(printed["speed_at_separation_Hz"].get<double>(), 75, 1e-9);
@@ -301,14 +243,6 @@ TEST_F(RunCommand, LosesTheMassAtTheSameTimeByEitherMethod) {
   const std::string lost = "--separation-speed-hz 20 --until 4.2 ";
   EXPECT_EQ(summary(lost + "--method rk4")["inputs"]["separation_time"],
             summary(lost)["inputs"]["separation_time"]);
-}
-
-TEST_F(RunCommand, SaysOfOptionsThatAreNumbersWhatTheyMustBe) {
-  for (const std::string option :
-       {"--digits x", "--budget x", "--every 0x10 --trace t.csv", "--from x --trace t.csv"})
-    expect_refusal("run " + option, "must be a number, not \"");
-  expect_refusal("run --trace t.csv --rows 99999999999999999999999",
-                 "99999999999999999999999: is too large");
 }
 
 }  // namespace

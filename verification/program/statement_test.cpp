@@ -34,24 +34,6 @@ std::string refusal(const Statement& statement) {
 
 TEST(Statement, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
 
-TEST(Statement, SetsNothingButTheNumberThatItNames) {
-  for (const Quantity& quantity : quantities()) {
-    const double standard = quantity.of(Scenario{});
-    const double value = standard == 0                     ? 1
-                         : quantity.name == "rotor_radius" ? 0.9 * standard
-                                                           : 1.1 * standard;
-    Scenario expected;
-    quantity.in(expected) = value;
-    if (quantity.name == "separation_time") expected.until = value + 0.25;
-    if (quantity.name == "start_speed_hz") {
-      expected.parameters.separation_time = 0;
-      expected.until = 0.25;
-    }
-    EXPECT_EQ(scenario_of(numbers({{std::string(quantity.name), value}})), expected)
-        << quantity.name;
-  }
-}
-
 TEST(Statement, EndsAQuarterOfASecondAfterTheMassLossUnlessItSaysWhen) {
   EXPECT_EQ(scenario_of(numbers({{"separation_time", 400}})).until, 400.25);
   EXPECT_EQ(scenario_of(numbers({{"separation_time", 4}, {"until", 7}})).until, 7);
@@ -76,11 +58,6 @@ TEST(Statement, ReadsNumbersThatAreNothingElse) {
     EXPECT_EQ(number_in(text), std::nullopt) << text;
 }
 
-TEST(Statement, TakesTheClearanceForTheStatorsRadius) {
-  const Scenario scenario = scenario_of(numbers({{"clearance", 2e-3}, {"rotor_radius", 0.05}}));
-  EXPECT_DOUBLE_EQ(scenario.parameters.stator_radius, 0.052);
-}
-
 TEST(Statement, TakesTheLostMassForTheUnbalanceFactor) {
   const double lost = 0.04;
   const Scenario scenario = scenario_of(numbers({{"lost_mass", lost}}));
@@ -89,30 +66,6 @@ TEST(Statement, TakesTheLostMassForTheUnbalanceFactor) {
     EXPECT_NE(refusal(numbers({{"lost_mass", too_much}})).find("must be less than mass = 5 kg"),
               std::string::npos);
   EXPECT_NE(refusal(numbers({{"lost_mass", 0.01}, {"eccentricity", 0}})), "");
-}
-
-TEST(Statement, RefusesTwoThatDetermineEachOther) {
-  for (const auto& [one, other] : {std::pair("clearance", "stator_radius"),
-                                   {"lost_mass", "unbalance_factor"},
-                                   {"separation_speed_hz", "separation_time"}})
-    EXPECT_EQ(refusal(numbers({{one, 1e-3}, {other, 0.07}})),
-              std::string(one) + " and " + other + ": one determines the other; state one of them");
-}
-
-TEST(Statement, GivesWayToOneAboveItThatDeterminesTheSame) {
-  const Statement below = numbers({{"stator_radius", 0.07}, {"friction", 0.1}});
-  const Scenario scenario = scenario_of(below.overridden_by(numbers({{"clearance", 1e-3}})));
-  EXPECT_DOUBLE_EQ(scenario.parameters.stator_radius, 0.061);
-  EXPECT_EQ(scenario.parameters.friction, 0.1);
-}
-
-TEST(Statement, TakesNamesWholeOrNotAtAll) {
-  for (const std::string_view statable : named_statables())
-    for (const char* name :
-         {"", "p", "publishe", "published ", "onc", "hole", "even", "rk", "rk44"}) {
-      Statement statement;
-      EXPECT_THROW(state(statement, statable, name), InputError) << statable << ' ' << name;
-    }
 }
 
 TEST(Statement, OfAMassLossAboveAnotherTakesWhenAndWhetherItIs) {
@@ -130,18 +83,6 @@ TEST(Statement, OfAMassLossAboveAnotherTakesWhenAndWhetherItIs) {
   EXPECT_EQ(scenario_of(numbers({{"separation_time", 1.5}}).overridden_by(numbers({{"until", 3}})))
                 .parameters.separation_time,
             1.5);
-}
-
-TEST(Statement, OfTheEquationsAboveAnotherTakesBothCorrections) {
-  Statement below, above;
-  below.velocity_jump = VelocityJump::once;
-  EXPECT_EQ(scenario_of(below).equations, (Equations{VelocityJump::once, GravityMoment::whole}));
-  above.equations = Equations::published;
-  EXPECT_EQ(scenario_of(below.overridden_by(above)).equations, Equations::published);
-  EXPECT_EQ(scenario_of(above.overridden_by(below)).equations.velocity_jump, VelocityJump::once);
-  above.equations = Equations::consistent;
-  above.gravity_moment = GravityMoment::whole;
-  EXPECT_EQ(name_of(scenario_of(above).equations), "mixed");
 }
 
 TEST(SeparationSpeed, IsThatAtTheMassLoss) {
@@ -235,54 +176,6 @@ TEST(StartSpeed, BeginsInSteadyResponse) {
 TEST(StartSpeed, FindsTheMotorOffWhereItWouldBeSwitchedOff) {
   EXPECT_FALSE(start_of(scenario_of(numbers({{"start_speed_hz", 150}}))).motor_on);
   EXPECT_TRUE(start_of(scenario_of(numbers({{"start_speed_hz", 149}}))).motor_on);
-}
-
-// What the program says that it used, from nothing stated to everything. A figure keeps what its
-// runs state themselves; a run is asked for by its options.
-TEST_F(CommandLine, PutsEquationsAboveParametersAndInFiguresBelowARunsOwn) {
-  write("fig21.toml",
-        "[parameters]\nequations = \"published\"\nstart_speed_hz = 100\n[[run]]\nname = \"a\"\n"
-        "[[run]]\nname = \"b\"\nvelocity_jump = \"once\"\n");
-  const auto used = [&](const std::string& command) {
-    const Outcome outcome = rotor(command);
-    EXPECT_EQ(outcome.status, 0) << outcome.output;
-    return outcome.output;
-  };
-  for (const auto& [option, a, b, run_of_b] :
-       {std::tuple("", "published", "mixed (velocity jump once, gravity moment whole)", "mixed"),
-        {"--equations consistent", "consistent", "consistent", "consistent"},
-        {"--gravity-moment balanced", "mixed (velocity jump twice, gravity moment balanced)",
-         "consistent", "consistent"},
-        {"--velocity-jump twice", "published", "mixed (velocity jump once, gravity moment whole)",
-         "published"}}) {
-    used(std::string("figure --scenes . --out . ") + option);
-    EXPECT_NE(content("fig21.csv").find(std::string("# a: equations ") + a), std::string::npos);
-    EXPECT_NE(content("fig21.csv").find(std::string("# b: equations ") + b), std::string::npos);
-    const std::string summary = used(std::string("run --scene fig21.toml --run b ") + option);
-    EXPECT_NE(summary.find(fmt::format("equations                \"{}\"", run_of_b)),
-              std::string::npos)
-        << summary;
-  }
-  write(
-      "s.toml",
-      "[parameters]\nstart_speed_hz = 100\nuntil = 0.01\n[[run]]\nname = \"a\"\nmethod = \"rk4\"");
-  EXPECT_NE(used("run --scene s.toml --method event").find("method                   \"event\""),
-            std::string::npos);
-}
-
-TEST_F(CommandLine, SaysWhichEquationsItUsedForARotorThatIsNotThePapers) {
-  const std::string start = "run --start-speed-hz 100 --until 0.001 ";
-  const std::string told = "equations published were used, as none were stated";
-  EXPECT_NE(rotor(start + "--mass 6").output.find(told), std::string::npos);
-  for (const char* option :
-       {"--equations published", "--velocity-jump once", "--gravity-moment whole"})
-    EXPECT_EQ(rotor(start + "--mass 6 " + option).output.find(told), std::string::npos) << option;
-  EXPECT_EQ(rotor("run --until 0.001").output.find(told), std::string::npos);
-  const std::string runs = "[parameters]\nuntil = 0.001\n[[run]]\nname = \"";
-  for (const auto& [second, is_told] : {std::pair("mass = 6", true), {"friction = 0.3", false}}) {
-    write("two.toml", runs + "a\"\n[[run]]\nname = \"b\"\n" + second);
-    EXPECT_EQ(rotor("run --scene two.toml").output.find(told) != std::string::npos, is_told);
-  }
 }
 
 }  // namespace

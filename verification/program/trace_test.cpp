@@ -34,13 +34,6 @@ class Trace : public CommandLine {
   }
 };
 
-TEST_F(Trace, OfEventsHasStateForceAndSlip) {
-  ASSERT_EQ(rotor("run --until 29.12 --events e.csv").status, 0);
-  EXPECT_EQ(rows_of("e.csv").front(),
-            "event,time_s,q1_m,q2_m,q3_rad,q1_rate_m_per_s,q2_rate_m_per_s,q3_rate_rad_per_s,"
-            "contact_state,normal_force_N,slip_velocity_m_per_s");
-}
-
 // With a trace or without: whose run-up others could share has its events as well.
 TEST_F(Trace, OfEventsBeginsBeforeTheMassLoss) {
   const std::string run =
@@ -127,30 +120,6 @@ TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
                              ? 0
                              : ring.normal_force(ring.rim_point(at.motion()));
     EXPECT_NEAR(rows[n][4], force, 1e-3 + 1e-6 * std::abs(force)) << n;
-  }
-}
-
-TEST_F(Trace, RefusesDistancesThatMeanNothing) {
-  expect_refusal("run --until 0.1 --trace t.csv --every 1e400", "--every inf: must be above 0 s");
-  const std::string trace = "run --until 1 --no-separation --trace t.csv ";
-  expect_refusal(trace + "--every 0", "--every 0: must be above 0 s");
-  expect_refusal(trace + "--every 1e-12", "must be above 0 s, and leave less than");
-  expect_refusal(trace + "--rows 1", "--rows 1: must be from 2 to");
-  expect_refusal(trace + "--rows 9 --method rk4", "--rows: only --method event knows");
-  expect_refusal(trace + "--every 1e-3 --method rk4", "--every: only --method event knows");
-  expect_refusal(trace + "--rows 9 --every 0.1", "--every");
-  write("s.toml", "window = { from = \"rolling_onset\", length_s = 1e-3 }\n");
-  for (const std::string distance : {"--rows 9", "--every 1e-4"})
-    expect_refusal("run --scene s.toml --trace t.csv " + distance,
-                   distance.substr(0, distance.find(' ')) + ": needs a window that begins at");
-  expect_refusal("run --columns time_s", "--columns requires --trace, or is help");
-}
-
-TEST_F(Trace, ListsItsColumns) {
-  const std::string list = rotor("run --columns help").output;
-  for (const Column& column : all_columns()) {
-    EXPECT_NE(list.find(column.name), std::string::npos) << column.name;
-    EXPECT_NE(list.find(column.meaning), std::string::npos) << column.name;
   }
 }
 
