@@ -9,6 +9,7 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { outcomes } from "../../figures/explore/page/outcome.js";
+import { commandOf, settingsIn } from "../../figures/explore/page/settings.js";
 import { checkDrawing, noteDrawing } from "./drawn.mjs";
 
 const [page_file, rotor, npm, executablePath] = process.argv.slice(2).map((name) => path.resolve(name));
@@ -33,6 +34,12 @@ page.on("console", (message) => expect(message.type() !== "error", `console: ${m
 page.on("pageerror", (error) => expect(false, `error on the page: ${error.stack}`));
 page.on("request", (request) =>
   expect(/^(file|blob|data):/.test(request.url()), `the page asks the network for ${request.url()}`));
+
+// Whatever an address says, the command is that of one program, in plain words.
+for (const hash of ["#friction=0.2&x%3Btouch%20p%3B%23=1", "#friction=0.2%3Btouch%20p", "#%24(touch p)=&until=1`p`",
+  "#until=29.2%0Atouch%20p%0A&a%0Ap=1", "#friction='&until='", "#--=%1b[2J&\u202e=1"])
+  expect(/^build\/rotor run( --[a-z-]+ [\w.+-]+)* --energy --json$/.test(commandOf(settingsIn(hash)[0])),
+    `the command of ${hash} is ${commandOf(settingsIn(hash)[0])}`);
 
 const address = pathToFileURL(page_file).href;
 const text = (id) => page.textContent(`#${id}`);

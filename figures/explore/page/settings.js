@@ -9,12 +9,14 @@ export const optionOf = (name) => name.replaceAll("_", "-");
 export const textOf = (number) =>
   Math.abs(number) >= 1e5 ? number.toExponential().replace("+", "") : String(number);
 
-/// Settings from an address, such as #friction=0.2&until=29.2, or two of them with a slash between.
+/// Settings from an address, such as #friction=0.2&until=29.2, or two of them with a slash between. What
+/// no option or number looks like is left out: anybody may have written the address.
 export function settingsIn(hash) {
   return hash
     .replace(/^#/, "")
     .split("/")
-    .map((part) => Object.fromEntries(new URLSearchParams(part)));
+    .map((part) => Object.fromEntries([...new URLSearchParams(part)].filter(
+      ([option, text]) => /^[a-z-]+$/.test(option) && /^[\w.+-]*$/.test(text))));
 }
 
 export function addressOf(...settings) {
