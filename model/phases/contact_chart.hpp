@@ -14,8 +14,11 @@ template <class S>
 class ContactChart {
  public:
   /// Delta, which is known more sharply than rho (m); direction of O in the rotating axes and angle
-  /// of the rotor, both since the chart was centred (rad); Delta' and the slip velocity v_Ktau
-  /// (m/s); the speed (rad/s).
+  /// of the rotor, both since the chart was centred (rad); Delta' and, whichever was less there,
+  /// the slip velocity v_Ktau or the tangential velocity of O (m/s); the speed (rad/s). These two
+  /// differ by the rim's velocity. As a small difference of large ones neither would be known well
+  /// enough: zeros of the slip are looked for, and rho, which may be 10^7 times less than the
+  /// rotor's radius, divides the velocity of O in the whirl.
   using Unknowns = std::array<S, 6>;
 
   struct Kinematics {
@@ -40,7 +43,7 @@ class ContactChart {
             S(0),
             S(0),
             normal.dot(velocity),
-            quarter_turn(normal).dot(velocity) + radius_ * q[5],
+            quarter_turn(normal).dot(velocity) + (knows_slip_ ? S(radius_ * q[5]) : S(0)),
             q[5]};
   }
 
@@ -73,7 +76,7 @@ class ContactChart {
             .displacement = displacement(x),
             .indentation = x[0],
             .normal_velocity = x[3],
-            .slip_velocity = x[4]};
+            .slip_velocity = slip_velocity(x)};
   }
 
   Unknowns rates(const Unknowns& x, const Kinematics& at, const Acceleration<S>& a) const {
@@ -84,7 +87,7 @@ class ContactChart {
             whirl - x[5],
             x[5],
             of_O.x() + whirl * m.velocity.y(),
-            of_O.y() - whirl * x[3] + radius_ * a.angular,
+            of_O.y() - whirl * x[3] + (knows_slip_ ? S(radius_ * a.angular) : S(0)),
             a.angular};
   }
 
@@ -94,15 +97,26 @@ class ContactChart {
 
   /// The same without slip, or, of rates, without a change of the slip.
   Unknowns without_slip(Unknowns x) const {
-    x[4] = 0;
+    x[4] = knows_slip_ ? S(0) : S(-radius_ * x[5]);
     return x;
   }
 
-  /// Counts both angles from x: small ones are known more sharply, and cost less.
+  /// Of O; or, of rates, its rate.
+  S tangential_velocity(const Unknowns& x) const {
+    return knows_slip_ ? x[4] - radius_ * x[5] : x[4];
+  }
+
+  /// Counts both angles from x: small ones are known more sharply, and cost less. Returns whether
+  /// the rates have become others.
   bool recentre(Unknowns& x) {
+    using std::abs;
     centre(q3_ + x[2], alpha_ + x[1]);
     x[1] = x[2] = 0;
-    return false;  // the rates stay as they are
+    const S slip = slip_velocity(x), tangential = tangential_velocity(x);
+    const bool knew_slip = knows_slip_;
+    knows_slip_ = abs(slip) <= abs(tangential);
+    x[4] = knows_slip_ ? slip : tangential;
+    return knows_slip_ != knew_slip;
   }
 
  private:
@@ -116,12 +130,13 @@ class ContactChart {
   }
 
   S displacement(const Unknowns& x) const { return clearance_ + x[0]; }
-  S tangential_velocity(const Unknowns& x) const { return x[4] - radius_ * x[5]; }
+  S slip_velocity(const Unknowns& x) const { return knows_slip_ ? x[4] : x[4] + radius_ * x[5]; }
 
   S eccentricity_, clearance_, radius_;
   bool gravity_;
-  S q3_, alpha_;          ///< where the chart is centred
-  Vector<S> arm_, down_;  ///< of C from O, and gravity's direction, in the basis there
+  bool knows_slip_ = false;  ///< which of the two velocities is among the unknowns
+  S q3_, alpha_;             ///< where the chart is centred
+  Vector<S> arm_, down_;     ///< of C from O, and gravity's direction, in the basis there
 };
 
 }  // namespace rotor

@@ -32,8 +32,8 @@ struct Rub : Phase<S, Chart> {
     const auto k = chart.rim_point(x);
     // Along the normal and the tangent, which turn.
     const Vector<S> position(k.displacement, 0), position_rate(x[3], 0);
-    const Vector<S> velocity(x[3], x[4] - ring.rotor_radius * x[5]),
-        velocity_rate(rates[3], rates[4] - ring.rotor_radius * rates[5]);
+    const Vector<S> velocity(x[3], chart.tangential_velocity(x)),
+        velocity_rate(rates[3], chart.tangential_velocity(rates));
     return {{{k.displacement, k.normal_velocity},
              ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
                                      rotor.supports.bearing_force(position_rate, velocity_rate)),

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <type_traits>
 
 #include "model/phases/flight.hpp"
 #include "model/simulation/event_method.hpp"
@@ -98,7 +97,6 @@ Chart& EventMethod<S, Stepper>::chart() {
   if (!std::holds_alternative<Chart>(chart_)) {
     chart_.template emplace<Chart>(rotor_, at_.state);
     start_.x = std::get<Chart>(chart_).unknowns(at_.state);
-    if constexpr (std::is_same_v<Chart, ContactChart<S>>) start_.x[4] *= 1 + slip_disturbance_;
   }
   return std::get<Chart>(chart_);
 }
@@ -125,7 +123,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
     }
     case ContactState::sliding: {
       auto& chart = this->chart<ContactChart<S>>();
-      if (S(at_.direction) * start_.x[4] < 0)
+      if (S(at_.direction) * chart.rim_point(start_.x).slip_velocity < 0)
         start_.x = chart.without_slip(start_.x);  // by rounding alone
       return in(Sliding<S>(rotor_, chart, at_.direction), chart, contact_step_);
     }

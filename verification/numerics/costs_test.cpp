@@ -94,6 +94,39 @@ TEST(Costs, OfASummaryAreNotThoseOfRoundingsMaxima) {
   EXPECT_NEAR(summary.summary().max_displacement_before_loss_m / radius, 1, 1e-14);
 }
 
+// Where the rotor is a million times as large as its clearance, the velocity of O is a rounding of
+// the rim's. Without friction a contact does not depend on the rim's, and neither do its steps,
+// however small the tolerance is.
+TEST(Costs, OfAContactAreThoseOfItsMotionAndNotOfRounding) {
+  const auto steps = [](double radius, double tolerance) {
+    const Scenario scenario{.parameters = {.mass = 1.676,
+                                           .inertia = 0.095,
+                                           .eccentricity = 9.5758e-8,
+                                           .support_stiffness = 935867,
+                                           .support_damping = 184.7,
+                                           .torque = 237.9,
+                                           .motor_off_Hz = 1807,
+                                           .contact_stiffness = 1.977e8,
+                                           .contact_damping = 104870,
+                                           .friction = 0,
+                                           .rotor_radius = radius,
+                                           .stator_radius = radius + 1e-7,
+                                           .unbalance_factor = 1.02077,
+                                           .separation_time = 0},
+                            .equations = Equations::consistent,
+                            .start_speed_Hz = 602.39,
+                            .until = 0.00069,
+                            .tolerance = tolerance};
+    SummaryObserver summary(scenario);
+    const RunEnd end = run(scenario, summary);
+    EXPECT_EQ(summary.summary().collisions, 1);
+    return end.counters.steps;
+  };
+  for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13})
+    for (const double radius : {1e-5, 1e-4, 1e-2, 1., 10.})
+      EXPECT_LE(steps(radius, tolerance), 40) << radius << ' ' << tolerance;
+}
+
 TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
   const Scenario scenario{.until = 29.2, .tolerance = 1e-8};
   Observer null_observer;
