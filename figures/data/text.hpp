@@ -8,15 +8,16 @@
 
 namespace rotor {
 
-/// The text, or its beginning if it is longer than a message should repeat, control characters made
-/// visible.
-std::string shown(std::string_view text);
-
-/// The same as one line, however long.
+/// The text as one line that may be shown anywhere: control characters, and bytes that are no
+/// letters of UTF-8, are made visible. What is such a line already stays as it is.
 std::string one_line(std::string_view text);
 
-/// Says on standard error what is no result; where nothing can be written, nobody is told.
-void tell(std::string_view text);
+/// The same, or its beginning if it is longer than a message should repeat.
+std::string shown(std::string_view text);
+
+/// Says on standard error, in one line, what is no result; where nothing can be written, nobody is
+/// told.
+void tell(std::string_view message);
 
 /// All of the text as a number, without anything around it.
 std::optional<double> number_in(const std::string& text);

@@ -68,7 +68,7 @@ void write_figures(const FigureOptions& options) {
   files.commit();
   tell(fmt::format(
       "data of {} figure(s): {} run-up(s) in {:.3f} s, {} run(s) after it in {:.3f} s, {} "
-      "right-hand sides\n",
+      "right-hand sides",
       scenes.size(), report.run_ups, report.run_up_s, report.runs, report.rub_s,
       report.cost.right_hand_sides));
 }

@@ -1,10 +1,10 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, beside what style.gp wants:
-#   heading, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...,
-# and the folder in which each run has a file of data.
+#   heading, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...
+# Each run has a file of data where gnuplot works.
 
 gap(i) = value(sprintf("clearance_mm%d", i))
 name(i) = value(sprintf("run%d", i))
-data(i) = sprintf("%srun%d.csv", folder, i)
+data(i) = sprintf("run%d.csv", i)
 greater(a, b) = a > b ? a : b
 short(text, most) = strlen(text) > most ? text[:most - 1]."…" : text
 

@@ -50,6 +50,7 @@ class DraftFolder {
   DraftFolder(const DraftFolder&) = delete;
   DraftFolder& operator=(const DraftFolder&) = delete;
 
+  const std::string& path() const { return path_; }
   fs::path file(const std::string& name) const { return fs::path(path_) / name; }
 
  private:
@@ -64,12 +65,11 @@ class DraftFolder {
   std::string path_;
 };
 
-/// As gnuplot reads a text between single quotes, on a line.
-std::string quoted(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 2)
-    text.insert(at, 1, '\'');
-  return '\'' + text + '\'';
+/// A text for gnuplot, by the numbers of its bytes: nothing in it can be taken for a command.
+std::string numbered(std::string_view text) {
+  std::string numbers;
+  for (const char c : text) numbers += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  return '"' + numbers + '"';
 }
 
 /// A format by how names of its pictures end, and what the pictures themselves end with.
@@ -98,16 +98,19 @@ std::set<std::string> letters_beyond_ascii(std::string_view text) {
   return letters;
 }
 
-/// The status of a program; its output may go to a file. Throws where it cannot be started.
-int status_of(const std::vector<std::string>& command, const fs::path& output = {}) {
+/// The status of a program that works among the drafts; its output may go to a file there. Throws
+/// where it cannot be started.
+int status_of(const std::vector<std::string>& command, const DraftFolder& drafts,
+              const char* output = nullptr) {
   std::vector<char*> arguments;
   for (const std::string& argument : command)
     arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
-  if (!output.empty())
-    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(),
+  ::posix_spawn_file_actions_addchdir_np(&actions, drafts.path().c_str());
+  if (output)
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output,
                                        O_WRONLY | O_CREAT | O_TRUNC, S_IRUSR | S_IWUSR);
   pid_t child = 0;
   int status =
@@ -125,9 +128,9 @@ int status_of(const std::vector<std::string>& command, const fs::path& output = 
 
 /// Whether a font has all of the letters, as far as fontconfig tells.
 bool has_font_with(const std::string& letters, const DraftFolder& drafts) {
-  const fs::path fonts = drafts.file("fonts");
   try {
-    return status_of({"fc-list", ":charset=" + letters}, fonts) != 0 || fs::file_size(fonts) > 0;
+    return status_of({"fc-list", ":charset=" + letters}, drafts, "fonts") != 0 ||
+           fs::file_size(drafts.file("fonts")) > 0;
   } catch (const std::system_error&) {  // it is not there
     return true;
   }
@@ -148,25 +151,29 @@ void require_letters(const Format& format, const std::string& text, const DraftF
                       shown(text), letter));
 }
 
-/// What gnuplot has drawn. It succeeds also where there was no room for the whole of it.
-std::string read_picture(const fs::path& path, std::string_view end) {
+/// What gnuplot has drawn. It succeeds also where there was no room for the whole of it, and leaves
+/// in texts what XML has for an end.
+std::string read_picture(const fs::path& path, const Format& format) {
   std::ifstream file(path, std::ios::binary);
   std::string picture(std::istreambuf_iterator<char>(file), {});
   const std::size_t after_end = 4;  // a line's end, or a png's check sum
-  const std::size_t at = picture.rfind(end);
-  if (at == std::string::npos || picture.size() - at > end.size() + after_end)
+  const std::size_t at = picture.rfind(format.end);
+  if (at == std::string::npos || picture.size() - at > format.end.size() + after_end)
     throw std::runtime_error("gnuplot has not drawn the whole picture");
+  if (format.extension == ".svg")
+    for (std::size_t in = 0; (in = picture.find("]]>", in)) != std::string::npos;)
+      picture.replace(in, 3, "]]&gt;");
   return picture;
 }
 
 /// Without the user's own settings, and in a locale whose letters gnuplot can write.
-void run_gnuplot(const std::vector<std::string>& scripts) {
+void run_gnuplot(const DraftFolder& drafts) {
   ::setenv("LC_ALL", "C.UTF-8", 1);
-  std::vector<std::string> command = {"gnuplot", "--default-settings"};
-  command.insert(command.end(), scripts.begin(), scripts.end());
   int status = 0;
   try {
-    status = status_of(command);
+    status = status_of({"gnuplot", "--default-settings", "settings.gp", ROTOR_SCENES "/style.gp",
+                        ROTOR_SCENES "/../program/plot.gp"},
+                       drafts);
   } catch (const std::system_error& error) {
     throw std::runtime_error(
         fmt::format("gnuplot, which draws, cannot be started: {}", error.what()));
@@ -196,17 +203,15 @@ void plot_scene(const PlotOptions& options) {
         fmt::format("{}: cannot be written: there is no such folder", folder.string()));
   FileTransaction::require_distinct({out}, options.scene);
 
-  const std::string title = scene.title.empty() ? out.stem().string() : scene.title;
+  const std::string title = scene.title.empty() ? one_line(out.stem().string()) : scene.title;
   const DraftFolder drafts;
   require_letters(*format, title, drafts);
   for (const SceneRun& run : scene.runs) require_letters(*format, run.name, drafts);
 
   const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
-  const fs::path picture = drafts.file("picture");
   std::string settings =
-      fmt::format("folder = {}; output = {}; format = '{}'; heading = {}; runs = {}\n",
-                  quoted(drafts.file("").string()), quoted(picture.string()),
-                  format->extension.substr(1), quoted(title), scene.runs.size());
+      fmt::format("output = 'picture'; format = '{}'; heading = {}; runs = {}\n",
+                  format->extension.substr(1), numbered(title), scene.runs.size());
   FileTransaction data;  // a file a run, so that each is read for its own curves alone
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
     const SceneRun& run = scene.runs[n - 1];
@@ -214,17 +219,16 @@ void plot_scene(const PlotOptions& options) {
     data.write(
         drafts.file(fmt::format("run{}.csv", n)),
         to_csv(provenance(scene.title, scene), headings("run", scene.columns), {tables[n - 1]}));
-    settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, quoted(run.name),
+    settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, numbered(run.name),
                             1000 * (p.stator_radius - p.rotor_radius));
   }
   data.write(drafts.file("settings.gp"), settings);
   data.commit();
-  run_gnuplot({drafts.file("settings.gp").string(), ROTOR_SCENES "/style.gp",
-               ROTOR_SCENES "/../program/plot.gp"});
+  run_gnuplot(drafts);
   FileTransaction files;
-  files.write(out, read_picture(picture, format->end));
+  files.write(out, read_picture(drafts.file("picture"), *format));
   files.commit();
-  fmt::print("{}\n", out.string());
+  fmt::print("{}\n", one_line(out.string()));
 }
 
 }  // namespace rotor

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
+
 #include "figures/data/text.hpp"
 
 namespace rotor {
@@ -23,12 +25,14 @@ std::optional<double> ReportTimes::due() {
 
 void ReportTimes::print(const std::string& report) {
   has_reported_ = true;
-  tell(fmt::format("{}{}{}", on_terminal_ ? "\r" : "rotor: ", report,
-                   on_terminal_ ? " (Ctrl-C stops)  " : "\n"));
+  if (on_terminal_)
+    static_cast<void>(std::fputs(fmt::format("\r{} (Ctrl-C stops)  ", report).c_str(), stderr));
+  else
+    tell("rotor: " + report);
 }
 
 ReportTimes::~ReportTimes() {
-  if (has_reported_ && on_terminal_) tell("\n");
+  if (has_reported_ && on_terminal_) tell("");
 }
 
 bool RunProgress::goes_on(const Progress& now) {

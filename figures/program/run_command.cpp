@@ -132,7 +132,7 @@ void say_which_equations() {
   tell(
       "rotor: equations published were used, as none were stated: as printed, the velocity "
       "jump of the mass loss counts twice and the moment of gravity in full; --equations "
-      "consistent puts both right\n");
+      "consistent puts both right");
 }
 
 /// What is printed of a run.
@@ -289,11 +289,11 @@ void run_rotor(const RunOptions& options) {
     print_summaries(runs, options.json, to);
   else if (!runs.empty())
     print_summary(runs.front(), options.json, to);
-  for (const std::string& message : told) tell(fmt::format("rotor: {}\n", message));
+  for (const std::string& message : told) tell("rotor: " + message);
   if (!runs.empty() && std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
     say_which_equations();
-  if (!failures.empty())
-    throw std::runtime_error(fmt::format("{}", fmt::join(failures, "\nrotor: ")));
+  for (std::size_t n = 1; n < failures.size(); ++n) tell("rotor: " + failures[n - 1]);
+  if (!failures.empty()) throw std::runtime_error(failures.back());
 }
 
 }  // namespace rotor

@@ -54,8 +54,8 @@ class Writer {
   Writer(const Sweep& sweep, const std::string& out)
       : points_(sweep.points()), journal_(out, sweep_head(sweep)), written_(journal_.rows()) {
     if (written_ > 0)
-      tell(fmt::format("rotor: {} of {} points are there already, in {}\n", written_.load(),
-                       points_, journal_.path().string()));
+      tell(fmt::format("rotor: {} of {} points are there already, in {}", written_.load(), points_,
+                       journal_.path().string()));
   }
 
   void run(int threads, const std::function<Work()>& make_worker, Ranks& ranks) {
@@ -120,7 +120,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   ranks.told_by_first(true);
   const int threads = ranks.count() > 1 ? 1 : options.jobs > 0 ? options.jobs : cores();
   writer->run(threads, workers(sweep), ranks);
-  fmt::print("{}\n", options.out);
+  fmt::print("{}\n", one_line(options.out));
 }
 
 }  // namespace

@@ -55,9 +55,9 @@ std::string TomlFile::content() const {
   constexpr std::uintmax_t most = 1U << 20U;
   std::error_code error;
   const auto refuse = [&](std::string_view reason) {
-    throw InputError(fmt::format(
-        "{}: cannot be read: {}",
-        file_.empty() ? "a scene file without a name" : one_line(file_.string()), reason));
+    throw InputError(fmt::format("{}: cannot be read: {}",
+                                 file_.empty() ? "a scene file without a name" : file_.string(),
+                                 reason));
   };
   const auto status = std::filesystem::status(file_, error);
   if (!std::filesystem::exists(status)) refuse("there is no such file");
@@ -90,7 +90,11 @@ std::optional<double> TomlFile::number(const toml::node& node) {
 }
 
 std::optional<std::string> TomlFile::text(const toml::table& in, std::string_view key) const {
-  return value<std::string>(in, key, "a string in quotes");
+  const auto found = value<std::string>(in, key, "a string in quotes");
+  if (found && *found != one_line(*found))
+    fail(*in.get(key), key,
+         fmt::format("must be one line, without control characters; not \"{}\"", shown(*found)));
+  return found;
 }
 
 std::optional<double> TomlFile::time(const toml::table& in, std::string_view key) const {

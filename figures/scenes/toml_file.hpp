@@ -44,6 +44,7 @@ class TomlFile {
   }
   /// If it is one: rounded, as every number, even where it is stated as a whole one.
   static std::optional<double> number(const toml::node& node);
+  /// One line without control characters: it is shown in messages and pictures.
   std::optional<std::string> text(const toml::table& in, std::string_view key) const;
   /// In seconds: finite and not below zero.
   std::optional<double> time(const toml::table& in, std::string_view key) const;

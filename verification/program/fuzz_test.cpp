@@ -1,8 +1,12 @@
 /// Random scenes and command lines: whatever is given is done, or refused in one clear line. A
 /// seeded few of them here; ROTOR_FUZZ=N in the environment tries N instead.
+#include <boost/property_tree/xml_parser.hpp>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 
+#include "figures/data/text.hpp"
 #include "figures/scenes/scene.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -42,6 +46,32 @@ class Random {
     std::string text(below(most), ' ');
     for (char& c : text) c = static_cast<char>(below(256));
     return text;
+  }
+
+  /// What shells, gnuplot, awk, XML and terminals may take for more than a text.
+  std::string hostile(std::size_t most) {
+    static const std::vector<std::string> commands = {"; system(\"touch p\") #", "`touch p`",
+                                                      "$(touch p)", "<touch p", "|touch p"};
+    static const std::vector<std::string> marks = {
+        "'",   "\"", "\\", "@a", "{/:", "%s", "&amp;", "<b>",
+        "]]>", "  ", "-",  "~",  "*",   "=",  "\u00e9"};
+    std::string text;
+    for (std::size_t n = 1 + below(4); n > 0; --n)
+      if (const std::string& piece = of(one_in(3) ? commands : marks);
+          text.size() + piece.size() <= most)
+        text += piece;
+    return text.empty() ? "a" : text;
+  }
+  std::string hostile_name(const std::string& end) {
+    std::string name = hostile(60) + end;
+    std::replace(name.begin(), name.end(), '/', ':');
+    return name;
+  }
+  std::string control() {
+    static const std::vector<std::string> all = {"\n",      "\r",     "\t",     "\a",
+                                                 "\x1b[2J", "\x7f",   "\u0085", "\u009b2J",
+                                                 "\u202e",  "\uffff", "\x01"};
+    return of(all);
   }
 
   /// The text with some bytes changed, doubled or lost.
@@ -102,6 +132,25 @@ std::string random_scene(Random& random) {
 
 class Fuzz : public CommandLine {};
 
+std::string quoted(std::string text) {
+  std::erase(text, '\0');
+  return " '" + std::regex_replace(text, std::regex("'"), "'\\''") + "'";
+}
+
+/// In lines that a terminal shows as they are.
+void expect_clean(const std::string& output) {
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) EXPECT_EQ(line, one_line(line));
+}
+
+/// As XML has it.
+std::string in_xml(std::string text) {
+  for (const auto& [letter, entity] : std::vector<std::pair<std::string, std::string>>{
+           {"&", "&amp;"}, {"<", "&lt;"}, {"\\]\\]>", "]]&gt;"}})
+    text = std::regex_replace(text, std::regex(letter), entity);
+  return text;
+}
+
 TEST_F(Fuzz, ScenesAreReadOrRefusedByFileAndLine) {
   Random random(1);
   long read = 0, refused = 0;
@@ -134,16 +183,11 @@ TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
     options.push_back("--" + name);
   }
   const std::vector<std::string> values = {"t.csv", "consistent", "rk4", "time_s,rho_m", ""};
-  const auto quoted = [](std::string text) {
-    std::erase(text, '\'');
-    std::erase(text, '\0');
-    return " '" + text + "'";
-  };
   for (long n = 0; n < count(200); ++n) {
     std::string arguments = random.one_in(10) ? random.of(values) : "run --until 0.01";
     for (std::size_t k = random.below(5); k > 0; --k) {
       const std::string option = random.of(options);
-      arguments += quoted(random.one_in(10) ? random.damaged(option) : option);
+      arguments += quoted(random.one_in(10) ? random.damaged(option) + random.control() : option);
       if (!random.one_in(5))
         arguments += quoted(random.one_in(3) ? random.of(values) : random.number());
     }
@@ -151,6 +195,7 @@ TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
     const bool says_that_it_takes_long = output.find(" to go\n") != std::string::npos;
     EXPECT_TRUE((status >= 0 && status < 124) || says_that_it_takes_long)
         << arguments << ": " << status << output;
+    expect_clean(output);
     if (status != 0) {
       EXPECT_TRUE(output.starts_with("rotor: ")) << arguments << ": " << output;
       // One line, behind how far a long run has got.
@@ -160,6 +205,57 @@ TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
       EXPECT_EQ(files(), 0) << arguments;
     }
     for (const auto& entry : fs::directory_iterator(folder_)) fs::remove_all(entry);
+  }
+}
+
+// Titles, names and paths are texts, whatever they look like: in the picture they stand as they
+// are, and nothing is done but to draw it.
+TEST_F(Fuzz, TextsAreNeverCommands) {
+  Random random(3);
+  for (long n = 0; n < count(10); ++n) {
+    const std::string title = random.hostile(79), folder = random.hostile_name(""),
+                      scene_file = random.hostile_name(".toml"),
+                      picture = random.hostile_name(".svg");
+    std::string scene = "title = " + nlohmann::json(title).dump() +
+                        "\n[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n";
+    std::vector<std::string> names;
+    for (int run = 1; run <= 4; ++run) {
+      names.push_back(std::to_string(run) + random.hostile(34));
+      scene += "[[run]]\nname = " + nlohmann::json(names.back()).dump() + '\n';
+    }
+    fs::create_directory(folder_ / folder);
+    write(folder + '/' + scene_file, scene);
+    const auto [status, output] =
+        shell("cd ./" + quoted(folder).substr(1) + " && TMPDIR=$PWD $rotor plot ./" +
+              quoted(scene_file).substr(1) + " --equations published --out=./" +
+              quoted(picture).substr(1));
+    EXPECT_EQ(status, 0) << scene << output;
+    EXPECT_EQ(output, "./" + picture + '\n');
+    EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder_), {}), 3) << scene;
+    const std::string svg = content(folder + '/' + picture);
+    boost::property_tree::ptree tree;
+    std::istringstream stream(svg);
+    EXPECT_NO_THROW(boost::property_tree::read_xml(stream, tree)) << scene;
+    names.push_back(title);
+    for (const std::string& text : names)
+      EXPECT_NE(svg.find('>' + in_xml(text) + '<'), std::string::npos) << text << '\n' << scene;
+    fs::remove_all(folder_ / folder);
+  }
+}
+
+// Those with control characters are refused in one line that can be shown, and so is a path that
+// cannot be read.
+TEST_F(Fuzz, ControlCharactersReachNeitherPicturesNorTerminals) {
+  Random random(4);
+  for (long n = 0; n < count(40); ++n) {
+    const std::string text = random.hostile(20) + random.control() + random.hostile(20);
+    const std::string key = random.one_in(2) ? "title" : "name";
+    write("s.toml", (key == "name" ? "[[run]]\n" : "") + key + " = " +
+                        nlohmann::json(text).dump(-1, ' ', true) + '\n');
+    const std::string place = key == "name" ? "s.toml:2: name: " : "s.toml:1: title: ";
+    expect_refusal("plot s.toml", place + "must be one line, without control characters");
+    for (const char* command : {"plot", "run --columns", "run --scene", "sweep --out"})
+      expect_clean(rotor(command + quoted(text)).output);
   }
 }
 

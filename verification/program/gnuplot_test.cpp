@@ -123,11 +123,5 @@ TEST_F(Gnuplot, IsGivenNoLettersThatNoFontHas) {
   EXPECT_EQ(unknown.output, "b.png\n");
 }
 
-TEST_F(Gnuplot, IsGivenATitleOnOneLine) {
-  write("lines.toml", "title = \"one\\ntwo\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n");
-  EXPECT_EQ(rotor("plot lines.toml --out a.svg").output, "a.svg\n");
-  EXPECT_NE(content("a.svg").find("one two"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace rotor

@@ -70,17 +70,6 @@ void expect_legible(const DrawnPicture& picture) {
     }
 }
 
-// Names are shown as they are, gnuplot has nothing to complain of, and nothing else is left.
-TEST_F(Plot, DrawsEveryRunOfAScene) {
-  const auto [status, output] = rotor("plot \"it's.toml\"");
-  EXPECT_EQ(status, 0);
-  EXPECT_EQ(output, "it's.svg\n");
-  const std::string picture = content("it's.svg");
-  for (const char* shown : {"It's 100 %", "high_mu", "mu's 0.1, narrow", "f, Hz", "clearance"})
-    EXPECT_NE(picture.find(shown), std::string::npos) << shown;
-  EXPECT_EQ(files(), 2);
-}
-
 // Force in kN, speed in Hz, displacement and orbit in mm, each of both runs, reach as far in the
 // picture as in the runs' traces; the ring is drawn around the orbit.
 TEST_F(Plot, DrawsTheCurvesOfEachRun) {
@@ -245,12 +234,6 @@ TEST_F(Plot, ReplacesNoSceneByItsPicture) {
   fs::create_symlink("own.toml", folder_ / "own.svg");
   expect_refusal("plot own.toml", "own.svg: cannot be written: it is what the runs are read from");
   EXPECT_EQ(content("own.toml"), scene);
-}
-
-TEST_F(Plot, TakesItsTitleAsItStands) {
-  write("own.toml", "title = \"case_2 {a}\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n");
-  EXPECT_EQ(rotor("plot own.toml --equations published").status, 0);
-  EXPECT_NE(content("own.svg").find(">case_2 {a}<"), std::string::npos);
 }
 
 TEST_F(Plot, RefusesDigits) {
