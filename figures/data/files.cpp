@@ -83,6 +83,14 @@ std::string identity(const fs::path& file) {
   return fmt::format("{}:{}", status.st_dev, status.st_ino);
 }
 
+/// So that a name in it survives a power cut; some file systems need and know no such thing.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  static_cast<void>(::fsync(descriptor));
+  ::close(descriptor);
+}
+
 }  // namespace
 
 bool is_standard_output(const fs::path& file) {
@@ -206,18 +214,24 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
+void OutputFile::sync() {
+  flush();
+  if (::fsync(descriptor_) != 0) fail_by_errno();
+  is_synced_ = true;
+}
+
 void OutputFile::commit() {
   flush();
   if (::close(std::exchange(descriptor_, -1)) != 0) fail_by_errno();
   if (!draft_.empty() && ::rename(draft_.c_str(), target_.c_str()) != 0) fail_by_errno();
+  if (is_synced_) sync_folder(target_.parent_path());
   draft_.clear();
   folders_.clear();
 }
 
 void OutputFile::fail(std::string_view reason) const {
-  throw std::runtime_error(
-      fmt::format("{}: cannot be written: {}",
-                  named_ == "-" ? "standard output" : one_line(named_.string()), reason));
+  throw std::runtime_error(fmt::format(
+      "{}: cannot be written: {}", named_ == "-" ? "standard output" : named_.string(), reason));
 }
 
 void OutputFile::fail_by_errno() const {

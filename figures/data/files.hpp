@@ -26,6 +26,8 @@ class OutputFile {
   void write(std::string_view text);
   /// After this, all that was written has left the program.
   void flush();
+  /// After this, it survives a power cut, and once it is committed, so does that it took its place.
+  void sync();
   void commit();
 
  private:
@@ -41,6 +43,7 @@ class OutputFile {
   std::filesystem::path draft_;                 ///< empty if it is written straight away
   std::vector<std::filesystem::path> folders_;  ///< that had to be created
   int descriptor_ = -1;
+  bool is_synced_ = false;
   std::string buffer_;
 };
 

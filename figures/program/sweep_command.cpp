@@ -53,6 +53,10 @@ class Writer {
  public:
   Writer(const Sweep& sweep, const std::string& out)
       : points_(sweep.points()), journal_(out, sweep_head(sweep)), written_(journal_.rows()) {
+    if (journal_.dropped() > 0)
+      tell(fmt::format(
+          "rotor: {}: the {} bytes behind its row {} are not as they were written, and are dropped",
+          journal_.path().string(), journal_.dropped(), journal_.rows()));
     if (written_ > 0)
       tell(fmt::format("rotor: {} of {} points are there already, in {}", written_.load(), points_,
                        journal_.path().string()));

@@ -3,43 +3,45 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include "figures/data/files.hpp"
 
 namespace rotor {
 namespace {
 
-/// Reads a file on, in pieces.
-template <class Take>
-bool read_all(int descriptor, const Take& take) {
-  std::array<char, 65536> piece{};
-  for (;;) {
-    const ssize_t size = ::read(descriptor, piece.data(), piece.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0) return false;
-    if (size == 0) return true;
-    take(std::string_view(piece.data(), static_cast<std::size_t>(size)));
-  }
+/// The check sum of what has this one, and of a text behind it (FNV-1a, from Fowler, Noll and Vo).
+constexpr std::uint64_t first_sum = 0xcbf29ce484222325U;
+std::uint64_t sum_with(std::uint64_t sum, std::string_view text) {
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return sum;
+}
+
+std::string line_of(std::uint64_t sum, std::string_view row) {
+  return fmt::format("{:016x} {}", sum, row);
 }
 
 }  // namespace
 
-Journal::Journal(const std::filesystem::path& file, std::string_view head)
-    : file_(file), path_(file.string() + ".journal") {
+Journal::Journal(const std::filesystem::path& file, std::string head)
+    : file_(file), path_(file.string() + ".journal"), head_(std::move(head)) {
   std::error_code ignored;  // what cannot be made is said below
   std::filesystem::create_directories(std::filesystem::absolute(path_).parent_path(), ignored);
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
   if (descriptor_ < 0) fail_by_errno();
   try {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) fail_by_errno();
+    if (!S_ISREG(status.st_mode)) fail("must be a regular file: it is where the sweep goes on");
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) fail("another sweep is writing it");
-    take_up(head);
+    take_up();
   } catch (...) {
     ::close(descriptor_);
     throw;
@@ -48,47 +50,80 @@ Journal::Journal(const std::filesystem::path& file, std::string_view head)
 
 Journal::~Journal() { ::close(descriptor_); }
 
-/// A row that was cut short is cut off; in a head that was, everything is.
-void Journal::take_up(std::string_view head) {
-  std::string beginning;
-  off_t size = 0, whole = 0;
-  const bool is_read = read_all(descriptor_, [&](std::string_view piece) {
-    beginning += piece.substr(0, head.size() - std::min(head.size(), beginning.size()));
-    for (const char c : piece) {
-      if (++size <= static_cast<off_t>(head.size()) || c != '\n') continue;
-      whole = size;
-      ++rows_;
-    }
-  });
-  if (!is_read) fail_by_errno();
-  if (!head.starts_with(beginning))
-    fail("is of another sweep file or another version; go on with that one, or remove it");
-  if (beginning.size() < head.size()) {
-    if (::ftruncate(descriptor_, 0) != 0 || ::lseek(descriptor_, 0, SEEK_SET) < 0) fail_by_errno();
-    write(head);
-    return;
+/// Takes the rows that are as they were written, up to the first that is not. Returns where they
+/// end.
+template <class Take>
+off_t Journal::read_rows(const Take& take) {
+  std::ifstream file(path_, std::ios::binary);
+  auto end = static_cast<off_t>(head_.size());
+  file.seekg(end);
+  sum_ = sum_with(first_sum, head_);
+  for (std::string line; std::getline(file, line) && !file.eof();) {
+    const std::size_t mark = line.find(' ');
+    const std::string row = line.substr(mark == std::string::npos ? line.size() : mark + 1);
+    const std::uint64_t sum = sum_with(sum_, row);
+    if (line != line_of(sum, row)) break;
+    sum_ = sum;
+    end += static_cast<off_t>(line.size()) + 1;
+    take(row);
   }
-  whole = std::max(whole, static_cast<off_t>(head.size()));
-  if (::ftruncate(descriptor_, whole) != 0 || ::lseek(descriptor_, whole, SEEK_SET) < 0)
+  if (file.bad()) fail("cannot be read");
+  return end;
+}
+
+/// What is no row as it was written is cut off, with all that follows; in a head that was cut
+/// short, everything is.
+void Journal::take_up() {
+  std::string beginning(head_.size(), '\0');
+  std::ifstream file(path_, std::ios::binary);
+  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  if (file.bad()) fail("cannot be read");
+  beginning.resize(static_cast<std::size_t>(file.gcount()));
+  if (!head_.starts_with(beginning))
+    fail("is of another sweep file or another version; go on with that one, or remove it");
+  const bool is_begun = beginning.size() == head_.size();
+  const off_t end = is_begun ? read_rows([&](const std::string& /*row*/) { ++rows_; }) : 0;
+  dropped_ = ::lseek(descriptor_, 0, SEEK_END) - end;
+  if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) < 0)
     fail_by_errno();
+  if (!is_begun) {
+    sum_ = sum_with(first_sum, head_);
+    write_all(head_);
+  }
 }
 
 void Journal::write(std::string_view rows) {
-  while (!rows.empty()) {
-    const ssize_t size = ::write(descriptor_, rows.data(), rows.size());
+  std::string lines;
+  for (std::size_t end = 0; (end = rows.find('\n')) != std::string_view::npos;
+       rows.remove_prefix(end + 1)) {
+    sum_ = sum_with(sum_, rows.substr(0, end));
+    ++rows_;
+    lines += line_of(sum_, rows.substr(0, end)) + '\n';
+  }
+  write_all(lines);
+}
+
+void Journal::write_all(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t size = ::write(descriptor_, text.data(), text.size());
     if (size < 0 && errno == EINTR) continue;
     if (size < 0) fail_by_errno();
-    rows.remove_prefix(static_cast<std::size_t>(size));
+    text.remove_prefix(static_cast<std::size_t>(size));
   }
 }
 
+/// The results are on the disk before the journal goes.
 void Journal::finish() {
-  if (::lseek(descriptor_, 0, SEEK_SET) < 0) fail_by_errno();
-  FileTransaction files;
-  OutputFile& results = files.open(file_);
-  if (!read_all(descriptor_, [&](std::string_view piece) { results.write(piece); }))
-    fail_by_errno();
-  files.commit();
+  OutputFile results(file_);
+  results.write(head_);
+  long rows = 0;
+  read_rows([&](const std::string& row) {
+    results.write(row + '\n');
+    ++rows;
+  });
+  if (rows != rows_) fail("has been changed by another program");
+  results.sync();
+  results.commit();
   std::filesystem::remove(path_);
 }
 

@@ -2,39 +2,51 @@
 /// killed goes on from there.
 #pragma once
 
+#include <sys/types.h>
+
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace rotor {
 
-/// The journal of FILE is FILE.journal: its beginning, to the byte. All throw std::runtime_error.
+/// The journal of FILE is FILE.journal: its head, and its rows, each behind a check sum of all that
+/// comes before it and of itself. All throw std::runtime_error.
 class Journal {
  public:
-  /// Takes up the journal that is there, or begins one. Refuses one that another sweep is writing,
-  /// and one that does not begin with this head.
-  Journal(const std::filesystem::path& file, std::string_view head);
+  /// Takes up the journal that is there as far as it is as it was written, or begins one. Refuses
+  /// one that another sweep is writing, and one that does not begin with this head.
+  Journal(const std::filesystem::path& file, std::string head);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
-  long rows() const { return rows_; }  ///< that are there already
+  long rows() const { return rows_; }         ///< that are there
+  off_t dropped() const { return dropped_; }  ///< bytes behind them that were no such rows
   const std::filesystem::path& path() const { return path_; }
 
-  /// Whole rows. What was written survives the program's death.
+  /// Whole rows, a line each. What was written survives the program's death; after a power cut the
+  /// check sums tell how much has.
   void write(std::string_view rows);
 
   /// Puts the results in their place, whole, and takes the journal away.
   void finish();
 
  private:
-  void take_up(std::string_view head);
+  void take_up();
+  template <class Take>
+  off_t read_rows(const Take& take);
+  void write_all(std::string_view text);
   [[noreturn]] void fail(std::string_view reason) const;
   [[noreturn]] void fail_by_errno() const;
 
   std::filesystem::path file_, path_;
+  std::string head_;
   int descriptor_ = -1;
   long rows_ = 0;
+  off_t dropped_ = 0;
+  std::uint64_t sum_ = 0;  ///< of the head and the rows up to here
 };
 
 }  // namespace rotor
