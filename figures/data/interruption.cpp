@@ -38,8 +38,10 @@ void note(int signal) {
 }  // namespace
 
 void note_interruptions() {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
+    ::sigaction(signal, nullptr, &action);
+    if (signal == SIGHUP && action.sa_handler == SIG_IGN) continue;  // nohup wants it to live on
     action.sa_handler = note;
     action.sa_flags = 0;  // calls that block return
     ::sigaction(signal, &action, nullptr);

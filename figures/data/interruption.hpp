@@ -5,7 +5,8 @@
 
 namespace rotor {
 
-/// From now on SIGINT and SIGTERM are noted instead of ending the program; the second one ends it.
+/// From now on SIGINT, SIGTERM and SIGHUP are noted instead of ending the program; the second one
+/// ends it.
 void note_interruptions();
 
 /// Whether there has been one.

@@ -10,9 +10,23 @@
 #include "figures/scenes/recorder.hpp"
 
 namespace rotor {
+namespace {
+
+/// Of all curves together: with more, a picture is black, and takes hundreds of megabytes.
+constexpr long most_rows = 2'000'000;
+
+[[noreturn]] void fail_as_too_long() {
+  throw InputError(fmt::format(
+      "more than {} rows are too many to draw; a shorter window has fewer, and rotor run --trace "
+      "writes any number",
+      most_rows));
+}
+
+}  // namespace
 
 SceneTables compute_tables(const std::map<int, Scene>& scenes) {
   SceneTables tables;
+  long rows = 0;
   std::deque<Recorder> recorders;
   std::vector<Request> requests;
   for (const auto& [number, scene] : scenes) {
@@ -27,7 +41,10 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
       requests.push_back({scenario,
                           recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
-                                                 [&table](auto row) { table.add(row); }),
+                                                 [&](auto row) {
+                                                   if (++rows > most_rows) fail_as_too_long();
+                                                   table.add(row);
+                                                 }),
                           scene.file.string() + ": " + run.name});
     }
   }

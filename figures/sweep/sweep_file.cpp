@@ -157,6 +157,9 @@ class SweepReader : TomlFile {
     if (range.logarithmic && !(range.from > 0))
       fail(*in.get("from"), "from", "must be greater than 0 for equal ratios");
     range.points = count(in, "points", 2);
+    if (!std::isfinite(range.at(1)))
+      fail(*in.get("to"), "to",
+           fmt::format("is too far from {} to divide the way there", range.from));
     return range;
   }
 
@@ -204,14 +207,18 @@ class SweepReader : TomlFile {
       draw.distribution = Distribution::normal;
       if (!(draw.b > 0 && std::isfinite(draw.b)))
         fail(node, key, "the deviation must be greater than 0");
-      return draw;
+    } else {
+      require_allowed(node, key, draw.b, of);
+      if (!(draw.a < draw.b)) fail(node, key, "must go from a number to a greater one");
     }
-    require_allowed(node, key, draw.b, of);
-    if (!(draw.a < draw.b)) fail(node, key, "must go from a number to a greater one");
     if (key == "log_uniform") {
       draw.distribution = Distribution::log_uniform;
       if (!(draw.a > 0)) fail(node, key, "must begin above 0");
     }
+    constexpr double least_share = 1e-16;  // as that of a draw
+    if (!std::isfinite(draw.quantile(least_share)) ||
+        !std::isfinite(draw.quantile(1 - least_share)))
+      fail(node, key, "is too wide: numbers in it cannot be computed");
     return draw;
   }
 

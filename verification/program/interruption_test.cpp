@@ -1,6 +1,7 @@
 /// What is left of work that somebody interrupts, or kills.
 #include "figures/data/interruption.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,14 +17,15 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
-  for (const std::string signal : {"INT", "TERM"}) {
+  for (const auto& [signal, expected] :
+       std::vector<std::pair<std::string, int>>{{"INT", 130}, {"TERM", 143}, {"HUP", 129}}) {
     write("t.csv", "precious");
     const auto [status, output] =
         shell("bash -c 'set -m; \"$0\" " + long_run + " --trace t.csv & " + wait_for_rows +
               "; ls -A | wc -l; kill -" + signal + " %1; wait %1; echo status $?' \"$rotor\"");
     EXPECT_TRUE(output.starts_with("2\n")) << output;  // the draft was there
     EXPECT_NE(output.find("rotor: interrupted; no file has been written"), std::string::npos);
-    EXPECT_NE(output.find(signal == "INT" ? "status 130" : "status 143"), std::string::npos);
+    EXPECT_NE(output.find(fmt::format("status {}\n", expected)), std::string::npos);
     EXPECT_EQ(content("t.csv"), "precious");
     remove("t.csv");
   }
@@ -110,6 +112,16 @@ TEST_F(Writing, TakesTheEchoOfASignalForTheSame) {
   EXPECT_NE(output.find("rotor: cut short at "), std::string::npos) << output;
   EXPECT_NE(content("t.csv").find("\n# cut short at "), std::string::npos);
   remove("t.csv");
+}
+
+TEST(Interruptions, AreNoHangUpsThatNobodyWantsToHear) {
+  const auto hang_up = [] {
+    static_cast<void>(std::signal(SIGHUP, SIG_IGN));
+    note_interruptions();
+    static_cast<void>(std::raise(SIGHUP));
+    std::exit(interrupting_signal());
+  };
+  EXPECT_EXIT(hang_up(), testing::ExitedWithCode(0), "");
 }
 
 // What comes later is another one, and ends the program at once.

@@ -241,6 +241,12 @@ TEST_F(Plot, RefusesDigits) {
   expect_refusal("plot d.toml", "d.toml: digits: those of curves are not known");
 }
 
+// A day of whirling would be a black picture, and many gigabytes.
+TEST_F(Plot, RefusesMoreThanAPictureCanShow) {
+  write("day.toml", "[parameters]\nno_separation = true\nuntil = 86400\n");
+  expect_refusal("plot day.toml", "day.toml: run: more than 2000000 rows are too many to draw");
+}
+
 TEST_F(Plot, DrawsTheFormatThatTheNameEndsIn) {
   EXPECT_EQ(rotor("plot \"it's.toml\" --out a.pdf").status, 0);
   EXPECT_TRUE(content("a.pdf").starts_with("%PDF"));
