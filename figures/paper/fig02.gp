@@ -2,14 +2,14 @@
 set title caption(2, "Start-up: generalised coordinates and displacement of O", \
   sprintf("M_{mot} = %g N m, e_x = %g mm, eigenfrequency %.1f Hz", number("run", "torque"), \
   1e3*number("run", "eccentricity"), sqrt(number("run", "support_stiffness")/number("run", "mass"))/(2*pi)))
-set multiplot layout 3,1 margins 0.09,0.97,0.11,0.86 spacing 0,0.035
+set multiplot layout 3,1 margins 0.1,0.97,0.11,0.86 spacing 0,0.05
 set xrange [0:6.5]
-set ylabel offset 1,0
 set format x ""
-set ytics 0.5
+set ytics -1,0.5,0.5
 stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
 
 set ylabel "q_1, mm"
+set yrange [-1.5:0.75]
 its_quantity = "q1_m"
 plot data using "time_s":(column("q1_m")*1e3) with lines linetype 1 notitle @digitised
 unset title
@@ -21,6 +21,7 @@ set xlabel "t, s" offset 0,0.4
 set format x "%g"
 set label sprintf("largest ρ = %.2f mm at %.2f s", rho_max_y, rho_pos_max_y) \
   at rho_pos_max_y, rho_max_y offset 2,-0.5
-set yrange [0:*]
+set ytics 0,0.5
+set yrange [0:1.6]
 its_quantity = "rho_m"
 plot data using "time_s":(column("rho_m")*1e3) with lines linetype 3 notitle @digitised

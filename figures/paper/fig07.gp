@@ -1,10 +1,8 @@
 # q1 and rho as fast rolling sets in.
-set title caption(7, "Generalised coordinate q_1 in the rotating axes, and displacement ρ", \
-  friction("run").", ".loss("run")."; seen from rotating axes, the whirl is faster by f")
 set xlabel "t, s"
 set ylabel "mm"
 set format x "%.3f"
-set key top left horizontal
+set key bottom left horizontal
 stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
 # The frequency of q1 from its zero crossings over the first 5 ms of rolling.
 begin = rolling_min; end = begin + 5e-3
@@ -14,11 +12,12 @@ cross(t, q) = (t > begin && t < end && q0 < 0 && q >= 0 ? \
   t0 = t, q0 = q, 0)
 stats data using (cross(column("time_s"), column("q1_m"))) nooutput
 set xrange [29.12:29.15]
-set yrange [-5.6:4.9]
+set title caption(7, "Generalised coordinate q_1 in the rotating axes, and displacement ρ", \
+  sprintf("%s, %s; frequency of q_1 in the first %d periods of rolling: %.0f Hz, paper: about 770 Hz", \
+    friction("run"), loss("run"), crossings - 1, (crossings - 1)/(last - first)))
+set yrange [-4.8:4.8]
 set arrow from rolling_min,graph 0 to rolling_min,graph 1 nohead linestyle reading
 set label sprintf("rolling\nfrom %.4f s", rolling_min) at rolling_min,4.4 right offset -1,0 textcolor rgb grey
-set label beside(sprintf("frequency of q_1, first %d periods of rolling", crossings - 1), \
-  sprintf("%.0f Hz", (crossings - 1)/(last - first)), "about 770 Hz") at graph 0.02,0.15 front
 set label "paper: ρ ≈ 3.5 mm" at graph 0.985,first 3.5 right offset 0,0.7 textcolor rgb grey boxed front
 set arrow from graph 0,first 3.5 to graph 1,first 3.5 nohead linestyle published
 plot data using "time_s":(column("q1_m")*1e3) with lines linetype 1 title "q_1", \

@@ -1,29 +1,35 @@
-# The trajectory of O in the stator's frame, gravity downwards.
+# The trajectory of O in the stator's frame, gravity downwards, in four intervals, one after the other.
 eval "set terminal ".square
 stats data using "time_s" name "window" nooutput
-set title caption(9, "Trajectory of O in the stator's frame O_ax_ay_a", \
-  friction("event").", ".sprintf("%g–%g s, ", window_min, window_max).loss("event")."; ".dotted("event"))
 t_1 = number("event", "separation_time")
+array from[5] = [window_min, t_1 + 0.06, t_1 + 0.1, t_1 + 0.15, window_max]
+# The mass loss, and an arrow in each interval.
+array arrows[4]
 eval place_at("event", t_1, 0)
-set label at y_1,x_1 point linestyle lost front
-eval place_at("event", t_1 + 2e-3, 1e-5)
-set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
-eval place_at("event", window_max - 1e-3, 1e-6)
-set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
-
+set label 1 at y_1,x_1 point linestyle lost front
+do for [i = 1:4] {
+  eval place_at("event", i == 1 ? t_1 + 2e-3 : from[i + 1] - 1e-3, 1e-5)
+  arrows[i] = sprintf("from %.9g,%.9g to %.9g,%.9g", y_1, x_1, y_2, x_2)
+}
+set multiplot title caption(9, "Trajectory of O in the stator's frame O_ax_ay_a", \
+  friction("event").", ".loss("event")." (cross); grey: ".by_method("rk4")."; ".dotted("event"))
 set size ratio -1
-set xrange [-4:4]
-set yrange [4:-4]
-set xlabel "y_a, mm"
-set ylabel "x_a (down), mm"
-set object 1 circle at 0,0 size clearance_of("event") fillstyle empty border linecolor rgb black linewidth 1.2 dashtype (2,3)
-set key at graph 0.02,0.98 left top Left reverse maxrows 2
-mm(name, c) = of_run(name, c)*1e3
-plot data using (mm("rk4", "y_a_m")):(mm("rk4", "x_a_m")) with lines linestyle fixed_steps \
-    title by_method("rk4"), \
-  data using (mm("event", "y_a_m")):(mm("event", "x_a_m")) with lines linetype 1 linewidth 1 title by_method("event"), \
-  data using (of_run("event", "time_s") == window_min ? mm("event", "y_a_m") : NaN):(mm("event", "x_a_m")) with points linestyle first_place \
-    title sprintf("%g s", window_min), \
-  keyentry with points linestyle lost title "mass loss", \
-  keyentry with vectors arrowstyle 5 title "sense of motion" \
-  @digitised
+set xrange [-3.4:3.4]
+set yrange [3.4:-3.4]
+set xtics 2; set ytics 2
+set object 1 circle at 0,0 size clearance_of("event") fillstyle empty border linecolor rgb black linewidth 1.2 dashtype (1,5)
+unset key
+in_panel(name, c) = column("time_s") >= from[i] && column("time_s") <= from[i + 1] ? 1e3*of_run(name, c) : NaN
+do for [i = 1:4] {
+  at_left = i % 2; at_bottom = i > 2
+  set lmargin at screen at_left ? 0.11 : 0.57; set rmargin at screen at_left ? 0.5 : 0.96
+  set bmargin at screen at_bottom ? 0.08 : 0.51; set tmargin at screen at_bottom ? 0.45 : 0.88
+  set title sprintf("%.2f–%.2f s", from[i], from[i + 1]) offset 0,-0.5
+  set xlabel (at_bottom ? "y_a, mm" : "") offset 0,0.3; set format x (at_bottom ? "%g" : "")
+  set ylabel (at_left ? "x_a (down), mm" : "")
+  eval "set arrow 1 ".arrows[i]." arrowstyle 5 front"
+  plot data using (in_panel("rk4", "y_a_m")):(in_panel("rk4", "x_a_m")) with lines linestyle fixed_steps, \
+    data using (in_panel("event", "y_a_m")):(in_panel("event", "x_a_m")) with lines linetype 1 linewidth 1 @digitised
+  unset label 1
+}
+unset multiplot

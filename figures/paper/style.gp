@@ -10,13 +10,13 @@ set datafile separator comma
 set encoding utf8
 
 # Terminals. Sizes are in pixels for svg and png, and the same proportions for pdf.
-wide_svg = "size 960,560 font 'DejaVu Sans,14' background 'white' enhanced linewidth 1"
-square_svg = "size 760,800 font 'DejaVu Sans,14' background 'white' enhanced linewidth 1"
-wide_pdf = "size 16cm,9.33cm font 'DejaVu Sans,8' enhanced linewidth 0.7"
-square_pdf = "size 12.7cm,13.3cm font 'DejaVu Sans,8' enhanced linewidth 0.7"
+wide_svg = "size 960,560 font 'DejaVu Sans,14' background 'white' enhanced rounded linewidth 1"
+square_svg = "size 760,800 font 'DejaVu Sans,14' background 'white' enhanced rounded linewidth 1"
+wide_pdf = "size 16cm,9.33cm font 'DejaVu Sans,8' enhanced rounded linewidth 0.7"
+square_pdf = "size 12.7cm,13.3cm font 'DejaVu Sans,8' enhanced rounded linewidth 0.7"
 if (format eq "svg") { wide = "svg ".wide_svg; square = "svg ".square_svg }
-if (format eq "png") { wide = "pngcairo size 1920,1120 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced linewidth 2.4"
-                       square = "pngcairo size 1520,1600 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced linewidth 2.4" }
+if (format eq "png") { wide = "pngcairo size 1920,1120 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced rounded linewidth 2.4"
+                       square = "pngcairo size 1520,1600 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced rounded linewidth 2.4" }
 if (format eq "pdf") { wide = "pdfcairo ".wide_pdf; square = "pdfcairo ".square_pdf }
 eval "set terminal ".wide
 small = sprintf(",%g", 0.8*(format eq "svg" ? 14 : format eq "png" ? 11 : 8))    # a font of keys that say much
@@ -31,11 +31,11 @@ set linetype 3 linecolor rgb green linewidth 1.3
 set linetype 4 linecolor rgb black linewidth 1.3
 set linetype 5 linecolor rgb "#cc79a7" linewidth 1.3
 set linetype 6 linecolor rgb "#56b4e9" linewidth 1.3
-set linetype 7 linecolor rgb "#e69f00" linewidth 1.3 dashtype (9, 3)
-set linetype 8 linecolor rgb "#7a0177" linewidth 1.3 dashtype (5, 3)
+set linetype 7 linecolor rgb "#e69f00" linewidth 1.3 dashtype (9, 6)
+set linetype 8 linecolor rgb "#7a0177" linewidth 1.3 dashtype (5, 6)
 published = 11; clearance = 12; reading = 13; fixed_steps = 14; first_place = 15; lost = 16
-set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 4)
-set style line clearance linecolor rgb black linewidth 1 dashtype (2, 3)
+set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 7)
+set style line clearance linecolor rgb black linewidth 1.2 dashtype (1, 5)
 set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
 beneath = 3.4                                       # its width beneath a curve that it may equal
 set style line first_place pointtype 6 pointsize 1 linecolor rgb black linewidth 1.5
