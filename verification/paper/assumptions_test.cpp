@@ -9,6 +9,7 @@
 #include "model/mechanics/mass_loss.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/summary.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -86,6 +87,21 @@ const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions
          const Scenario scenario{.until = 29.14};
          run(scenario, log);
          return std::array{log.touch_downs.at(5) - log.onset, log.touch_downs.at(6) - log.onset};
+       }},
+      {"renewed-contact",
+       [] {
+         // None, so that a ring which had to be clear first would change nothing.
+         double renewed = 0;
+         for (const auto& [friction, separation_s] :
+              {std::pair(0.3, 29.1), {0.2, 29.1}, {0.08, 29.1}, {0.3, 19.1}, {0.3, 14.15}}) {
+           const Scenario scenario{
+               .parameters = {.friction = friction, .separation_time = separation_s},
+               .until = separation_s + 0.25};
+           EventRecorder events;
+           run(scenario, events);
+           renewed += static_cast<double>(events.count(Event::renewed_contact));
+         }
+         return std::array{renewed, 0.};
        }},
       {"speed-at-2.2s",
        [] {

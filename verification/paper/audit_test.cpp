@@ -1,12 +1,16 @@
 /// The audit: where the paper contradicts itself, shown by measurement, in both sets of equations.
 #include <gtest/gtest.h>
 
+#include <boost/math/tools/roots.hpp>
 #include <complex>
 #include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "model/simulation/start.hpp"
+#include "verification/support/follow.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/onset_speed.hpp"
+#include "verification/support/place_of_loss.hpp"
 #include "verification/support/summary_of.hpp"
 
 namespace rotor {
@@ -190,6 +194,53 @@ TEST(Audit, InTheRotatingFrameTheWhirlHasTheFrequencyOfRollingPlusThatOfRotation
   EXPECT_NEAR(of_q1 - whirl, samples.speed_Hz, 1);
   EXPECT_GT(of_q1, 770 * 1.03);
   EXPECT_NEAR(whirl, 770, 770 * 0.03);
+}
+
+// With F_n < 0 in contact, Eqs. (21) and (22) give a "magnitude" F_tau < 0, and the two sides of
+// Eq. (24), F_tau c_y and -mu F_ny, differ in sign. Condition (23) then reverses whichever was taken.
+TEST(Audit, TheFrictionOfEq22HasTheOppositeSignOfThatInEq24) {
+  const Scenario scenario{.until = 29.11};
+  EventRecorder seen;
+  run(scenario, seen);
+  const Instant& at = seen.first(Event::touch_down);
+  const Ring<double> ring(scenario.parameters);
+  const RimPoint<double> k = ring.rim_point(at.motion());
+  const double f_n = ring.touching_force(k), mu = scenario.parameters.friction;
+  ASSERT_LT(f_n, -1e3);
+  const double f_tau = mu * f_n;                                              // Eq. (22)
+  const Vector<double> c = k.normal, left(f_tau * c.y(), -f_tau * c.x()),     // Eq. (24)
+      right(-mu * f_n * c.y(), mu * f_n * c.x());
+  EXPECT_NEAR((left + right).norm(), 0, 1e-12 * right.norm());
+  const Vector<double> slip = k.slip_velocity * k.tangent;
+  EXPECT_GT(left.dot(slip), 0);  // drives the rim
+  EXPECT_LT(right.dot(slip), 0);  // brakes it, as condition (23) asks for
+}
+
+/// The lowest speed at which the loss of the same piece leads to contact, from a point of the rim at
+/// an angle from opposite to the unbalance.
+double border_Hz(const Equations& equations, double angle) {
+  const auto touches = [&](double speed_Hz) {
+    Scenario scenario{.equations = equations, .start_speed_Hz = speed_Hz, .until = 0.1};
+    scenario.parameters.torque = 0;
+    Instant at = PlaceOfLoss(scenario.parameters, angle, MassLoss<double>(scenario.parameters).lost_mass)
+                     .separate(start_of(scenario), equations);
+    at.motor_on = false;
+    SummaryObserver summary(scenario);
+    follow(scenario, at, scenario.until, summary);
+    return summary.summary().collisions > 0 ? 1. : -1.;
+  };
+  const auto close = [](double a, double b) { return b - a < 5e-3; };
+  return boost::math::tools::bisect(touches, 40., 140., close).second;
+}
+
+TEST(Audit, ThePlaceOfTheLossMovesTheBorderOfContact) {
+  for (const auto& [equations, least, greatest] :
+       {std::tuple(Equations::published, 51.79, 54.18), {Equations::consistent, 94.27, 102.6}}) {
+    std::vector<double> borders;
+    for (int part = 0; part < 8; ++part) borders.push_back(border_Hz(equations, part * two_pi / 8));
+    EXPECT_NEAR(std::ranges::min(borders), least, 0.05);
+    EXPECT_NEAR(std::ranges::max(borders), greatest, 0.1);
+  }
 }
 
 TEST(Audit, RollingSetsInBeforeTheForceIsGreatest) {

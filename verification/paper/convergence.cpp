@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -16,9 +15,8 @@ namespace rotor {
 namespace {
 
 constexpr double converged_tolerance = 1e-13;
-constexpr std::array tolerances = {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
-constexpr std::array steps = {4., 2., 1., 1. / 2, 1. / 4, 1. / 8, 1. / 16};
-constexpr std::size_t papers_own = 2;  // of the steps
+const std::vector<double> tolerances = {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+const std::vector<double> steps = {4., 2., 1., 1. / 2, 1. / 4, 1. / 8, 1. / 16};
 
 struct Result {
   Summary summary;
@@ -97,8 +95,11 @@ std::vector<Stretch> stretches() {
   };
 }
 
-/// The slope of the logarithms, leaving out what has no error.
-double power(std::span<const double> settings, const std::function<double(std::size_t)>& error) {
+}  // namespace
+
+double Convergence::error(std::size_t n) const { return std::abs(values[n] / converged - 1); }
+
+double Convergence::power() const {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     if (error(i) < 1e-11) continue;  // rounding, about
@@ -108,111 +109,51 @@ double power(std::span<const double> settings, const std::function<double(std::s
   return n < 3 ? std::numeric_limits<double>::quiet_NaN() : (n * xy - x * y) / (n * xx - x * x);
 }
 
-/// Of each three successive steps, as far as they differ by more than rounding.
-std::vector<double> orders_of(const std::vector<double>& by_steps) {
-  std::vector<double> orders;
-  for (std::size_t i = 2; i < by_steps.size(); ++i) {
-    const double coarse = by_steps[i - 2] - by_steps[i - 1], fine = by_steps[i - 1] - by_steps[i];
-    if (std::max(std::abs(coarse), std::abs(fine)) < 1e-11 * std::abs(by_steps[i])) break;
-    const double ratio = coarse / fine;
-    orders.push_back(ratio > 0 ? std::log2(ratio) : std::numeric_limits<double>::quiet_NaN());
-  }
-  return orders;
-}
-
-std::string text_of(const std::optional<double>& value) {
-  return value ? fmt::format("{:.1e}", *value) : "none";
-}
-std::string power_text(double power) {
-  return std::isnan(power) ? "-" : fmt::format("{:.2f}", power);
-}
-
-}  // namespace
-
-std::span<const double> studied_tolerances() { return tolerances; }
-std::span<const double> studied_steps() { return steps; }
-
-double Convergence::error_by_tolerance(std::size_t n) const {
-  return std::abs(by_tolerance[n] / converged - 1);
-}
-double Convergence::error_by_steps(std::size_t n) const {
-  return std::abs(by_steps[n] / converged - 1);
-}
-double Convergence::power_of_tolerance() const {
-  return power(tolerances, [&](std::size_t n) { return error_by_tolerance(n); });
-}
-double Convergence::power_of_step() const {
-  return power(steps, [&](std::size_t n) { return error_by_steps(n); });
-}
-
-std::optional<double> Convergence::grid_convergence_index() const {
-  if (orders.size() < 2) return std::nullopt;
-  const auto [least, greatest] = std::ranges::minmax(orders);
-  const bool all = std::ranges::none_of(orders, [](double p) { return std::isnan(p); });
-  if (!all || greatest > 1.1 * least) return std::nullopt;
-  constexpr double safety = 1.25;
-  const double fine = by_steps[papers_own], coarser = by_steps[papers_own - 1];
-  return safety * std::abs((coarser - fine) / fine) / (std::exp2(orders.front()) - 1);
-}
-
 std::vector<Convergence> studied_convergence() {
   std::vector<Convergence> all;
-  for (const Stretch& stretch : stretches()) {
-    const std::size_t first = all.size();
-    const Result converged = by_tolerance(stretch, converged_tolerance);
-    for (const Named& landmark : stretch.landmarks)
-      all.push_back({landmark.name, landmark.unit, landmark.of(converged), {}, {}, {}});
-    const auto note = [&](const Result& result, std::vector<double> Convergence::*values) {
-      for (std::size_t n = 0; n < stretch.landmarks.size(); ++n)
-        (all[first + n].*values).push_back(stretch.landmarks[n].of(result));
-    };
-    for (const double tolerance : tolerances)
-      note(by_tolerance(stretch, tolerance), &Convergence::by_tolerance);
-    for (const double times : steps) note(by_steps(stretch, times), &Convergence::by_steps);
-    for (std::size_t n = first; n < all.size(); ++n) all[n].orders = orders_of(all[n].by_steps);
-  }
+  for (const auto& [method, settings, result] :
+       {std::tuple("event", tolerances, &by_tolerance), {"rk4", steps, &by_steps}})
+    for (const Stretch& stretch : stretches()) {
+      const Result converged = by_tolerance(stretch, converged_tolerance);
+      const std::size_t first = all.size();
+      for (const Named& landmark : stretch.landmarks)
+        all.push_back({landmark.name, landmark.unit, method, landmark.of(converged), settings, {}});
+      for (const double setting : settings) {
+        const Result its = result(stretch, setting);
+        for (std::size_t n = 0; n < stretch.landmarks.size(); ++n)
+          all[first + n].values.push_back(stretch.landmarks[n].of(its));
+      }
+    }
   return all;
 }
 
 std::string convergence_table(const std::vector<Convergence>& all) {
-  std::string table = fmt::format("  {:<54}{:>14}", "event method, tolerance", "converged");
-  for (const double tolerance : tolerances) table += fmt::format("{:>9.0e}", tolerance);
-  table += fmt::format("{:>9}\n", "power");
+  std::string table, method;
   for (const Convergence& c : all) {
+    if (c.method != method) {
+      method = c.method;
+      table += fmt::format("  {:<54}{:>14}",
+                           method == "event" ? "event method, tolerance"
+                                             : "paper's method, steps in those of the paper",
+                           "converged");
+      for (const double setting : c.settings) table += fmt::format("{:>9.4g}", setting);
+      table += fmt::format("{:>9}\n", "power");
+    }
     table += fmt::format("  {:<54}{:>10.7g} {:<3}", c.landmark, c.converged, c.unit);
-    for (std::size_t n = 0; n < tolerances.size(); ++n)
-      table += fmt::format("{:>9.1e}", c.error_by_tolerance(n));
-    table += fmt::format("{:>9}\n", power_text(c.power_of_tolerance()));
-  }
-  table += fmt::format("  {:<68}", "paper's method, steps in those of the paper");
-  for (const double times : steps) table += fmt::format("{:>9.4g}", times);
-  table += fmt::format("{:>9}  {:<34}{}\n", "power", "orders of three successive steps", "GCI");
-  for (const Convergence& c : all) {
-    table += fmt::format("  {:<68}", c.landmark);
-    for (std::size_t n = 0; n < steps.size(); ++n)
-      table += fmt::format("{:>9.1e}", c.error_by_steps(n));
-    std::string orders;
-    for (const double p : c.orders) orders += std::isnan(p) ? "  -  " : fmt::format("{:5.1f}", p);
-    table += fmt::format("{:>9}  {:<34}{}\n", power_text(c.power_of_step()), orders,
-                         text_of(c.grid_convergence_index()));
+    for (std::size_t n = 0; n < c.settings.size(); ++n)
+      table += fmt::format("{:>9.1e}", c.error(n));
+    table += std::isnan(c.power()) ? fmt::format("{:>9}\n", "-")
+                                   : fmt::format("{:>9.2f}\n", c.power());
   }
   return table;
 }
 
 std::string to_csv(const std::vector<Convergence>& all) {
   std::string csv = "landmark,unit,method,tolerance_or_steps,value,relative_error\n";
-  const auto row = [&](const Convergence& c, const char* method, double setting, double value,
-                       double error) {
-    csv += fmt::format("{},{},{},{},{:.12g},{:.3g}\n", csv_field(c.landmark), c.unit, method,
-                       setting, value, error);
-  };
-  for (const Convergence& c : all) {
-    row(c, "event", converged_tolerance, c.converged, 0);
-    for (std::size_t n = 0; n < tolerances.size(); ++n)
-      row(c, "event", tolerances[n], c.by_tolerance[n], c.error_by_tolerance(n));
-    for (std::size_t n = 0; n < steps.size(); ++n)
-      row(c, "rk4", steps[n], c.by_steps[n], c.error_by_steps(n));
-  }
+  for (const Convergence& c : all)
+    for (std::size_t n = 0; n < c.settings.size(); ++n)
+      csv += fmt::format("{},{},{},{},{:.12g},{:.3g}\n", csv_field(c.landmark), c.unit, c.method,
+                         c.settings[n], c.values[n], c.error(n));
   return csv;
 }
 

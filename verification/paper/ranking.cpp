@@ -15,7 +15,7 @@ Draws one_at_a_time(const std::vector<std::string>& readings, const std::vector<
     inputs.set(range.input, n % 2 == 0 ? range.least : range.greatest);
     return inputs;
   };
-  return evaluate(readings, {2 * static_cast<long>(ranges.size()), at}, threads);
+  return evaluate(readings, 2 * static_cast<long>(ranges.size()), at, threads);
 }
 
 std::vector<Influence> read_ranking(const std::filesystem::path& ranking) {

@@ -79,16 +79,15 @@ int main(const Arguments& arguments) {
     return inputs;
   };
   const Draws alone = one_at_a_time(readings, ranges, threads);
-  const Draws draws = evaluate(readings, {static_cast<long>(points.getSize()), at}, threads,
+  const Draws draws = evaluate(readings, static_cast<long>(points.getSize()), at, threads,
                                [&, next = 0L](long done) mutable {
                                  if (done < next) return;
                                  fmt::print(stderr, "{} of {} draws\n", done, points.getSize());
                                  next = done + 1000;
                                });
   std::string csv = fmt::format(
-      "# Which input decides each number of the text, over what its printed digits leave open: "
-      "from "
-      "`make ranking`, not from the paper.\n"
+      "# Which input decides each number of the text, over the box (c) of policy.md: from `make "
+      "ranking`, not from the paper.\n"
       "# rotor " ROTOR_VERSION
       ", published equations, method event at tolerance 1e-8; OpenTURNS {}, "
       "a design of {} x {} draws, seed 1.\n"

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "figures/data/csv.hpp"
+#include "verification/paper/readings.hpp"
 
 namespace rotor {
 namespace {
@@ -48,11 +49,12 @@ std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
   for (const Number& number : numbers) {
     if (!is_continuous(number)) continue;
     const Reading& reading = number.readings.front();
-    const double s = reading.converged.value();
+    const Reading::InSet& in = reading.in[0];
+    const double s = in.converged.value();
     if (s == 0) continue;  // kept to the bit: nothing is relative to that
     const auto relative = [&](double value) { return value / std::abs(s); };
-    const auto half_range = [&](const Spread& spread) {
-      return relative((spread.high - spread.low) / 2);
+    const auto half_range = [&](const Stored& over) {
+      return relative((over.spread.high - over.spread.low) / 2);
     };
     const bool printed = has_printed_number(number);
     all.push_back({.number = number.id,
@@ -61,9 +63,9 @@ std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
                    .simulated = s,
                    .error = printed ? relative(s - std::stod(number.printed)) : nan,
                    .u_num = relative(std::abs(read_off(reading.name, finer_runs).value() - s)),
-                   .u_num_own = reading.by_rk4 ? relative(std::abs(*reading.by_rk4 - s)) : nan,
-                   .u_times = half_range(reading.times),
-                   .u_input = half_range(reading.everything),
+                   .u_num_own = in.by_rk4 ? relative(std::abs(*in.by_rk4 - s)) : nan,
+                   .u_times = half_range(in.a),
+                   .u_input = half_range(in.b),
                    .u_printed = printed ? relative(half_digit(number.printed)) : nan,
                    .decided_by = ranked(ranking, reading.name)});
   }
@@ -73,7 +75,7 @@ std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
 std::string uncertainty_table(const std::vector<Uncertainty>& all) {
   std::string table =
       fmt::format("  {:<80}{:>11} {:<5}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {}\n", "", "S", "", "E, %",
-                  "u_num", "by rk4", "by t_1", "u_input", "u_D", "decided by, total index");
+                  "u_num", "by rk4", "by (a)", "by (b)", "u_D", "decided by, total index");
   for (const Uncertainty& u : all)
     table +=
         fmt::format("  {:<80}{:>11.5g} {:<5}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {}\n", u.says,
@@ -84,7 +86,7 @@ std::string uncertainty_table(const std::vector<Uncertainty>& all) {
 
 std::string to_csv(const std::vector<Uncertainty>& all) {
   std::string csv =
-      "number,unit,simulated,error,u_num,u_num_published_method,u_input_times,u_input,u_printed,"
+      "number,unit,simulated,error,u_num,u_num_published_method,u_input_a,u_input_b,u_printed,"
       "decided_by\n";
   for (const Uncertainty& u : all) {
     csv += fmt::format("{},{}", u.number, u.unit);

@@ -14,8 +14,8 @@ struct Uncertainty {
   double error;      ///< E = S - D, D being the number as printed
   double u_num;      ///< of the event method at its default tolerance: change by a hundredth of it
   double u_num_own;  ///< of the paper's method at its own steps: its distance from S
-  double u_times;    ///< half the range from 5 to 95 % over the rounding of t_1
-  double u_input;    ///< the same over every printed digit
+  double u_times;    ///< half the range from 5 to 95 % of population (a)
+  double u_input;    ///< the same of (b)
   double u_printed;  ///< half a unit of the last digit of D
   std::vector<Influence> decided_by;  ///< the inputs with the greatest total indices first
 };

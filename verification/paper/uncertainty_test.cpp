@@ -1,13 +1,10 @@
 /// What the method, the paper's steps and the printed digits leave open, and which input decides.
 #include "verification/paper/uncertainty.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
-#include "verification/paper/judged.hpp"
 
 namespace rotor {
 namespace {
@@ -41,30 +38,11 @@ TEST(Uncertainty, OfThePapersStepsIsLessThanWhatThePrintedDigitsLeaveOpenButForO
   }
 }
 
-TEST(Uncertainty, OfTheInstantAloneIsNoneOfItsOwn) {
-  for (const Uncertainty& u : all()) EXPECT_LE(u.u_times, u.u_input * (1 + 1e-9)) << u.number;
-}
-
 TEST(Uncertainty, IsRelativeToTheSimulatedValue) {
   const Uncertainty& peak = of("peak_force");
   EXPECT_NEAR(peak.error, (peak.simulated - 455) / peak.simulated, 1e-12);
   EXPECT_NEAR(peak.u_printed, 0.5 / peak.simulated, 1e-12);
   EXPECT_TRUE(std::isnan(of("onset_at_peak").error));  // which has no number printed
-}
-
-TEST(Uncertainty, IsSaidInTheReadme) {
-  std::ifstream file(ROTOR_SOURCES "/README.md");
-  std::string readme;
-  for (std::string word; file >> word;) readme += word + ' ';
-  const Uncertainty& peak = of("peak_force");
-  ASSERT_EQ(peak.decided_by.at(0).input, "clearance");
-  ASSERT_EQ(peak.decided_by.at(1).input, "mass");
-  const std::string sentence = fmt::format(
-      "The printed digits leave the largest force open by {:.0f} %, those of clearance and mass "
-      "before all, the paper's steps by {:.1f} %, ours by less than 1e-9 %.",
-      100 * peak.u_input, 100 * peak.u_num_own);
-  EXPECT_NE(readme.find(sentence), std::string::npos) << sentence;
-  EXPECT_LT(peak.u_num, 1e-11);
 }
 
 // A fixed part of what `make ranking` writes, without OpenTURNS.
@@ -91,8 +69,8 @@ TEST(Ranking, HasWhatRunsGiveOneAtATime) {
 // Where a reading varies nearly linearly, an input's share of the variance follows from the ends of
 // its range: another way to Sobol's index.
 TEST(Ranking, HasTheSharesOfALinearResultWhereItIsNearlyOne) {
-  for (const char* reading : {"resonance_s", "c_radial", "onset_mm", "onset_velocity", "whirl_5_ms",
-                              "q1_5_ms", "elastic_N", "damping_N", "onset_rolling_Hz"}) {
+  for (const char* reading : {"resonance_s", "onset_mm", "onset_velocity", "whirl_5_ms", "q1_5_ms",
+                              "elastic_N", "damping_N", "onset_rolling_Hz"}) {
     const std::vector<Influence> its = ranked(ranking(), reading);
     ASSERT_GE(its.size(), 2U) << reading;
     double sum = 0;
@@ -103,15 +81,6 @@ TEST(Ranking, HasTheSharesOfALinearResultWhereItIsNearlyOne) {
       EXPECT_NEAR(input.total.value, share, 0.05 + (input.total.high - input.total.low) / 2)
           << reading << ' ' << input.input;
     }
-  }
-}
-
-TEST(Ranking, HasTheGreatestTotalIndexFirst) {
-  const std::vector<Influence> its = ranked(ranking(), "peak_kN");
-  ASSERT_GE(its.size(), 5U);
-  for (std::size_t n = 1; n < its.size(); ++n) {
-    EXPECT_GE(its[n - 1].total.value, its[n].total.value);
-    EXPECT_EQ(its[n].reading, "peak_kN");
   }
 }
 
