@@ -197,7 +197,8 @@ TEST(Audit, InTheRotatingFrameTheWhirlHasTheFrequencyOfRollingPlusThatOfRotation
 }
 
 // With F_n < 0 in contact, Eqs. (21) and (22) give a "magnitude" F_tau < 0, and the two sides of
-// Eq. (24), F_tau c_y and -mu F_ny, differ in sign. Condition (23) then reverses whichever was taken.
+// Eq. (24), F_tau c_y and -mu F_ny, differ in sign. Condition (23) then reverses whichever was
+// taken.
 TEST(Audit, TheFrictionOfEq22HasTheOppositeSignOfThatInEq24) {
   const Scenario scenario{.until = 29.11};
   EventRecorder seen;
@@ -207,23 +208,24 @@ TEST(Audit, TheFrictionOfEq22HasTheOppositeSignOfThatInEq24) {
   const RimPoint<double> k = ring.rim_point(at.motion());
   const double f_n = ring.touching_force(k), mu = scenario.parameters.friction;
   ASSERT_LT(f_n, -1e3);
-  const double f_tau = mu * f_n;                                              // Eq. (22)
-  const Vector<double> c = k.normal, left(f_tau * c.y(), -f_tau * c.x()),     // Eq. (24)
+  const double f_tau = mu * f_n;                                           // Eq. (22)
+  const Vector<double> c = k.normal, left(f_tau * c.y(), -f_tau * c.x()),  // Eq. (24)
       right(-mu * f_n * c.y(), mu * f_n * c.x());
   EXPECT_NEAR((left + right).norm(), 0, 1e-12 * right.norm());
   const Vector<double> slip = k.slip_velocity * k.tangent;
-  EXPECT_GT(left.dot(slip), 0);  // drives the rim
+  EXPECT_GT(left.dot(slip), 0);   // drives the rim
   EXPECT_LT(right.dot(slip), 0);  // brakes it, as condition (23) asks for
 }
 
-/// The lowest speed at which the loss of the same piece leads to contact, from a point of the rim at
-/// an angle from opposite to the unbalance.
+/// The lowest speed at which the loss of the same piece leads to contact, from a point of the rim
+/// at an angle from opposite to the unbalance.
 double border_Hz(const Equations& equations, double angle) {
   const auto touches = [&](double speed_Hz) {
     Scenario scenario{.equations = equations, .start_speed_Hz = speed_Hz, .until = 0.1};
     scenario.parameters.torque = 0;
-    Instant at = PlaceOfLoss(scenario.parameters, angle, MassLoss<double>(scenario.parameters).lost_mass)
-                     .separate(start_of(scenario), equations);
+    Instant at =
+        PlaceOfLoss(scenario.parameters, angle, MassLoss<double>(scenario.parameters).lost_mass)
+            .separate(start_of(scenario), equations);
     at.motor_on = false;
     SummaryObserver summary(scenario);
     follow(scenario, at, scenario.until, summary);

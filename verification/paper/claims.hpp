@@ -16,8 +16,8 @@ namespace rotor {
 struct Reading {
   struct InSet {
     std::optional<double> converged;  ///< at the inputs as printed
-    std::optional<double> by_rk4;     ///< the same by the paper's method, of the equations as printed
-    Stored a, b;                      ///< over the populations
+    std::optional<double> by_rk4;  ///< the same by the paper's method, of the equations as printed
+    Stored a, b;                   ///< over the populations
   };
   std::string name;
   std::array<InSet, sets.size()> in{};
@@ -76,8 +76,8 @@ std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
 
 std::string to_csv(const std::vector<Number>& numbers);
 
-/// All numbers with their readings; last, the counts of verdicts, and the figures about which nothing
-/// is claimed.
+/// All numbers with their readings; last, the counts of verdicts, and the figures about which
+/// nothing is claimed.
 std::string claims_table(const std::vector<Number>& numbers);
 
 /// Of Figs. 2-17.

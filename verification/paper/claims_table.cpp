@@ -26,17 +26,17 @@ std::string lines_of(const Number& number) {
   for (const Reading& reading : number.readings) {
     const bool first = &reading == &number.readings.front();
     const auto& in = reading.in[0];
-    lines += fmt::format(
-        "  {:<30}  {:<80}{:>12} {:<7}{:>10}{:>10}  {:<32}{:<32}{:>10}  {}\n",
-        first ? fmt::format("{:<16}{:>7.2g}{:>7.2g}", as_printed.says, as_printed.off_a,
-                            as_printed.off_b)
-              : "",
-        first ? number.says : "    or: " + reading.name,
-        !first                   ? ""
-        : number.printed.empty() ? number.rule
-                                 : number.printed,
-        first ? number.unit : "", digits(in.converged), digits(in.by_rk4), range(in.a), range(in.b),
-        digits(reading.in[1].converged), first ? corrected.says : "");
+    lines +=
+        fmt::format("  {:<30}  {:<80}{:>12} {:<7}{:>10}{:>10}  {:<32}{:<32}{:>10}  {}\n",
+                    first ? fmt::format("{:<16}{:>7.2g}{:>7.2g}", as_printed.says, as_printed.off_a,
+                                        as_printed.off_b)
+                          : "",
+                    first ? number.says : "    or: " + reading.name,
+                    !first                   ? ""
+                    : number.printed.empty() ? number.rule
+                                             : number.printed,
+                    first ? number.unit : "", digits(in.converged), digits(in.by_rk4), range(in.a),
+                    range(in.b), digits(reading.in[1].converged), first ? corrected.says : "");
   }
   if (!number.reason.empty()) lines += fmt::format("{:34}({})\n", "", number.reason);
   return lines;
@@ -58,10 +58,10 @@ std::vector<int> figures_without_claim(const std::vector<Number>& numbers) {
 
 std::string claims_table(const std::vector<Number>& numbers) {
   const auto verdicts = verdicts_of_claims(numbers, 0);
-  std::string table = fmt::format(
-      "  {:<16}{:>7}{:>7}    {:<78}{:>12} {:<7}{:>10}{:>10}  {:<32}{:<32}{:>10}\n", "", "off (a)",
-      "off (b)", "", "printed", "", "converged", "by rk4", "over (a), holds", "over (b), holds",
-      "corrected");
+  std::string table =
+      fmt::format("  {:<16}{:>7}{:>7}    {:<78}{:>12} {:<7}{:>10}{:>10}  {:<32}{:<32}{:>10}\n", "",
+                  "off (a)", "off (b)", "", "printed", "", "converged", "by rk4", "over (a), holds",
+                  "over (b), holds", "corrected");
   std::string claim;
   for (const Number& number : numbers) {
     const auto count = std::ranges::count(numbers, number.claim, &Number::claim);

@@ -70,11 +70,12 @@ Number number(const char* printed, const char* rule, const Stored& a, const Stor
 
 // The same criterion for a number of two digits and for a word, which allow the same.
 TEST(Verdicts, FollowFromTheMedianOfTheFirstPopulationAndTheRangeOfTheSecond) {
-  for (const auto& [printed, rule, half] : {std::tuple("0", "minor", 10.), {"0.0", "digits", 0.05}}) {
+  for (const auto& [printed, rule, half] :
+       {std::tuple("0", "minor", 10.), {"0.0", "digits", 0.05}}) {
     const auto verdict = [&, p = printed, r = rule, h = half](double median, double low) {
-      return verdict_of(number(p, r, stored(0.9 * median * h, median * h, 9 * h),
-                               stored(low * h, 5 * h, 9 * h)),
-                        published);
+      return verdict_of(
+          number(p, r, stored(0.9 * median * h, median * h, 9 * h), stored(low * h, 5 * h, 9 * h)),
+          published);
     };
     EXPECT_EQ(verdict(0.9, 3).says, "reproduced") << rule;
     EXPECT_EQ(verdict(3, 0.9).says, "within rounding") << rule;
@@ -96,9 +97,10 @@ TEST(Verdicts, TakeTheBestReadingAndThePapersMethodAndNeedValues) {
   EXPECT_EQ(verdict_of(its, published).says, "reproduced");
   EXPECT_EQ(verdict_of(number("", "minor", stored(-1, 0, 1, 0.4), good), published).says,
             "within rounding");
-  EXPECT_EQ(verdict_of(number("", "minor", stored(-1, 0, 1, 0.04), stored(-1, 0, 1, 0.04)), published)
-                .says,
-            "refuted");
+  EXPECT_EQ(
+      verdict_of(number("", "minor", stored(-1, 0, 1, 0.04), stored(-1, 0, 1, 0.04)), published)
+          .says,
+      "refuted");
 }
 
 TEST(Verdicts, OfClaimsAreTheWorstOfTheirNumbersAndChangeWithTheWidthOfWords) {

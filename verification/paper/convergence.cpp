@@ -142,8 +142,8 @@ std::string convergence_table(const std::vector<Convergence>& all) {
     table += fmt::format("  {:<54}{:>10.7g} {:<3}", c.landmark, c.converged, c.unit);
     for (std::size_t n = 0; n < c.settings.size(); ++n)
       table += fmt::format("{:>9.1e}", c.error(n));
-    table += std::isnan(c.power()) ? fmt::format("{:>9}\n", "-")
-                                   : fmt::format("{:>9.2f}\n", c.power());
+    table +=
+        std::isnan(c.power()) ? fmt::format("{:>9}\n", "-") : fmt::format("{:>9.2f}\n", c.power());
   }
   return table;
 }

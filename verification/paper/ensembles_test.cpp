@@ -35,8 +35,8 @@ TEST(PopulationB, PrintsEveryConditioningNumber) {
     EXPECT_EQ(fmt::format("{:.2f}e-3, {:.0f} %", 1e3 * left, 100 * (1 - left / inertia)),
               "8.91e-3, 1 %");
     EXPECT_EQ(fmt::format("{:.1f} and {:.3f} m/s", v, m_u * v / m_1), "56.7 and 0.283 m/s");
-    EXPECT_EQ(fmt::format("{:.0f} Hz, {:.0f} steps", std::sqrt(of.at("support_stiffness") / m) / two_pi,
-                          1e4 * two_pi / w),
+    EXPECT_EQ(fmt::format("{:.0f} Hz, {:.0f} steps",
+                          std::sqrt(of.at("support_stiffness") / m) / two_pi, 1e4 * two_pi / w),
               "10 Hz, 67 steps");
     if (n % 100 > 0) continue;
     PaperRuns runs(inputs);
@@ -75,16 +75,24 @@ TEST(Ensembles, AreWhatRunsGive) {
           if (number.kind == Kind::method) continue;
           const auto& [s, holds] = all.at({set.name, name, number.id, reading.name});
           const auto share = [&](const std::function<bool(double)>& counts) {
-            return static_cast<double>(std::ranges::count_if(anew.at(reading.name), counts)) / count;
+            return static_cast<double>(std::ranges::count_if(anew.at(reading.name), counts)) /
+                   count;
           };
-          const auto error = [](double of) { return 3 * std::sqrt(of * (1 - of) / count) + 1. / count; };
-          const std::string what = fmt::format("{} ({}) {} {}", set.name, name, number.id, reading.name);
-          EXPECT_NEAR(share([&](double v) { return number.allowed().holds(v); }), holds, error(holds))
+          const auto error = [](double of) {
+            return 3 * std::sqrt(of * (1 - of) / count) + 1. / count;
+          };
+          const std::string what =
+              fmt::format("{} ({}) {} {}", set.name, name, number.id, reading.name);
+          EXPECT_NEAR(share([&](double v) { return number.allowed().holds(v); }), holds,
+                      error(holds))
               << what;
-          EXPECT_NEAR(share([](double v) { return !std::isnan(v); }), s.valued, error(s.valued)) << what;
-          for (const auto& [quantile, part] : {std::pair(s.low, 0.05), {s.median, 0.5}, {s.high, 0.95}}) {
+          EXPECT_NEAR(share([](double v) { return !std::isnan(v); }), s.valued, error(s.valued))
+              << what;
+          for (const auto& [quantile, part] :
+               {std::pair(s.low, 0.05), {s.median, 0.5}, {s.high, 0.95}}) {
             const double q = quantile, digits = 1e-5 * std::abs(q), expected = part * s.valued;
-            EXPECT_LE(share([&](double v) { return v < q - digits; }), expected + error(expected)) << what;
+            EXPECT_LE(share([&](double v) { return v < q - digits; }), expected + error(expected))
+                << what;
             EXPECT_GE(share([&](double v) { return v <= q + digits; }), expected - error(expected))
                 << what;
           }

@@ -39,11 +39,11 @@ TEST(Landmarks, ConvergeToTheHighPrecisionReference) {
       landmark("event", "mu = 0.3: first contact after the loss").converged / ms(of("touch_down")),
       1, relative);
   const ReferenceLandmark onset = of("rolling_onset");
-  EXPECT_NEAR(landmark("event", "mu = 0.3: onset of rolling after the loss").converged / ms(onset), 1,
-              relative);
-  EXPECT_NEAR(
-      landmark("event", "mu = 0.3: speed there").converged / in_Hz(static_cast<double>(onset.state[5])), 1,
-      relative);
+  EXPECT_NEAR(landmark("event", "mu = 0.3: onset of rolling after the loss").converged / ms(onset),
+              1, relative);
+  EXPECT_NEAR(landmark("event", "mu = 0.3: speed there").converged /
+                  in_Hz(static_cast<double>(onset.state[5])),
+              1, relative);
   EXPECT_NEAR(landmark("event", "mu = 0.3: speed at 29.35 s").converged /
                   in_Hz(static_cast<double>(of("end").state[5])),
               1, relative);

@@ -19,10 +19,14 @@ constexpr double early_s = 5e-3;  ///< of rolling that is measured
 
 void PaperInputs::set(const std::string& input, double value) {
   static const std::map<std::string, double PaperInputs::*> own = {
-      {"mu_high", &PaperInputs::mu_high}, {"mu_intermediate", &PaperInputs::mu_intermediate},
-      {"mu_low", &PaperInputs::mu_low},   {"t_operating", &PaperInputs::t_operating},
-      {"t_100", &PaperInputs::t_100},     {"t_75", &PaperInputs::t_75},
-      {"t_50", &PaperInputs::t_50},       {"t_critical", &PaperInputs::t_critical},
+      {"mu_high", &PaperInputs::mu_high},
+      {"mu_intermediate", &PaperInputs::mu_intermediate},
+      {"mu_low", &PaperInputs::mu_low},
+      {"t_operating", &PaperInputs::t_operating},
+      {"t_100", &PaperInputs::t_100},
+      {"t_75", &PaperInputs::t_75},
+      {"t_50", &PaperInputs::t_50},
+      {"t_critical", &PaperInputs::t_critical},
       {"rolling_Hz", &PaperInputs::rolling_Hz},
       {"rolling_rho", &PaperInputs::rolling_rho},
       {"onset_Hz", &PaperInputs::onset_Hz},
@@ -40,8 +44,8 @@ void PaperInputs::set(const std::string& input, double value) {
 double run_up_time(const Statement& statement, double speed_Hz) {
   RunUps run_ups;
   Observer null_observer;
-  const auto reached = run_ups.time_at_speed(scenario_of(statement, run_ups), speed_Hz,
-                                             std::nullopt, null_observer);
+  const auto reached =
+      run_ups.time_at_speed(scenario_of(statement, run_ups), speed_Hz, std::nullopt, null_observer);
   if (!reached.time_s) throw std::runtime_error("the run-up does not reach that speed");
   return *reached.time_s;
 }
@@ -138,8 +142,8 @@ std::vector<PaperRun::Collision> PaperRun::collisions() const {
   for (const Instant& release : releases_) {
     const auto next = std::ranges::upper_bound(touch_downs_, release.time_s, {}, &Instant::time_s);
     if (next != touch_downs_.begin())
-      all.push_back({release.time_s - std::prev(next)->time_s,
-                     release.state[5] - std::prev(next)->state[5]});
+      all.push_back(
+          {release.time_s - std::prev(next)->time_s, release.state[5] - std::prev(next)->state[5]});
   }
   return all;
 }
@@ -251,8 +255,8 @@ const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
     FrictionWatch watch(until_rolling);
     Observer null_observer;
     finish(run_ups_.depart(until_rolling, null_observer), until_rolling, std::nullopt, watch);
-    *friction_work_ = FrictionWork{watch.until_touch_downs, -watch.balance().friction,
-                                   watch.first_impact_damped};
+    *friction_work_ =
+        FrictionWork{watch.until_touch_downs, -watch.balance().friction, watch.first_impact_damped};
   }
   return *friction_work_;
 }

@@ -64,7 +64,8 @@ class PaperRun {
     double whirl_Hz;  ///< of O, seen from the stator
     double q1_Hz;     ///< of O, seen from the rotating axes
     double ripple;    ///< of rho, from least to greatest, relative to its mean
-    double off_sine;  ///< root mean square of what q1 differs from the best sine, relative to its own
+    double
+        off_sine;  ///< root mean square of what q1 differs from the best sine, relative to its own
     double
         decrease_a_turn;  ///< of the mean of rho between the first turn and the last one, relative
   };

@@ -15,8 +15,8 @@ namespace {
 
 /// Where the inputs can lie of which the text prints arithmetic: a little more than what follows
 /// for each from the intervals of the printed numbers. A test sees that no draw comes near an end.
-/// (r + e_x) is v_DC over the speed; m follows from Delta_vy, e_x from 75 g cm, k_u from 223.9 g cm,
-/// I_C from I_C1.
+/// (r + e_x) is v_DC over the speed; m follows from Delta_vy, e_x from 75 g cm, k_u from 223.9 g
+/// cm, I_C from I_C1.
 const std::vector<InputRange>& proposals() {
   static const std::vector<InputRange> box = {
       {"mass", 4.968, 5.020},
@@ -117,7 +117,8 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
   const SweepPoints propose(proposed);
   long tried = 0;
   for (; static_cast<long>(accepted_.size()) < count; ++tried) {
-    if (tried > 100'000 && static_cast<double>(accepted_.size()) < 1e-4 * static_cast<double>(tried))
+    if (tried > 100'000 &&
+        static_cast<double>(accepted_.size()) < 1e-4 * static_cast<double>(tried))
       throw std::runtime_error("population (b): hardly a proposal prints the paper's numbers");
     PaperInputs inputs;
     inputs.statement = propose(tried).statement;
@@ -142,7 +143,8 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
 }
 
 std::map<std::string, double> PopulationDraws::proposed_shares(long n) const {
-  const auto drawn = SweepPoints(sweep_)(accepted_.at(static_cast<std::size_t>(n))).statement.numbers;
+  const auto drawn =
+      SweepPoints(sweep_)(accepted_.at(static_cast<std::size_t>(n))).statement.numbers;
   std::map<std::string, double> shares;
   for (const auto& [input, least, greatest] : proposals())
     shares[input] = (drawn.at(input) - least) / (greatest - least);

@@ -68,7 +68,13 @@ int main(const Arguments& arguments) {
   const std::filesystem::path folder = arguments[0];
   const std::size_t count = std::stoul(arguments[1]);
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto readings = readings_to_draw(read_numbers(folder / "claims.csv"));
+  std::vector<std::string> readings;
+  for (const Number& number : read_numbers(folder / "claims.csv"))
+    for (const Reading& reading : number.readings)
+      if (number.kind == Kind::simulated &&
+          std::ranges::find(readings, reading.name) == readings.end())
+        readings.push_back(reading.name);
+  std::ranges::sort(readings);
   const auto ranges = read_input_ranges(folder / "printed-inputs.csv");
 
   const OT::Sample points = design(ranges, count);

@@ -192,8 +192,7 @@ void add_run_up_and_loss(Table& table) {
   table.add("motor_off_s", [](Runs r) { return r.high().summary().motor_off_s; });
   table.before_loss("speed_at_loss", [](Runs, At at) { return speed_Hz(at); });
   table.before_loss("relative_velocity", [](Runs r, At at) {
-    return 100 * std::hypot(at.state[3], at.state[4]) /
-           (at.state[5] * r.parameters().eccentricity);
+    return 100 * std::hypot(at.state[3], at.state[4]) / (at.state[5] * r.parameters().eccentricity);
   });
   table.before_loss("c_distance",
                     [](Runs, At at) { return 1e6 * at.motion().mass_centre().norm(); });
@@ -201,9 +200,8 @@ void add_run_up_and_loss(Table& table) {
     return 100 * at.motion().mass_centre().norm() / r.parameters().eccentricity;
   });
   table.before_loss("energy_before", [](Runs, At at) { return energy(at); });
-  table.add("energy_gain", [](Runs r) -> Value {
-    return 100 * gain_by_separation(r).energy / energy_before(r);
-  });
+  table.add("energy_gain",
+            [](Runs r) -> Value { return 100 * gain_by_separation(r).energy / energy_before(r); });
   table.before_loss("momentum_gain", [](Runs r, At at) {
     return 100 * gain_by_separation(r).momentum.norm() /
            (loss(r).lost_mass * loss(r).piece_velocity(at.state[5]));
@@ -267,8 +265,8 @@ void add_rolling(Table& table) {
               [](Runs r, At at) { return 100 * translation(r, at) / energy(at); });
   table.onset("bearing_share", [](Runs r, At at) {
     const Parameters p = r.parameters();
-    const double load = std::hypot(p.support_stiffness * rho(at),
-                                   p.support_damping * at.motion().velocity.norm());
+    const double load =
+        std::hypot(p.support_stiffness * rho(at), p.support_damping * at.motion().velocity.norm());
     return 100 * load / *peak(r.high());
   });
   table.onset("elastic_N",
@@ -276,9 +274,8 @@ void add_rolling(Table& table) {
   table.onset("damping_N", [](Runs r, At at) {
     return rolling_velocity(r, at) * r.parameters().support_damping / 2;
   });
-  table.peak("indentation_of_radius", [](Runs r, At at) {
-    return 100 * indentation(r, at) / r.parameters().rotor_radius;
-  });
+  table.peak("indentation_of_radius",
+             [](Runs r, At at) { return 100 * indentation(r, at) / r.parameters().rotor_radius; });
   table.peak("indentation_of_clearance", [](Runs r, At at) {
     return 100 * indentation(r, at) / (rho(at) - indentation(r, at));
   });
@@ -320,9 +317,8 @@ void add_collisions(Table& table) {
   table.touch_downs("collisions_J", [](Runs r, At at, std::size_t) {
     return energy(r.high().after_loss()) - energy(at);
   });
-  table.touch_downs("sliding_s", [](Runs r, At at, std::size_t) {
-    return r.high().onset()->time_s - at.time_s;
-  });
+  table.touch_downs(
+      "sliding_s", [](Runs r, At at, std::size_t) { return r.high().onset()->time_s - at.time_s; });
   table.touch_downs("sliding_J", [](Runs r, At at, std::size_t) {
     return energy(at) - energy(*r.high().onset());
   });
@@ -345,8 +341,8 @@ void add_collisions(Table& table) {
   table.add("impacts_that_do_not_slow", [](Runs r) -> Value {
     long all = 0;
     for (const PaperRun* run : at_all_frictions(r))
-      all += std::ranges::count_if(run->collisions(),
-                                   [](const auto& c) { return c.speed_gain >= 0; });
+      all +=
+          std::ranges::count_if(run->collisions(), [](const auto& c) { return c.speed_gain >= 0; });
     return static_cast<double>(all);
   });
   table.add("speed_in_flight", [](Runs r) -> Value {

@@ -62,7 +62,8 @@ End end_of(const Statement& statement) {
   RollingForce in_rolling(scenario);
   const Summary summary =
       finish(Departure(scenario), scenario, StopOn::outcome, in_rolling).summary;
-  return {summary.collisions > 0, summary.outcome == Outcome::rolling,
+  return {summary.collisions > 0,
+          summary.outcome == Outcome::rolling,
           {summary.peak_normal_force_N.value_or(0), in_rolling.largest}};
 }
 
@@ -91,7 +92,8 @@ class Rotors {
     rotor.more = numbers.extract("other_share").mapped();
     if (steps) {  // any two different ones of the grid
       const auto all = static_cast<double>(*steps);
-      const double first = std::floor(rotor.less * (all + 1)), second = std::floor(rotor.more * all);
+      const double first = std::floor(rotor.less * (all + 1)),
+                   second = std::floor(rotor.more * all);
       rotor.less = first / all;
       rotor.more = (second + (second >= first ? 1 : 0)) / all;
     }
@@ -110,8 +112,8 @@ double value_at(const Reason& reason, double share) {
 
 /// The values at which a rotor is tried.
 std::pair<double, double> values(const Reason& reason, const Rotors::Rotor& rotor) {
-  const double more = reason.judged == Judged::harmless ? Parameters{}.motor_off_Hz
-                                                        : value_at(reason, rotor.more);
+  const double more =
+      reason.judged == Judged::harmless ? Parameters{}.motor_off_Hz : value_at(reason, rotor.more);
   return {value_at(reason, rotor.less), more};
 }
 
@@ -176,14 +178,13 @@ std::optional<double> Trial::median_size() const {
 std::vector<Reason> read_reasons(const std::filesystem::path& table) {
   std::vector<Reason> reasons;
   for (const CsvRow& row : read_csv(table))
-    reasons.push_back(
-        {row["reason"], row["place"], row["says"], row["quantity"],
-         static_cast<double>(row.number("from")), static_cast<double>(row.number("until")),
-         row["spacing"] == "log",
-         row["most_friction"].empty()
-             ? std::nullopt
-             : std::optional(static_cast<double>(row.number("most_friction"))),
-         parse_judged(row["judged"])});
+    reasons.push_back({row["reason"], row["place"], row["says"], row["quantity"],
+                       static_cast<double>(row.number("from")),
+                       static_cast<double>(row.number("until")), row["spacing"] == "log",
+                       row["most_friction"].empty()
+                           ? std::nullopt
+                           : std::optional(static_cast<double>(row.number("most_friction"))),
+                       parse_judged(row["judged"])});
   return reasons;
 }
 

@@ -51,7 +51,8 @@ using Trials = std::map<std::string, Trial>;  ///< by reason
 Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads,
              std::optional<long> steps = {});
 
-/// The largest normal force of a run until its outcome, and that while it rolls, N; 0 if there is none.
+/// The largest normal force of a run until its outcome, and that while it rolls, N; 0 if there is
+/// none.
 struct Forces {
   double largest, in_rolling;
 };

@@ -34,7 +34,9 @@ TEST(Reasons, FailAsOftenAsTheTableSays) {
     for (const CsvRow& row : read_csv(data / "reasons-tried.csv")) {
       if (row["equations"] != set.name) continue;
       const Trial& trial = anew.at(row["reason"]);
-      const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
+      const auto number = [&](const char* column) {
+        return static_cast<double>(row.number(column));
+      };
       const auto expect_share = [&](long found, long of, double share) {
         const auto n = static_cast<double>(of);
         EXPECT_NEAR(static_cast<double>(found) / n, share,
@@ -48,8 +50,8 @@ TEST(Reasons, FailAsOftenAsTheTableSays) {
   }
 }
 
-// On any grid a reason fails as often, within its error: counted were a rotor that fails at any step,
-// the share would grow with the steps.
+// On any grid a reason fails as often, within its error: counted were a rotor that fails at any
+// step, the share would grow with the steps.
 TEST(Reasons, FailAsOftenOnGridsOf5And10And25Hz) {
   std::vector<Reason> speed;
   for (const Reason& reason : reasons())
@@ -96,8 +98,8 @@ TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
   EXPECT_GT(tried, 20);
 }
 
-// The largest force of a run may come before rolling: along speed it falls here, and the largest one in
-// rolling rises.
+// The largest force of a run may come before rolling: along speed it falls here, and the largest
+// one in rolling rises.
 TEST(Reasons, CompareTheForceInRolling) {
   Reason reason = reasons()[1];
   ASSERT_EQ(reason.judged, Judged::force);

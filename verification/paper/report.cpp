@@ -93,9 +93,11 @@ void print_audit(const std::vector<TestOutcome>& outcomes) {
 void print_and_write_convergence(FileTransaction& files, const std::filesystem::path& out) {
   const auto all = studied_convergence();
   fmt::print(
-      "\nConvergence of the landmarks: relative errors. Those of the event method, which locates its "
+      "\nConvergence of the landmarks: relative errors. Those of the event method, which locates "
+      "its "
       "events, fall with a power of the tolerance.\nThe paper's method is of fourth order while "
-      "nothing is switched; across contacts, which lie anywhere in a step, of first order or none:\n"
+      "nothing is switched; across contacts, which lie anywhere in a step, of first order or "
+      "none:\n"
       "it has no asymptotic range in which a grid convergence index would mean anything.\n{}",
       convergence_table(all));
   files.write(out / "convergence.csv", to_csv(all));
@@ -107,7 +109,8 @@ void print_and_write_uncertainty(const std::vector<Number>& numbers,
   const auto all = uncertainties(numbers, read_ranking(folder / "ranking.csv"));
   fmt::print(
       "\nUncertainty in the terms of ASME V&V 20, in per cent of the simulated value S. E = S - D, "
-      "D being the number as printed,\nu_D half a unit of its last digit. u_num: what the tolerance "
+      "D being the number as printed,\nu_D half a unit of its last digit. u_num: what the "
+      "tolerance "
       "leaves open; by rk4: what the paper's steps do; by (a), by (b): half the\nrange from 5 to "
       "95 % of the populations. decided by: the inputs with the greatest total Sobol' indices over "
       "the box (c)\n(reference-data/ranking.csv). The model's part is not quantified: "
@@ -121,8 +124,10 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
                             const std::filesystem::path& out) {
   const auto draws = static_cast<double>(numbers.front().readings.front().in[0].b.spread.draws);
   fmt::print(
-      "\nThe claims of the paper's text, by the rules of reference-data/policy.md: verdict with its "
-      "margins off (a) and off (b), then what the\npopulations (a) and (b) give from 5 to 95 %, and "
+      "\nThe claims of the paper's text, by the rules of reference-data/policy.md: verdict with "
+      "its "
+      "margins off (a) and off (b), then what the\npopulations (a) and (b) give from 5 to 95 %, "
+      "and "
       "the share of {} draws in which the claim holds (standard error {:.1f} % at most)\n{}",
       draws, 50 / std::sqrt(draws), claims_table(numbers));
   files.write(out / "claims.csv", to_csv(numbers));
@@ -147,10 +152,12 @@ void print_register(const std::filesystem::path& assumptions) {
 
 void print_reasons(const std::filesystem::path& folder) {
   fmt::print(
-      "\nThe paper's reasons for the accident, on the rotors of verification/paper/reasons.toml: for "
+      "\nThe paper's reasons for the accident, on the rotors of verification/paper/reasons.toml: "
+      "for "
       "a random rotor and a random pair of\nvalues, how often the riskier one is not worse, where "
       "the statement applies; else, the force at it relative to that at the other one\n(median). "
-      "Last, how often a quantity decides whether the rotor rolls (reference-data/reasons.csv; make "
+      "Last, how often a quantity decides whether the rotor rolls (reference-data/reasons.csv; "
+      "make "
       "reasons)\n  {:<62}{:<20}{:>28}{:>28}\n",
       "", "along", "published", "consistent");
   const auto words = read_trials_in_words(folder);
