@@ -1,6 +1,7 @@
 #include "verification/paper/claims.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -176,20 +177,51 @@ std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
 std::string to_csv(const std::vector<Number>& numbers) {
   std::string csv =
       "claim,number,figures,printed,unit,rule,least,greatest,equations,verdict,off_a,off_b,reading,"
-      "converged,published_method,draws_a,valued_a,median_a,p5_a,p95_a,holds_a,draws_b,valued_b,"
-      "median_b,p5_b,p95_b,holds_b,reason\n";
+      "converged,published_method,reason\n";
   for (const Number& n : numbers)
     for (std::size_t set = 0; set < sets.size(); ++set) {
       const Verdict verdict = verdict_of(n, set);
       for (const Reading& r : n.readings)
-        csv += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{},{},{},{},{},{},{},{},{},{}\n",
-                           n.claim, n.id, n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
+        csv += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{},{},{},{},{},{},{},{}\n", n.claim,
+                           n.id, n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
                            n.allowed().greatest(), sets[set].name, verdict.says,
                            cell(verdict.off_a), cell(verdict.off_b), r.name,
-                           cell(r.in[set].converged), cell(r.in[set].by_rk4), cells(r.in[set].a),
-                           cells(r.in[set].b), csv_field(n.reason));
+                           cell(r.in[set].converged), cell(r.in[set].by_rk4), csv_field(n.reason));
     }
   return csv;
+}
+
+std::vector<int> figures_without_claim(const std::vector<Number>& numbers) {
+  std::set<int> claimed;
+  for (const Number& number : numbers) {
+    std::istringstream figures(number.figures);
+    for (int figure = 0; figures >> figure;) claimed.insert(figure);
+  }
+  std::vector<int> without;
+  for (int figure = 2; figure <= 17; ++figure)
+    if (!claimed.contains(figure)) without.push_back(figure);
+  return without;
+}
+
+std::string claims_table(const std::vector<Number>& numbers) {
+  std::string table =
+      fmt::format("  {:<16}{:>8}{:>8}  {:<16}{:>12}{:>12} {:<7} {}\n", "as printed", "off (a)",
+                  "off (b)", "corrected", "printed", "converged", "", "claim");
+  for (const Number& n : numbers) {
+    const Verdict as_printed = verdict_of(n, 0);
+    const auto converged = n.readings.front().in[0].converged;
+    table += fmt::format("  {:<16}{:>8.3g}{:>8.3g}  {:<16}{:>12}{:>12} {:<7} {}{}\n",
+                         as_printed.says, as_printed.off_a, as_printed.off_b, verdict_of(n, 1).says,
+                         n.printed.empty() ? n.rule : n.printed,
+                         converged ? fmt::format("{:.5g}", *converged) : "-", n.unit, n.says,
+                         n.reason.empty() ? "" : " (" + n.reason + ')');
+  }
+  table += "\nClaims by verdict, with half, once and twice the widths of words:\n";
+  for (const Counts& counts : sensitivity(numbers))
+    table += fmt::format("  {:<11}{:>4} times: {}\n", counts.set, counts.words,
+                         fmt::join(counts.claims, ", "));
+  return table + fmt::format("nothing is claimed about Figs. {}, which is no success.\n",
+                             fmt::join(figures_without_claim(numbers), ", "));
 }
 
 }  // namespace rotor

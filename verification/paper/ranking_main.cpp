@@ -8,8 +8,7 @@
 #include <thread>
 
 #include "figures/data/files.hpp"
-#include "verification/paper/claims.hpp"
-#include "verification/paper/ranking.hpp"
+#include "verification/paper/uncertainty.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {

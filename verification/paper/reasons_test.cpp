@@ -125,28 +125,6 @@ struct SingleRuns : ReasonsExamples {
   std::string outcome(const std::string& options) const { return summary(options)["outcome"]; }
 };
 
-TEST_F(SingleRuns, RollWhateverTheClearanceButWithLessForce) {
-  double last = 557;  // kN
-  for (const char* clearance : {"2e-3", "3e-3", "4e-3", "5e-3"}) {
-    const auto found = summary(fmt::format("--clearance {}", clearance));
-    EXPECT_EQ(found["outcome"], "rolling") << clearance;
-    const double force = found["peak_normal_force_N"].get<double>() / 1e3;
-    EXPECT_LT(force, last);
-    last = force;
-  }
-  EXPECT_NEAR(last, 323.8, 0.1);
-  // Put right, the rotor does not get as far as 5 mm.
-  EXPECT_EQ(outcome("--clearance 5e-3 --equations consistent"), "no_contact");
-}
-
-TEST_F(SingleRuns, CanFreeThemselvesWhereBothLessAndMoreFrictionRolls) {
-  for (const char* start : {"--separation-speed-hz 101", "--start-speed-hz 101 --torque 0"}) {
-    EXPECT_EQ(outcome(fmt::format("{} --friction 0.1", start)), "rolling");
-    EXPECT_EQ(outcome(fmt::format("{} --friction 0.15", start)), "freed");
-    EXPECT_EQ(outcome(fmt::format("{} --friction 0.2", start)), "rolling");
-  }
-}
-
 // So contact at low speed is harmless for the paper's own rotor, but not as it slides on.
 TEST_F(SingleRuns, BetweenRollingOnesTouchOnceAndComeFreeWithoutSliding) {
   for (const auto& [speed_Hz, expected] : {std::pair(50, "no_contact"),
@@ -160,15 +138,6 @@ TEST_F(SingleRuns, BetweenRollingOnesTouchOnceAndComeFreeWithoutSliding) {
       EXPECT_EQ(found["collisions"], 1) << speed_Hz;
     }
   }
-}
-
-// Stiff supports only seem safe: the motor does not get past their resonance.
-TEST_F(SingleRuns, WithStiffSupportsTouchInTheRunUpOrStall) {
-  EXPECT_EQ(summary("--support-stiffness 9e4")["collisions_before_loss"], 0);
-  const auto touching = summary("--support-stiffness 1e5");
-  EXPECT_GT(touching["collisions_before_loss"], 0);
-  EXPECT_EQ(touching["outcome"], "rolling");
-  EXPECT_EQ(outcome("--support-stiffness 1.2e5"), "stalled");
 }
 
 /// The share of losses between 120 and 180 Hz after which the rotor rolls.

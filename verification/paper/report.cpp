@@ -13,7 +13,6 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
 #include "verification/paper/claims.hpp"
-#include "verification/paper/convergence.hpp"
 #include "verification/paper/reasons.hpp"
 #include "verification/paper/uncertainty.hpp"
 #include "verification/support/program.hpp"
@@ -45,26 +44,6 @@ std::vector<TestOutcome> read_outcomes(const std::filesystem::path& folder) {
   return outcomes;
 }
 
-/// The class of a test is the file that it stands in.
-void print_by_class(const std::vector<TestOutcome>& outcomes) {
-  struct Class {
-    int tests = 0, failed = 0;
-    double time_s = 0;
-  };
-  std::map<std::string, Class> classes;
-  for (const TestOutcome& outcome : outcomes) {
-    std::string name = outcome.file.substr(0, outcome.file.rfind("_test"));
-    std::ranges::replace(name, '_', ' ');
-    Class& its = classes[name];
-    ++its.tests;
-    its.failed += outcome.failed;
-    its.time_s += outcome.time_s;
-  }
-  fmt::print("\n{:<24}{:>6}{:>8}{:>8}\n", "Tests by class", "tests", "failed", "s");
-  for (const auto& [name, its] : classes)
-    fmt::print("  {:<22}{:>6}{:>8}{:>8.1f}\n", name, its.tests, its.failed, its.time_s);
-}
-
 /// The name of a test as words.
 std::string in_words(const std::string& name) {
   std::string words;
@@ -90,45 +69,14 @@ void print_audit(const std::vector<TestOutcome>& outcomes) {
   }
 }
 
-void print_and_write_convergence(FileTransaction& files, const std::filesystem::path& out) {
-  const auto all = studied_convergence();
-  fmt::print(
-      "\nConvergence of the landmarks: relative errors. Those of the event method, which locates "
-      "its "
-      "events, fall with a power of the tolerance.\nThe paper's method is of fourth order while "
-      "nothing is switched; across contacts, which lie anywhere in a step, of first order or "
-      "none:\n"
-      "it has no asymptotic range in which a grid convergence index would mean anything.\n{}",
-      convergence_table(all));
-  files.write(out / "convergence.csv", to_csv(all));
-}
-
-void print_and_write_uncertainty(const std::vector<Number>& numbers,
-                                 const std::filesystem::path& folder, FileTransaction& files,
-                                 const std::filesystem::path& out) {
-  const auto all = uncertainties(numbers, read_ranking(folder / "ranking.csv"));
-  fmt::print(
-      "\nUncertainty in the terms of ASME V&V 20, in per cent of the simulated value S. E = S - D, "
-      "D being the number as printed,\nu_D half a unit of its last digit. u_num: what the "
-      "tolerance "
-      "leaves open; by rk4: what the paper's steps do; by (a), by (b): half the\nrange from 5 to "
-      "95 % of the populations. decided by: the inputs with the greatest total Sobol' indices over "
-      "the box (c)\n(reference-data/ranking.csv). The model's part is not quantified: "
-      "reference-data/policy.md\n{}",
-      uncertainty_table(all));
-  files.write(out / "uncertainty.csv", to_csv(all));
-}
-
 /// Whether all numbers have the verdicts that the table expects.
 bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction& files,
                             const std::filesystem::path& out) {
   const auto draws = static_cast<double>(numbers.front().readings.front().in[0].b.spread.draws);
   fmt::print(
-      "\nThe claims of the paper's text, by the rules of reference-data/policy.md: verdict with "
-      "its "
-      "margins off (a) and off (b), then what the\npopulations (a) and (b) give from 5 to 95 %, "
-      "and "
-      "the share of {} draws in which the claim holds (standard error {:.1f} % at most)\n{}",
+      "\nThe claims of the paper's text, by the rules of reference-data/policy.md, over {} draws "
+      "of "
+      "each population (standard error of a share: {:.1f} % at most)\n{}",
       draws, 50 / std::sqrt(draws), claims_table(numbers));
   files.write(out / "claims.csv", to_csv(numbers));
   std::string counts = "equations,width_of_words,reproduced,within_rounding,refuted\n";
@@ -174,15 +122,14 @@ int main(const Arguments& arguments) {
   const std::vector<TestOutcome> outcomes = read_outcomes(arguments[0]);
   if (outcomes.empty())
     fmt::print("\nThe tests ended before their time: there is no {}/tests-0.json.\n", arguments[0]);
-  print_by_class(outcomes);
   print_audit(outcomes);
   print_register(arguments[2]);
   const std::filesystem::path data = arguments[1], out = arguments[3];
   print_reasons(data);
   const auto numbers = judged_numbers(data);
   FileTransaction files;
-  print_and_write_convergence(files, out);
-  print_and_write_uncertainty(numbers, data, files, out);
+  files.write(out / "uncertainty.csv",
+              to_csv(uncertainties(numbers, read_ranking(data / "ranking.csv"))));
   const bool as_expected = print_and_write_claims(numbers, files, out);
   files.commit();
   return as_expected ? 0 : 1;

@@ -30,13 +30,6 @@ TEST(Uncertainty, OfTheMethodIsAtMostAHundredthOfWhatThePrintedDigitsLeaveOpen) 
     }
 }
 
-TEST(Uncertainty, OfThePapersStepsIsLessThanWhatThePrintedDigitsLeaveOpenButForOneDifference) {
-  for (const Uncertainty& u : all()) {
-    if (std::isnan(u.u_num_own) || u.u_input == 0) continue;
-    EXPECT_EQ(u.u_num_own < u.u_input, u.number != "F_in_agrees") << u.number;
-  }
-}
-
 TEST(Uncertainty, IsRelativeToTheSimulatedValue) {
   const Uncertainty& peak = of("peak_force");
   EXPECT_NEAR(peak.error, (peak.simulated - 455) / peak.simulated, 1e-12);
@@ -83,14 +76,6 @@ TEST(Ranking, HasTheSharesOfALinearResultWhereItIsNearlyOne) {
           << reading << ' ' << input.input;
     }
   }
-}
-
-TEST(Ranking, HasEachEstimateWithinItsInterval) {
-  for (const Influence& row : ranking())
-    for (const Estimate& e : {row.first, row.total}) {
-      EXPECT_LE(e.low, e.value) << row.reading << ' ' << row.input;
-      EXPECT_GE(e.high, e.value) << row.reading << ' ' << row.input;
-    }
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ Json reasons_json(const fs::path& folder) {
 }  // namespace
 
 Json studies_json(const Sources& sources) {
-  Json all = {{"convergence", table_of(sources.report / "convergence.csv")},
-              {"uncertainty", table_of(sources.report / "uncertainty.csv")},
+  Json all = {{"uncertainty", table_of(sources.report / "uncertainty.csv")},
               {"reasons", reasons_json(sources.reference_data)},
               {"maps", study_json(sources, "maps")},
               {"explore", fs::exists(sources.report / "explore.html")}};
