@@ -1,142 +1,94 @@
 #include "verification/paper/claims.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
+#include "verification/paper/readings.hpp"
 
 namespace rotor {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+const std::vector<std::string> from_best = {"reproduced", "within rounding", "refuted"};
 
-double number_of(const std::string& printed) {
-  std::size_t length = 0;
-  const double value = std::stod(printed, &length);
-  if (length != printed.size()) throw std::invalid_argument("is no number: " + printed);
-  return value;
+/// How far a range lies from the middle of what is allowed; infinite if there are too few values.
+double off_range(const Allowed& allowed, const Spread& spread) {
+  if (!(spread.valued >= 0.05)) return infinity;
+  if (spread.is_in_range(allowed.middle)) return 0;
+  return std::min(allowed.off(spread.low), allowed.off(spread.high));
 }
 
-Allowed around(double number, double half_width) {
-  return {number - half_width, number + half_width};
+double off_median(const Allowed& allowed, const Spread& spread) {
+  return spread.valued >= 0.5 ? allowed.off(spread.median) : infinity;
 }
 
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> all;
-  for (std::string word; stream >> word;) all.push_back(word);
-  return all;
-}
-
-/// Whether what is allowed overlaps the range from 5 % to 95 %.
-bool overlaps(const Allowed& allowed, const Spread& spread) {
-  return spread.low <= allowed.greatest && spread.high >= allowed.least;
-}
-
-/// The stored ensembles, by number and reading.
-using Ensembles = std::map<std::pair<std::string, std::string>, std::pair<Spread, Spread>>;
-
-Ensembles read_ensembles(const std::filesystem::path& table) {
-  Ensembles all;
-  for (const CsvRow& row : read_csv(table)) {
-    const auto spread_of = [&](const std::string& which) {
-      const auto number = [&](const std::string& what) {
-        const std::string& cell = row[what + '_' + which];
-        return cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::stod(cell);
-      };
-      return Spread{static_cast<long>(number("draws")), number("median"), number("p5"),
-                    number("p95"), number("share")};
-    };
-    all[{row["number"], row["reading"]}] = {spread_of("times"), spread_of("all")};
-  }
-  return all;
-}
-
-std::string cell(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
-std::string cell(const std::optional<double>& value) {
-  return cell(value.value_or(std::numeric_limits<double>::quiet_NaN()));
-}
-std::string cells(const Spread& spread) {
-  if (spread.draws == 0) return ",,,,";
-  return fmt::format("{},{},{},{},{}", spread.draws, cell(spread.median), cell(spread.low),
-                     cell(spread.high), cell(spread.share));
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+std::string cell(const std::optional<double>& value) { return cell(value.value_or(infinity)); }
+std::string cells(const Stored& stored) {
+  const Spread& s = stored.spread;
+  if (s.draws == 0) return ",,,,,";
+  return fmt::format("{},{},{},{},{},{}", s.draws, cell(s.valued), cell(s.median), cell(s.low),
+                     cell(s.high), cell(stored.holds));
 }
 
 }  // namespace
 
-std::string verdict_of(const Number& number) {
-  const auto holds = [&](const std::optional<double>& value) {
-    return value && number.allowed.holds(*value);
-  };
-  for (const Reading& reading : number.readings)
-    if (holds(reading.converged) || holds(reading.by_rk4)) return "reproduced";
-  if (number.kind != Kind::simulated) return "refuted";
-  for (const Reading& reading : number.readings)
-    if (overlaps(number.allowed, reading.times) || overlaps(number.allowed, reading.everything))
-      return "within rounding";
-  return "refuted";
+Verdict verdict_of(const Number& number, std::size_t set, double words) {
+  const Allowed allowed = number.allowed(words);
+  Verdict verdict{{}, infinity, infinity};
+  for (const Reading& reading : number.readings) {
+    const Reading::InSet& in = reading.in[set];
+    const auto note = [](double& off, double another) { off = std::min(off, another); };
+    if (in.by_rk4) note(verdict.off_a, allowed.off(*in.by_rk4));
+    if (number.kind == Kind::method) {
+      if (in.converged) note(verdict.off_a, allowed.off(*in.converged));
+      continue;
+    }
+    note(verdict.off_a, off_median(allowed, in.a.spread));
+    note(verdict.off_b, off_range(allowed, in.a.spread));
+    note(verdict.off_b, off_range(allowed, in.b.spread));
+  }
+  verdict.says = from_best[verdict.off_a <= 1 ? 0 : verdict.off_b <= 1 ? 1 : 2];
+  return verdict;
 }
 
-std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers) {
-  const std::vector<std::string> from_best = {"reproduced", "within rounding", "refuted"};
+std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
+                                                      std::size_t set, double words) {
   std::map<std::string, std::string> worst;
   for (const Number& number : numbers) {
-    std::string& verdict = worst.try_emplace(number.claim, number.verdict).first->second;
-    if (std::ranges::find(from_best, number.verdict) > std::ranges::find(from_best, verdict))
-      verdict = number.verdict;
+    const std::string its = verdict_of(number, set, words).says;
+    std::string& verdict = worst.try_emplace(number.claim, its).first->second;
+    if (std::ranges::find(from_best, its) > std::ranges::find(from_best, verdict)) verdict = its;
   }
   return worst;
+}
+
+std::vector<Counts> sensitivity(const std::vector<Number>& numbers) {
+  std::vector<Counts> all;
+  for (std::size_t set = 0; set < sets.size(); ++set)
+    for (const double words : {0.5, 1., 2.}) {
+      Counts counts{sets[set].name, words, {}};
+      for (const std::string& verdict : from_best) counts.claims[verdict] = 0;
+      for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set, words))
+        ++counts.claims[verdict];
+      all.push_back(counts);
+    }
+  return all;
 }
 
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers) {
   std::set<std::string> names;
   for (const Number& number : numbers)
     for (const Reading& reading : number.readings)
-      if (number.kind == Kind::simulated) names.insert(reading.name);
+      if (number.kind != Kind::method) names.insert(reading.name);
   return {names.begin(), names.end()};
-}
-
-double half_digit(const std::string& printed) {
-  const std::size_t exponent = printed.find('e');
-  const std::string digits = printed.substr(0, exponent);
-  const double scale =
-      exponent == std::string::npos ? 1 : std::pow(10, number_of(printed.substr(exponent + 1)));
-  const std::size_t point = digits.find('.');
-  if (point != std::string::npos)
-    return scale / 2 * std::pow(10, -static_cast<double>(digits.size() - point - 1));
-  // Zeros behind the second digit of a whole number do not count.
-  const std::size_t last = digits.find_last_not_of('0');
-  const std::size_t first = digits.find_first_of("123456789");
-  const std::size_t counts = std::min(digits.size() - 1, std::max(last, first + 1));
-  return scale / 2 * std::pow(10, static_cast<double>(digits.size() - 1 - counts));
-}
-
-Allowed allowed(const std::string& printed, const std::string& rule) {
-  constexpr double about = 0.05;
-  if (rule == "digits") return around(number_of(printed), half_digit(printed));
-  if (rule == "about")
-    return around(number_of(printed),
-                  std::max(half_digit(printed), about * std::abs(number_of(printed))));
-  if (rule == "range") {
-    const std::size_t dash = printed.find('-', 1);
-    if (dash == std::string::npos) throw std::invalid_argument("is no range: " + printed);
-    const std::string from = printed.substr(0, dash), until = printed.substr(dash + 1);
-    return {number_of(from) - half_digit(from), number_of(until) + half_digit(until)};
-  }
-  if (rule == "is") return around(number_of(printed), 0);
-  if (rule == "few") return {2, 10};
-  if (rule == "minor") return {-10, 10};
-  if (rule == "slight" || rule == "agrees") return {-5, 5};
-  if (rule == "negligible") return {-1, 1};
-  if (rule == "major") return {50, infinity};
-  if (rule == "unchanged") return {-1e-6, 1e-6};
-  throw std::invalid_argument("there is no rule " + rule);
 }
 
 std::vector<Number> read_numbers(const std::filesystem::path& table) {
@@ -155,18 +107,19 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
                   .rule = row["rule"],
                   .unit = row["unit"],
                   .kind = kinds.at(row["kind"]),
+                  .conditions = row["conditions"] == "yes",
                   .readings = {},
-                  .expected_verdict = row["verdict"],
-                  .reason = row["reason"],
-                  .verdict = {}};
+                  .expected = {row["verdict"], row["corrected"]},
+                  .reason = row["reason"]};
     try {
-      number.allowed = allowed(number.printed, number.rule);
+      number.allowed();
     } catch (const std::exception& error) {
       row.fail(error.what());
     }
-    for (const std::string& name : words(row["readings"])) {
+    std::istringstream readings(row["readings"]);
+    for (std::string name; readings >> name;) {
       if (std::ranges::find(known, name) == known.end()) row.fail("nothing computes " + name);
-      number.readings.push_back({name, {}, {}, {}, {}});
+      number.readings.push_back({name});
     }
     if (number.readings.empty()) row.fail("there is no reading");
     numbers.push_back(std::move(number));
@@ -177,50 +130,98 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
 std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
   std::vector<Number> numbers = read_numbers(folder / "claims.csv");
   const Ensembles ensembles = read_ensembles(folder / "ensembles.csv");
-  PaperInputs own_method;
-  own_method.statement.method = Method::rk4;
-  PaperRuns converged{PaperInputs{}}, by_rk4(own_method);
-  for (Number& number : numbers) {
-    for (Reading& reading : number.readings) {
-      reading.converged = read_off(reading.name, converged);
-      reading.by_rk4 = read_off(reading.name, by_rk4);
-      if (number.kind == Kind::simulated)
-        std::tie(reading.times, reading.everything) = ensembles.at({number.id, reading.name});
-    }
-    number.verdict = verdict_of(number);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    PaperInputs inputs;
+    inputs.statement.equations = sets[set].equations;
+    PaperRuns converged(inputs);
+    inputs.statement.method = Method::rk4;
+    PaperRuns by_rk4(inputs);
+    for (Number& number : numbers)
+      for (Reading& reading : number.readings) {
+        Reading::InSet& in = reading.in[set];
+        in.converged = read_off(reading.name, converged);
+        if (set == 0) in.by_rk4 = read_off(reading.name, by_rk4);
+        if (number.kind == Kind::method) continue;
+        const auto stored = [&](const char* population) {
+          return ensembles.at({sets[set].name, population, number.id, reading.name});
+        };
+        in.a = stored("a");
+        in.b = stored("b");
+      }
   }
   return numbers;
 }
 
-std::string ensembles_csv(const std::vector<Number>& numbers, const Draws& times,
-                          const Draws& everything) {
-  std::string csv =
-      "number,reading,draws_times,median_times,p5_times,p95_times,share_times,draws_all,median_all,"
-      "p5_all,p95_all,share_all\n";
+const std::vector<Number>& judged() {
+  static const auto all = judged_numbers(ROTOR_REFERENCE_DATA);
+  return all;
+}
+
+std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
+                           const char* population, const Draws& draws) {
+  std::string rows;
   for (const Number& number : numbers)
     for (const Reading& reading : number.readings) {
-      if (number.kind != Kind::simulated) continue;
-      const auto holds = [&](double value) { return number.allowed.holds(value); };
-      csv += fmt::format("{},{},{},{}\n", number.id, reading.name,
-                         cells(spread(times.at(reading.name), holds)),
-                         cells(spread(everything.at(reading.name), holds)));
+      if (number.kind == Kind::method) continue;
+      const auto& values = draws.at(reading.name);
+      const Allowed allowed = number.allowed();
+      const auto hold =
+          std::ranges::count_if(values, [&](double value) { return allowed.holds(value); });
+      rows += fmt::format(
+          "{},{},{},{},{}\n", set, population, number.id, reading.name,
+          cells({spread(values), static_cast<double>(hold) / static_cast<double>(values.size())}));
     }
-  return csv;
+  return rows;
 }
 
 std::string to_csv(const std::vector<Number>& numbers) {
   std::string csv =
-      "claim,number,figures,printed,unit,rule,least,greatest,verdict,reading,converged,published_"
-      "method,"
-      "draws_times,median_times,p5_times,p95_times,share_times,draws_all,median_all,p5_all,p95_all,"
-      "share_all,reason\n";
+      "claim,number,figures,printed,unit,rule,least,greatest,equations,verdict,off_a,off_b,reading,"
+      "converged,published_method,reason\n";
   for (const Number& n : numbers)
-    for (const Reading& r : n.readings)
-      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", n.claim, n.id, n.figures,
-                         n.printed, n.unit, n.rule, n.allowed.least, n.allowed.greatest, n.verdict,
-                         r.name, cell(r.converged), cell(r.by_rk4), cells(r.times),
-                         cells(r.everything), csv_field(n.reason));
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+      const Verdict verdict = verdict_of(n, set);
+      for (const Reading& r : n.readings)
+        csv += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{},{},{},{},{},{},{},{}\n", n.claim,
+                           n.id, n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
+                           n.allowed().greatest(), sets[set].name, verdict.says,
+                           cell(verdict.off_a), cell(verdict.off_b), r.name,
+                           cell(r.in[set].converged), cell(r.in[set].by_rk4), csv_field(n.reason));
+    }
   return csv;
+}
+
+std::vector<int> figures_without_claim(const std::vector<Number>& numbers) {
+  std::set<int> claimed;
+  for (const Number& number : numbers) {
+    std::istringstream figures(number.figures);
+    for (int figure = 0; figures >> figure;) claimed.insert(figure);
+  }
+  std::vector<int> without;
+  for (int figure = 2; figure <= 17; ++figure)
+    if (!claimed.contains(figure)) without.push_back(figure);
+  return without;
+}
+
+std::string claims_table(const std::vector<Number>& numbers) {
+  std::string table =
+      fmt::format("  {:<16}{:>8}{:>8}  {:<16}{:>12}{:>12} {:<7} {}\n", "as printed", "off (a)",
+                  "off (b)", "corrected", "printed", "converged", "", "claim");
+  for (const Number& n : numbers) {
+    const Verdict as_printed = verdict_of(n, 0);
+    const auto converged = n.readings.front().in[0].converged;
+    table += fmt::format("  {:<16}{:>8.3g}{:>8.3g}  {:<16}{:>12}{:>12} {:<7} {}{}\n",
+                         as_printed.says, as_printed.off_a, as_printed.off_b, verdict_of(n, 1).says,
+                         n.printed.empty() ? n.rule : n.printed,
+                         converged ? fmt::format("{:.5g}", *converged) : "-", n.unit, n.says,
+                         n.reason.empty() ? "" : " (" + n.reason + ')');
+  }
+  table += "\nClaims by verdict, with half, once and twice the widths of words:\n";
+  for (const Counts& counts : sensitivity(numbers))
+    table += fmt::format("  {:<11}{:>4} times: {}\n", counts.set, counts.words,
+                         fmt::join(counts.claims, ", "));
+  return table + fmt::format("nothing is claimed about Figs. {}, which is no success.\n",
+                             fmt::join(figures_without_claim(numbers), ", "));
 }
 
 }  // namespace rotor

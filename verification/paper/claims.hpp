@@ -8,59 +8,79 @@
 #include <vector>
 
 #include "verification/paper/ensembles.hpp"
+#include "verification/paper/rules.hpp"
 
 namespace rotor {
 
-/// What a number as printed allows by a rule. Throws std::invalid_argument for a rule that does not
-/// exist, or a number that is none.
-struct Allowed {
-  double least, greatest;
-  bool holds(double value) const { return least <= value && value <= greatest; }
-};
-Allowed allowed(const std::string& printed, const std::string& rule);
-
-/// Half a unit of the last digit of a number as printed.
-double half_digit(const std::string& printed);
-
-/// One way to read a number, and what it gives.
+/// One way to read a number, and what it gives in each of the sets of equations.
 struct Reading {
+  struct InSet {
+    std::optional<double> converged;  ///< at the inputs as printed
+    std::optional<double> by_rk4;  ///< the same by the paper's method, of the equations as printed
+    Stored a, b;                   ///< over the populations
+  };
   std::string name;
-  std::optional<double> converged, by_rk4;  ///< at the inputs as printed
-  Spread times, everything;                 ///< over the rounding of the inputs
+  std::array<InSet, sets.size()> in{};
 };
 
 /// Arithmetic on printed numbers, what the paper's method does, or what its equations give.
 enum class Kind { arithmetic, method, simulated };
 
+/// A verdict with its margins: see policy.md.
+struct Verdict {
+  std::string says;  ///< reproduced, within rounding or refuted
+  double off_a = 0, off_b = 0;
+};
+
 /// A number of a claim, which may have several.
 struct Number {
   std::string claim, id, figures, place, says, printed, rule, unit;
   Kind kind = Kind::simulated;
-  Allowed allowed{};
+  bool conditions = false;  ///< population (b)
   std::vector<Reading> readings;
-  std::string expected_verdict, reason;
-  std::string verdict;  ///< reproduced, within rounding or refuted
+  std::array<std::string, sets.size()> expected{};  ///< verdicts that the table states
+  std::string reason;
+
+  Allowed allowed(double words = 1) const { return rotor::allowed(printed, rule, words); }
 };
 
-/// By the rules of policy.md.
-std::string verdict_of(const Number& number);
-
-/// The numbers of the table, each with its verdict, from stored ensembles.
-std::vector<Number> judged_numbers(const std::filesystem::path& folder);
+/// In a set of equations, with the widths that words have multiplied.
+Verdict verdict_of(const Number& number, std::size_t set, double words = 1);
 
 /// The table alone, readings without values.
 std::vector<Number> read_numbers(const std::filesystem::path& table);
 
-/// The verdict of each claim: the worst one of its numbers.
-std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers);
+/// With what runs at the inputs as printed and the stored ensembles give.
+std::vector<Number> judged_numbers(const std::filesystem::path& folder);
+/// Those of reference-data/, computed once.
+const std::vector<Number>& judged();
 
-/// What the rounding of the inputs can decide, and ensembles have.
+/// The verdict of each claim in a set of equations: the worst one of its numbers.
+std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
+                                                      std::size_t set, double words = 1);
+
+/// The same counted, with half, once and twice the widths that words have.
+struct Counts {
+  const char* set;
+  double words;
+  std::map<std::string, int> claims;  ///< by verdict
+};
+std::vector<Counts> sensitivity(const std::vector<Number>& numbers);
+
+/// What is drawn: all but what is about the paper's method.
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers);
 
-/// Rows of ensembles.csv: reading by reading, of every number.
-std::string ensembles_csv(const std::vector<Number>& numbers, const Draws& times,
-                          const Draws& everything);
+/// Rows of ensembles.csv of draws in a set of equations.
+std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
+                           const char* population, const Draws& draws);
 
 std::string to_csv(const std::vector<Number>& numbers);
+
+/// All numbers with their readings; last, the counts of verdicts, and the figures about which
+/// nothing is claimed.
+std::string claims_table(const std::vector<Number>& numbers);
+
+/// Of Figs. 2-17.
+std::vector<int> figures_without_claim(const std::vector<Number>& numbers);
 
 }  // namespace rotor

@@ -1,35 +1,40 @@
-/// The claims of the paper's text, and what becomes of them.
+/// The claims of the paper's text, what becomes of them, and the rules by which it does.
+#include "verification/paper/claims.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
+#include <regex>
 #include <set>
 
-#include "verification/paper/claims_table.hpp"
-#include "verification/paper/judged.hpp"
-#include "verification/support/in_folder.hpp"
+#include "figures/data/csv.hpp"
+#include "verification/paper/readings.hpp"
 
 namespace rotor {
 namespace {
 
-class ClaimsInFolder : public InFolder {};
+constexpr std::size_t published = 0, consistent = 1;
 
 TEST(Claims, HaveTheVerdictsThatTheTableStates) {
   for (const Number& number : judged())
-    EXPECT_EQ(number.verdict, number.expected_verdict) << number.id;
+    for (const std::size_t set : {published, consistent}) {
+      const Verdict verdict = verdict_of(number, set);
+      EXPECT_EQ(verdict.says, number.expected[set])
+          << number.id << ' ' << sets[set].name << ' ' << verdict.off_a << ' ' << verdict.off_b;
+    }
 }
 
 TEST(Claims, ThatAreNotReproducedHaveAReason) {
   for (const Number& number : judged())
-    if (number.verdict != "reproduced") {
-      EXPECT_FALSE(number.reason.empty()) << number.id;
-    }
+    EXPECT_EQ(number.reason.empty(), verdict_of(number, published).says == "reproduced")
+        << number.id;
 }
 
 TEST(Claims, StandOnceAndUseEveryReading) {
-  const auto of_accidents = readings_of_accidents();
-  std::set<std::string> ids, used(of_accidents.begin(), of_accidents.end());
+  std::set<std::string> ids, used;
   for (const Number& number : judged()) {
     EXPECT_TRUE(ids.insert(number.id).second) << number.id;
     for (const Reading& reading : number.readings) used.insert(reading.name);
@@ -37,120 +42,157 @@ TEST(Claims, StandOnceAndUseEveryReading) {
   for (const std::string& reading : all_readings()) EXPECT_TRUE(used.contains(reading)) << reading;
 }
 
-// What policy.md says of it, by the shares themselves rather than by quantiles.
-TEST(Claims, ThatAreRefutedFailInAtLeast95PercentOfTheDraws) {
-  int refuted = 0;
-  for (const Number& number : judged()) {
-    if (number.verdict != "refuted" || number.kind != Kind::simulated) continue;
-    ++refuted;
-    for (const Reading& reading : number.readings) {
-      EXPECT_LE(reading.times.share, 0.05) << number.id << ' ' << reading.name;
-      EXPECT_LE(reading.everything.share, 0.05) << number.id << ' ' << reading.name;
-      EXPECT_FALSE(number.allowed.holds(reading.converged.value())) << number.id;
-    }
+// A refutation that would also refute a paper that is right would be none.
+TEST(Claims, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquationsGive) {
+  int changed = 0;
+  for (Number number : judged()) {
+    if (verdict_of(number, published).says == "reproduced") continue;
+    number.printed = fmt::format("{:.3g}", number.readings.front().in[published].converged.value());
+    number.rule = "digits";
+    EXPECT_EQ(verdict_of(number, published).says, "reproduced") << number.id;
+    ++changed;
   }
-  EXPECT_GT(refuted, 5);
+  EXPECT_GT(changed, 15);
 }
 
-// A refutation that would also refute a paper that is right would be none: with what its equations
-// give printed instead, each number is reproduced, and the table's verdict of today is wrong.
-TEST_F(ClaimsInFolder, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquationsGive) {
-  std::ifstream table(ROTOR_REFERENCE_DATA "/claims.csv");
-  std::string changed;
-  std::set<std::string> ids;
-  for (std::string line; std::getline(table, line);) {
-    for (const Number& number : judged()) {
-      if (number.verdict == "reproduced" || !line.starts_with(number.claim + ',' + number.id + ','))
-        continue;
-      const std::string as_printed = ',' + number.printed + ',' + number.rule + ',';
-      const auto at = line.find(as_printed);
-      ASSERT_NE(at, std::string::npos) << line;
-      const double right = number.readings.front().converged.value();
-      line.replace(at, as_printed.size(), fmt::format(",{:.3g},digits,", right));
-      ids.insert(number.id);
-    }
-    changed += line + '\n';
-  }
-  write("claims.csv", changed);
-  std::filesystem::copy_file(ROTOR_REFERENCE_DATA "/ensembles.csv", folder_ / "ensembles.csv");
-  EXPECT_GT(ids.size(), 20U);
-  for (const Number& number : judged_numbers(folder_)) {
-    if (!ids.contains(number.id)) continue;
-    EXPECT_EQ(number.verdict, "reproduced") << number.id;
-    EXPECT_NE(number.verdict, number.expected_verdict) << number.id;
+Stored stored(double low, double median, double high, double valued = 1) {
+  return {{.draws = 1, .valued = valued, .median = median, .low = low, .high = high}, 0};
+}
+
+Number number(const char* printed, const char* rule, const Stored& a, const Stored& b) {
+  Number its;
+  its.printed = printed;
+  its.rule = rule;
+  its.readings = {{"this", {}}};
+  its.readings[0].in[published] = {a.spread.median, {}, a, b};
+  return its;
+}
+
+// The same criterion for a number of two digits and for a word, which allow the same.
+TEST(Verdicts, FollowFromTheMedianOfTheFirstPopulationAndTheRangeOfTheSecond) {
+  for (const auto& [printed, rule, half] :
+       {std::tuple("0", "minor", 10.), {"0.0", "digits", 0.05}}) {
+    const auto verdict = [&, p = printed, r = rule, h = half](double median, double low) {
+      return verdict_of(
+          number(p, r, stored(0.9 * median * h, median * h, 9 * h), stored(low * h, 5 * h, 9 * h)),
+          published);
+    };
+    EXPECT_EQ(verdict(0.9, 3).says, "reproduced") << rule;
+    EXPECT_EQ(verdict(3, 0.9).says, "within rounding") << rule;
+    const Verdict refuted = verdict(3, 1.1);
+    EXPECT_EQ(refuted.says, "refuted") << rule;
+    EXPECT_NEAR(refuted.off_a, 3, 1e-12);
+    EXPECT_NEAR(refuted.off_b, 1.1, 1e-12);
   }
 }
 
-TEST(Claims, HaveTheFirstVerdictThatAppliesByAnyReading) {
-  const Spread outside{.draws = 1, .median = 4, .low = 3, .high = 5, .share = 0};
-  const Spread overlapping{.draws = 1, .median = 3, .low = 1.9, .high = 4, .share = 0.1};
-  const auto verdict = [&](Kind kind, double converged, double by_rk4, const Spread& times,
-                           const Spread& everything) {
-    Number number;
-    number.kind = kind;
-    number.allowed = {1, 2};
-    number.readings = {{"other", 9, {}, outside, outside},
-                       {"this", converged, by_rk4, times, everything}};
-    return verdict_of(number);
+TEST(Verdicts, TakeTheBestReadingAndThePapersMethodAndNeedValues) {
+  const Stored good = stored(-1, 0, 1), bad = stored(30, 40, 50);
+  Number its = number("", "minor", bad, bad);
+  EXPECT_EQ(verdict_of(its, published).says, "refuted");
+  its.readings[0].in[published].by_rk4 = 10;
+  EXPECT_EQ(verdict_of(its, published).says, "reproduced");
+  its.readings[0].in[published].by_rk4.reset();
+  its.readings.push_back(number("", "minor", good, good).readings[0]);
+  EXPECT_EQ(verdict_of(its, published).says, "reproduced");
+  EXPECT_EQ(verdict_of(number("", "minor", stored(-1, 0, 1, 0.4), good), published).says,
+            "within rounding");
+  EXPECT_EQ(
+      verdict_of(number("", "minor", stored(-1, 0, 1, 0.04), stored(-1, 0, 1, 0.04)), published)
+          .says,
+      "refuted");
+}
+
+TEST(Verdicts, OfClaimsAreTheWorstOfTheirNumbersAndChangeWithTheWidthOfWords) {
+  Number good = number("", "minor", stored(0, 4, 6), stored(0, 4, 6));
+  Number bad = number("", "minor", stored(11, 12, 13), stored(11, 12, 13));
+  good.claim = bad.claim = "both";
+  const auto worst = [&](double words) {
+    return verdicts_of_claims({good, bad}, published, words).at("both");
   };
-  const auto simulated = Kind::simulated;
-  EXPECT_EQ(verdict(simulated, 1.5, 3, outside, outside), "reproduced");
-  EXPECT_EQ(verdict(simulated, 3, 1.5, outside, outside), "reproduced");
-  EXPECT_EQ(verdict(simulated, 3, 3, overlapping, outside), "within rounding");
-  EXPECT_EQ(verdict(simulated, 3, 3, outside, overlapping), "within rounding");
-  EXPECT_EQ(verdict(simulated, 3, 3, outside, outside), "refuted");
-  for (const Kind at_printed_numbers : {Kind::arithmetic, Kind::method})
-    EXPECT_EQ(verdict(at_printed_numbers, 3, 3, overlapping, overlapping), "refuted");
+  EXPECT_EQ(worst(1), "refuted");
+  EXPECT_EQ(worst(2), "reproduced");
+  bad.readings[0].in[published].b = stored(9, 12, 13);
+  EXPECT_EQ(worst(1), "within rounding");
+  EXPECT_EQ(worst(0.5), "refuted");
 }
 
-TEST(Claims, HaveTheWorstVerdictOfTheirNumbers) {
-  const auto number = [](const char* claim, const char* verdict) {
-    Number n;
-    n.claim = claim;
-    n.verdict = verdict;
-    return n;
-  };
-  const auto verdicts = verdicts_of_claims(
-      {number("a", "reproduced"), number("b", "within rounding"), number("b", "reproduced"),
-       number("c", "within rounding"), number("c", "refuted"), number("c", "reproduced")});
-  EXPECT_EQ(verdicts.at("a"), "reproduced");
-  EXPECT_EQ(verdicts.at("b"), "within rounding");
-  EXPECT_EQ(verdicts.at("c"), "refuted");
+TEST(Policy, TakesHalfAUnitOfTheLastDigit) {
+  for (const auto& [printed, half] : {std::pair("0.283", 0.0005),
+                                      {"237", 0.5},
+                                      {"4000", 50.},
+                                      {"150", 5.},
+                                      {"8.91e-3", 0.5e-5},
+                                      {"1e-4", 0.5e-4},
+                                      {"10", 0.5}})
+    EXPECT_NEAR(half_digit(printed) / half, 1, 1e-12) << printed;
 }
 
-TEST(Claims, OfArithmeticHaveNoEnsembleAndEmptyCellsForIt) {
-  const std::string csv = to_csv(judged());
-  EXPECT_NE(csv.find(",speed_rad,942.478,942.478,,,,,,,,,,,"), std::string::npos);
-  const auto drawn = readings_to_draw(judged());
-  EXPECT_EQ(std::ranges::count(drawn, "speed_rad"), 0);
-  EXPECT_EQ(std::ranges::count(drawn, "whirl_off"), 0);
-  EXPECT_EQ(std::ranges::count(drawn, "peak_kN"), 1);
+/// The numbers that policy.md has in the row of a rule.
+std::map<std::string, std::vector<double>> numbers_of_rules() {
+  std::ifstream file(ROTOR_REFERENCE_DATA "/policy.md");
+  static const std::regex row("^\\| `(\\w+)` \\| (.*) \\|$"), one("[0-9]+(\\.[0-9]+)?");
+  std::map<std::string, std::vector<double>> rules;
+  std::smatch found;
+  for (std::string line; std::getline(file, line);)
+    if (std::regex_match(line, found, row)) {
+      const std::string text = found[2];
+      for (std::sregex_iterator at(text.begin(), text.end(), one), end; at != end; ++at)
+        rules[found[1]].push_back(std::stod(at->str()));
+      rules[found[1]];
+    }
+  return rules;
 }
 
-TEST(Claims, ArePrintedFigureByFigureThenSectionBySectionWithTheirNumbersBelow) {
-  const std::string table = claims_table(judged());
-  std::size_t last = 0;
-  for (const char* heading : {"Fig. 2", "Fig. 3", "Fig. 12", "Fig. 17", "Nomenclature", "Sec. 2.2",
-                              "Sec. 2.3", "Sec. 3", "Eq. (27)", "Sec. 4"}) {
-    const std::size_t at = table.find('\n' + std::string(heading) + '\n');
-    EXPECT_NE(at, std::string::npos) << heading;
-    EXPECT_GT(at, last) << heading;
-    last = at;
+TEST(Policy, AllowsTheNumbersOfItsTableAndHasNoOtherRule) {
+  const auto rules = numbers_of_rules();
+  std::set<std::string> used;
+  for (const Number& its : judged()) {
+    used.insert(its.rule);
+    EXPECT_TRUE(rules.contains(its.rule)) << its.rule;
   }
-  const std::size_t claim = table.find("  stiffness: refuted, as the worst of\n");
-  ASSERT_NE(claim, std::string::npos);
-  const std::size_t force = table.find("change of the largest force by twice and half k_t");
-  EXPECT_GT(force, claim);
-  EXPECT_GT(table.find("change of the time to rolling by twice and half k_t"), force);
+  EXPECT_EQ(used.size(), rules.size());
+  for (const char* rule : {"minor", "slight", "negligible", "agrees", "unchanged"}) {
+    EXPECT_EQ(allowed("", rule).middle, 0);
+    EXPECT_EQ(allowed("", rule).half, rules.at(rule).at(0)) << rule;
+  }
+  EXPECT_EQ(allowed("", "few").least(), rules.at("few").at(0));
+  EXPECT_EQ(allowed("", "few").greatest(), rules.at("few").at(1));
+  EXPECT_EQ(allowed("", "major").least(), rules.at("major").at(0));
+  EXPECT_NEAR(allowed("770", "about").half, 7.7 * rules.at("about").at(0), 1e-9);
+  EXPECT_NEAR(allowed("0.02", "about").half, 0.005, 1e-12);  // whose digit allows more
+  EXPECT_NEAR(allowed("1e-4 to 3e-4", "range").least(), 0.5e-4, 1e-12);
+  EXPECT_NEAR(allowed("400 to 450", "range").greatest(), 455, 1e-12);
+  EXPECT_FALSE(allowed("1", "is").holds(0));
+  EXPECT_THROW(allowed("1", "roughly"), std::invalid_argument);
+  EXPECT_THROW(allowed("one", "digits"), std::invalid_argument);
 }
 
-TEST(Claims, AreNoneAboutTheTrajectoriesAndTheBeginningOfFig14) {
-  EXPECT_EQ(figures_without_claim(judged()), (std::vector{8, 9, 15, 16}));
-  const std::string table = claims_table(judged());
-  EXPECT_NE(table.find("nothing is claimed about Figs. 8, 9, 15, 16, which is no success"),
-            std::string::npos);
-  for (const Number& number : judged())
-    EXPECT_NE(table.find(number.says), std::string::npos) << number.id;
+TEST(PrintedInputs, AreTheNomenclaturesWithHalfAUnitOfTheirLastDigit) {
+  const Scenario printed;
+  int own_digits = 0;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/printed-inputs.csv")) {
+    const double least = static_cast<double>(row.number("least")),
+                 greatest = static_cast<double>(row.number("greatest"));
+    const double value = std::stod(row["printed"]);
+    PaperInputs inputs;
+    inputs.set(row["input"], value);
+    if (const Statable* const statable = find_statable(row["input"]);
+        statable && statable->quantity.in) {
+      EXPECT_NEAR(statable->quantity.of(printed) / value, 1, 1e-12) << row["input"];
+    }
+    EXPECT_LT(least, value);
+    EXPECT_GT(greatest, value);
+    if (!row["why"].empty()) continue;
+    ++own_digits;
+    EXPECT_NEAR(greatest - least, 2 * half_digit(row["printed"]), 1e-9 * value) << row["input"];
+  }
+  EXPECT_GE(own_digits, 15);
+  const auto ranges = read_input_ranges(ROTOR_REFERENCE_DATA "/printed-inputs.csv");
+  const auto operating = std::ranges::find(ranges, "motor_off_hz", &InputRange::input);
+  const double rad_s = 2 * std::numbers::pi, as_written = 0.005;
+  EXPECT_NEAR(operating->least, (150 * rad_s - 0.5) / rad_s, as_written);
+  EXPECT_NEAR(operating->greatest, 943.5 / rad_s, as_written);
 }
 
 }  // namespace

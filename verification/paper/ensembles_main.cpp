@@ -1,8 +1,7 @@
-/// Recomputes reference-data/ensembles.csv, every reading over the rounding of the printed inputs,
-/// and accidents.csv, the accidents in both sets of equations: `ensembles FOLDER COUNT`.
+/// Recomputes reference-data/ensembles.csv, every reading over the populations of policy.md:
+/// `ensembles FOLDER COUNT`.
 #include <fmt/format.h>
 
-#include <set>
 #include <thread>
 
 #include "figures/data/files.hpp"
@@ -18,47 +17,31 @@ int main(const Arguments& arguments) {
   const long count = std::stol(arguments[1]);
   const auto numbers = read_numbers(folder / "claims.csv");
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto drawn = [&](const std::vector<std::string>& readings, Rounded rounded,
-                         const Equations& equations, const char* what) {
-    return draw(readings, folder / "printed-inputs.csv", rounded, equations, count, threads,
-                [&, next = 0L](long done) mutable {
-                  if (done < next) return;
-                  fmt::print(stderr, "{}: {} of {} draws\n", what, done, count);
-                  next = done + std::max(1L, count / 10);
-                });
-  };
-  const auto of_claims = readings_to_draw(numbers), of_accidents = readings_of_accidents();
-  std::set<std::string> of_both(of_claims.begin(), of_claims.end());
-  of_both.insert(of_accidents.begin(), of_accidents.end());
-  const Draws times =
-      drawn(of_claims, Rounded::times, Equations::published, "instants of the mass loss");
-  const Draws everything = drawn({of_both.begin(), of_both.end()}, Rounded::everything,
-                                 Equations::published, "every printed digit");
-  const Draws consistent =
-      drawn(of_accidents, Rounded::everything, Equations::consistent, "accidents put right");
+  std::string csv = fmt::format(
+      "# What the populations of policy.md leave of each reading, from `make ensembles`; not from "
+      "the paper.\n"
+      "# rotor " ROTOR_VERSION
+      ", method event at tolerance 1e-8; {} draws, seed 1: (a) of Sobol's sequence, (b) "
+      "independent ones.\n"
+      "# valued: share of the draws that have a value; median, p5, p95: of those; holds: share in "
+      "which the claim holds.\n"
+      "equations,population,number,reading,draws,valued,median,p5,p95,holds\n",
+      count);
+  for (const auto& [name, population] : {std::pair("a", Population::a), {"b", Population::b}}) {
+    const PopulationDraws draws(population, folder, count);
+    for (const Set& set : sets) {
+      const auto at = [&](long n) { return draws(n, set.equations); };
+      const auto told = [&, next = 0L](long done) mutable {
+        if (done < next) return;
+        fmt::print(stderr, "({}), {} equations: {} of {} draws\n", name, set.name, done, count);
+        next = done + std::max(1L, count / 10);
+      };
+      csv += ensembles_rows(numbers, set.name, name,
+                            evaluate(readings_to_draw(numbers), count, at, threads, told));
+    }
+  }
   FileTransaction files;
-  files.write(folder / "ensembles.csv",
-              fmt::format("# What the rounding of the printed inputs leaves of each reading, from "
-                          "`make ensembles`; not from the paper.\n"
-                          "# rotor " ROTOR_VERSION
-                          ", published equations, method event at tolerance 1e-8; {} draws of "
-                          "Sobol's sequence, seed 1.\n"
-                          "# _times: of the instants of the mass loss alone; _all: of every input "
-                          "of printed-inputs.csv. p5, p95: quantiles; share: in which the claim "
-                          "holds.\n",
-                          count) +
-                  ensembles_csv(numbers, times, everything));
-  files.write(
-      folder / "accidents.csv",
-      fmt::format(
-          "# What becomes of each loss that the text lets lead to an accident, with mu = 0.3, "
-          "over every printed digit, from `make ensembles`; not from the paper.\n"
-          "# rotor " ROTOR_VERSION
-          ", method event at tolerance 1e-8; {} draws of Sobol's sequence, seed 1, "
-          "the same in both sets of equations.\n"
-          "# median, p5, p95: of the largest force where there is contact.\n",
-          count) +
-          accidents_csv(everything, consistent));
+  files.write(folder / "ensembles.csv", csv);
   files.commit();
   return 0;
 }

@@ -1,105 +1,123 @@
-/// The stored ensembles are what runs give.
+/// The populations, and that the stored ensembles are what runs give.
 #include "verification/paper/ensembles.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
-#include "verification/paper/judged.hpp"
+#include "verification/paper/claims.hpp"
+#include "verification/paper/readings.hpp"
 
 namespace rotor {
 namespace {
 
-/// The share of draws that have a value.
-double values_share(const std::vector<double>& values) {
-  return spread(values, [](double value) { return !std::isnan(value); }).share;
-}
+const std::filesystem::path data = ROTOR_REFERENCE_DATA;
+constexpr double two_pi = 2 * std::numbers::pi;
 
-// A part of the stored ensembles, drawn anew: shares within three standard errors.
-TEST(Ensembles, AreWhatRunsGive) {
-  const auto inputs = std::filesystem::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv";
-  for (const auto& [rounded, count] :
-       {std::pair(Rounded::times, 40L), {Rounded::everything, 120L}}) {
-    const Draws draws =
-        draw(readings_to_draw(judged()), inputs, rounded, Equations::published, count, 2);
-    for (const Number& number : judged())
-      for (const Reading& reading : number.readings) {
-        if (number.kind != Kind::simulated) continue;
-        const Spread stored = rounded == Rounded::times ? reading.times : reading.everything;
-        const Spread anew = spread(draws.at(reading.name),
-                                   [&](double value) { return number.allowed.holds(value); });
-        const auto n = static_cast<double>(count);
-        const double deviation = std::sqrt(stored.share * (1 - stored.share) / n);
-        EXPECT_NEAR(anew.share, stored.share, 3 * deviation + 1 / n) << number.id << reading.name;
-        if (std::isfinite(stored.low)) {  // nine of ten lie between the quantiles
-          const Spread inside = spread(draws.at(reading.name), [&](double value) {
-            const double rounding = 1e-5 * std::abs(value);  // of six digits
-            return stored.low - rounding <= value && value <= stored.high + rounding;
-          });
-          EXPECT_GT(
-              inside.share + 3 * std::sqrt(0.09 / n) + (1 - values_share(draws.at(reading.name))),
-              0.9)
-              << number.id << reading.name;
-        }
-      }
+TEST(PopulationB, PrintsEveryConditioningNumber) {
+  constexpr long count = 2000;
+  const PopulationDraws draws(Population::b, data, count);
+  EXPECT_LT(draws.proposals_a_draw(), 1000);
+  for (long n = 0; n < count; n += n < 20 ? 1 : 20) {  // the run-ups take time
+    const PaperInputs inputs = draws(n, Equations::published);
+    const auto& of = inputs.statement.numbers;
+    const double m = of.at("mass"), e = of.at("eccentricity"), r = of.at("rotor_radius"),
+                 k_u = of.at("unbalance_factor"), inertia = of.at("inertia"),
+                 w = two_pi * of.at("motor_off_hz");
+    const double e_1 = k_u * e, m_u = m * (e_1 - e) / (r + e_1), m_1 = m - m_u, v = w * (r + e);
+    const double left = inertia - m_u * std::pow(r + e, 2) - m_1 * std::pow(e_1 - e, 2);
+    EXPECT_EQ(fmt::format("{:.1f} g, {:.1f} %, {:.0f}", 1e3 * m_u, 100 * m_u / m, k_u),
+              "24.8 g, 0.5 %, 3");
+    EXPECT_EQ(fmt::format("{:.0f} and {:.1f} g cm", 1e5 * m * e, 1e5 * m_1 * e_1),
+              "75 and 223.9 g cm");
+    EXPECT_EQ(fmt::format("{:.2f}e-3, {:.0f} %", 1e3 * left, 100 * (1 - left / inertia)),
+              "8.91e-3, 1 %");
+    EXPECT_EQ(fmt::format("{:.1f} and {:.3f} m/s", v, m_u * v / m_1), "56.7 and 0.283 m/s");
+    EXPECT_EQ(fmt::format("{:.0f} Hz, {:.0f} steps",
+                          std::sqrt(of.at("support_stiffness") / m) / two_pi, 1e4 * two_pi / w),
+              "10 Hz, 67 steps");
+    if (n % 100 > 0) continue;
+    PaperRuns runs(inputs);
+    EXPECT_EQ(fmt::format("{:.1f} s, {:.1f} and {:.0f} Hz", *read_off("motor_off_s", runs),
+                          *read_off("Hz_50", runs), *read_off("Hz_75", runs)),
+              "28.3 s, 49.8 and 75 Hz");
   }
 }
 
-// Of the accidents in either set of equations: shares within three standard errors, and as many of
-// the forces on either side of the quantiles.
-TEST(Ensembles, OfAccidentsAreWhatRunsGive) {
-  const std::filesystem::path folder(ROTOR_REFERENCE_DATA);
-  const Accidents all = read_accidents(folder / "accidents.csv");
-  EXPECT_EQ(all.size(), 2 * losses_of_accidents().size());
-  constexpr double count = 150;
-  const auto error = [](double share, double of) {
-    return 3 * std::sqrt(share * (1 - share) / of) + 1 / of;
-  };
-  for (const auto& [name, equations] :
-       {std::pair("published", Equations::published), {"consistent", Equations::consistent}}) {
-    const Draws draws = draw(readings_of_accidents(), folder / "printed-inputs.csv",
-                             Rounded::everything, equations, static_cast<long>(count), 2);
-    for (const LossOfAccident& loss : losses_of_accidents()) {
-      const auto& [force, rolls] = all.at({loss.at, name});
-      const Accident anew = accident(loss, draws);
-      EXPECT_EQ(force.draws, 10000);
-      EXPECT_NEAR(anew.force.share, force.share, error(force.share, count)) << loss.at << name;
-      EXPECT_NEAR(anew.rolls, rolls, error(rolls, count)) << loss.at << name;
-      const auto& forces = draws.at(loss.force);
-      for (const auto& [until, expected] :
-           {std::pair(force.low, 0.05), {force.median, 0.5}, {force.high, 0.95}}) {
-        const double below =
-            spread(forces, [limit = until](double value) { return value <= limit; }).share;
-        EXPECT_NEAR(below / anew.force.share, expected, error(expected, count * force.share))
-            << loss.at << name << expected;
-      }
+// The proposals cut nothing off: the draws keep away from their ends by more than chance would.
+TEST(PopulationB, LiesWithinItsProposals) {
+  constexpr long count = 1000;
+  const PopulationDraws draws(Population::b, data, count);
+  std::map<std::string, std::vector<double>> shares;
+  for (long n = 0; n < count; ++n)
+    for (const auto& [input, share] : draws.proposed_shares(n)) shares[input].push_back(share);
+  for (const auto& [input, its] : shares) {
+    EXPECT_GT(std::ranges::min(its), 0.005) << input;
+    EXPECT_LT(std::ranges::max(its), 0.995) << input;
+  }
+  EXPECT_EQ(shares.size(), 5U);
+}
+
+// A part of the stored ensembles, drawn anew: shares within three standard errors, and on either
+// side of the stored quantiles as many values as there must be.
+TEST(Ensembles, AreWhatRunsGive) {
+  const Ensembles all = read_ensembles(data / "ensembles.csv");
+  constexpr long count = 30;
+  for (const auto& [name, population] : {std::pair("a", Population::a), {"b", Population::b}}) {
+    const PopulationDraws draws(population, data, count);
+    for (const Set& set : sets) {
+      const Draws anew = evaluate(
+          readings_to_draw(judged()), count, [&](long n) { return draws(n, set.equations); }, 2);
+      for (const Number& number : judged())
+        for (const Reading& reading : number.readings) {
+          if (number.kind == Kind::method) continue;
+          const auto& [s, holds] = all.at({set.name, name, number.id, reading.name});
+          const auto share = [&](const std::function<bool(double)>& counts) {
+            return static_cast<double>(std::ranges::count_if(anew.at(reading.name), counts)) /
+                   count;
+          };
+          const auto error = [](double of) {
+            return 3 * std::sqrt(of * (1 - of) / count) + 1. / count;
+          };
+          const std::string what =
+              fmt::format("{} ({}) {} {}", set.name, name, number.id, reading.name);
+          EXPECT_NEAR(share([&](double v) { return number.allowed().holds(v); }), holds,
+                      error(holds))
+              << what;
+          EXPECT_NEAR(share([](double v) { return !std::isnan(v); }), s.valued, error(s.valued))
+              << what;
+          for (const auto& [quantile, part] :
+               {std::pair(s.low, 0.05), {s.median, 0.5}, {s.high, 0.95}}) {
+            const double q = quantile, digits = 1e-5 * std::abs(q), expected = part * s.valued;
+            EXPECT_LE(share([&](double v) { return v < q - digits; }), expected + error(expected))
+                << what;
+            EXPECT_GE(share([&](double v) { return v <= q + digits; }), expected - error(expected))
+                << what;
+          }
+        }
     }
   }
 }
 
 TEST(Ensembles, DoNotDependOnTheNumberOfThreads) {
-  const auto inputs = std::filesystem::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv";
-  const Draws one =
-      draw(readings_to_draw(judged()), inputs, Rounded::everything, Equations::published, 3, 1);
-  const Draws two =
-      draw(readings_to_draw(judged()), inputs, Rounded::everything, Equations::published, 3, 2);
-  for (const auto& [reading, values] : one)
-    for (std::size_t n = 0; n < values.size(); ++n)
-      EXPECT_TRUE(values[n] == two.at(reading)[n] ||
-                  (std::isnan(values[n]) && std::isnan(two.at(reading)[n])))
-          << reading;
+  const PopulationDraws draws(Population::b, data, 3);
+  const std::vector<std::string> some = {"peak_kN", "motor_off_s", "low_collisions_s"};
+  const auto at = [&](long n) { return draws(n, Equations::published); };
+  EXPECT_EQ(evaluate(some, 3, at, 1), evaluate(some, 3, at, 2));
 }
 
 TEST(Ensembles, HaveTheQuantilesOfTheirValues) {
   std::vector<double> values;
   for (int n = 100; n >= 0; --n) values.push_back(n);
-  values.push_back(std::nan(""));
-  const Spread found = spread(values, [](double value) { return value < 51; });
-  EXPECT_EQ(found.draws, 102);
+  values.resize(202, std::nan(""));
+  const Spread found = spread(values);
+  EXPECT_EQ(found.draws, 202);
+  EXPECT_EQ(found.valued, 0.5);
   EXPECT_EQ(found.median, 50);
   EXPECT_EQ(found.low, 5);
   EXPECT_EQ(found.high, 95);
-  EXPECT_EQ(found.share, 0.5);
 }
 
 }  // namespace

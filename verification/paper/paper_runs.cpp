@@ -19,15 +19,35 @@ constexpr double early_s = 5e-3;  ///< of rolling that is measured
 
 void PaperInputs::set(const std::string& input, double value) {
   static const std::map<std::string, double PaperInputs::*> own = {
-      {"mu_high", &PaperInputs::mu_high}, {"mu_intermediate", &PaperInputs::mu_intermediate},
-      {"mu_low", &PaperInputs::mu_low},   {"t_operating", &PaperInputs::t_operating},
-      {"t_100", &PaperInputs::t_100},     {"t_75", &PaperInputs::t_75},
-      {"t_50", &PaperInputs::t_50},       {"t_critical", &PaperInputs::t_critical}};
+      {"mu_high", &PaperInputs::mu_high},
+      {"mu_intermediate", &PaperInputs::mu_intermediate},
+      {"mu_low", &PaperInputs::mu_low},
+      {"t_operating", &PaperInputs::t_operating},
+      {"t_100", &PaperInputs::t_100},
+      {"t_75", &PaperInputs::t_75},
+      {"t_50", &PaperInputs::t_50},
+      {"t_critical", &PaperInputs::t_critical},
+      {"rolling_Hz", &PaperInputs::rolling_Hz},
+      {"rolling_rho", &PaperInputs::rolling_rho},
+      {"onset_Hz", &PaperInputs::onset_Hz},
+      {"energy_left", &PaperInputs::energy_left},
+      {"energy_before", &PaperInputs::energy_before},
+      {"shortest_s", &PaperInputs::shortest_s},
+      {"longest_s", &PaperInputs::longest_s}};
   const auto found = own.find(input);
   if (found != own.end())
     this->*(found->second) = value;
   else
     statement.numbers.insert_or_assign(input, value);
+}
+
+double run_up_time(const Statement& statement, double speed_Hz) {
+  RunUps run_ups;
+  Observer null_observer;
+  const auto reached =
+      run_ups.time_at_speed(scenario_of(statement, run_ups), speed_Hz, std::nullopt, null_observer);
+  if (!reached.time_s) throw std::runtime_error("the run-up does not reach that speed");
+  return *reached.time_s;
 }
 
 /// Takes down what a run shows. The method with fixed steps shows no events: they are read off the
@@ -117,21 +137,21 @@ std::optional<Instant> PaperRun::last_touch_down() const {
   return touch_downs_.empty() ? std::nullopt : std::optional(touch_downs_.back());
 }
 
-std::vector<double> PaperRun::collision_durations() const {
-  std::vector<double> durations;
+std::vector<PaperRun::Collision> PaperRun::collisions() const {
+  std::vector<Collision> all;
   for (const Instant& release : releases_) {
-    const auto next = std::find_if(touch_downs_.begin(), touch_downs_.end(),
-                                   [&](const Instant& at) { return at.time_s > release.time_s; });
-    if (next != touch_downs_.begin()) durations.push_back(release.time_s - std::prev(next)->time_s);
+    const auto next = std::ranges::upper_bound(touch_downs_, release.time_s, {}, &Instant::time_s);
+    if (next != touch_downs_.begin())
+      all.push_back(
+          {release.time_s - std::prev(next)->time_s, release.state[5] - std::prev(next)->state[5]});
   }
-  return durations;
+  return all;
 }
 
 double PaperRun::change_of_speed_in_flight() const {
   double greatest = 0;
   for (const Instant& release : releases_) {
-    const auto next = std::find_if(touch_downs_.begin(), touch_downs_.end(),
-                                   [&](const Instant& at) { return at.time_s > release.time_s; });
+    const auto next = std::ranges::upper_bound(touch_downs_, release.time_s, {}, &Instant::time_s);
     if (next != touch_downs_.end())
       greatest = std::max(greatest, std::abs(next->state[5] / release.state[5] - 1));
   }
@@ -151,6 +171,21 @@ std::optional<PaperRun::Rolling> PaperRun::first_turn() const {
     if (std::abs(whirl) > two_pi) return measured(sample.time_s - samples_.front().time_s);
   }
   return std::nullopt;
+}
+
+double PaperRun::off_sine(Samples from, Samples until) {
+  const double rate = ((until->turned - from->turned) / (until->time_s - from->time_s));
+  // Least squares of q1 by cosine and sine.
+  double cc = 0, cs = 0, ss = 0, cq = 0, sq = 0, qq = 0;
+  for (auto s = from; s != until; ++s) {
+    const double weight = (s + 1)->time_s - s->time_s, phase = rate * (s->time_s - from->time_s);
+    const double c = std::cos(phase), sine = std::sin(phase), q1 = s->rho * std::cos(s->turned);
+    cc += weight * c * c, cs += weight * c * sine, ss += weight * sine * sine;
+    cq += weight * c * q1, sq += weight * sine * q1, qq += weight * q1 * q1;
+  }
+  const double determinant = cc * ss - cs * cs;
+  const double a = (cq * ss - sq * cs) / determinant, b = (sq * cc - cq * cs) / determinant;
+  return std::sqrt(std::max(0., qq - a * cq - b * sq) / qq);
 }
 
 std::optional<PaperRun::Rolling> PaperRun::measured(double duration_s) const {
@@ -181,21 +216,33 @@ std::optional<PaperRun::Rolling> PaperRun::measured(double duration_s) const {
   }
   const double turns = std::max(1., whirl_turns(b) - 1);
   return Rolling{whirl_turns(b) / time_s, std::abs(b.turned) / two_pi / time_s,
-                 (greatest - least) / (integral / time_s),
+                 (greatest - least) / (integral / time_s), off_sine(samples_.begin(), end),
                  (first / first_s - last / last_s) / (first / first_s) / turns};
 }
 
-/// The work of friction where the rotor touches down.
+/// The work of friction where the rotor touches down, and what becomes of the first impact.
 class FrictionWatch : public EnergyObserver {
  public:
-  using EnergyObserver::EnergyObserver;
+  explicit FrictionWatch(const Scenario& scenario)
+      : EnergyObserver(scenario), ring_(scenario.parameters) {}
 
   void on_instant(const Instant& at) override {
     EnergyObserver::on_instant(at);
-    if (at.event == Event::touch_down) until_touch_downs.push_back(-balance().friction);
+    if (at.event == Event::touch_down) {
+      until_touch_downs.push_back(-balance().friction);
+      const double normal = ring_.rim_point(at.motion()).normal_velocity;
+      if (until_touch_downs.size() == 1) impact_ = at.body.mass * normal * normal / 2;
+    }
+    if (at.event == Event::release && until_touch_downs.size() == 1)
+      first_impact_damped = -balance().contact_damping / impact_;
   }
 
   std::vector<double> until_touch_downs;
+  double first_impact_damped = 0;
+
+ private:
+  Ring<double> ring_;
+  double impact_ = 0;  ///< energy along the normal, J
 };
 
 const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
@@ -208,7 +255,8 @@ const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
     FrictionWatch watch(until_rolling);
     Observer null_observer;
     finish(run_ups_.depart(until_rolling, null_observer), until_rolling, std::nullopt, watch);
-    *friction_work_ = FrictionWork{watch.until_touch_downs, -watch.balance().friction};
+    *friction_work_ =
+        FrictionWork{watch.until_touch_downs, -watch.balance().friction, watch.first_impact_damped};
   }
   return *friction_work_;
 }
@@ -234,7 +282,9 @@ std::optional<double> PaperRuns::time_at_critical_speed() {
       .time_s;
 }
 
-Parameters PaperRuns::parameters() { return high().scenario().parameters; }
+Parameters PaperRuns::parameters() {
+  return scenario_of(at_operating_speed(inputs_.mu_high), run_ups_).parameters;
+}
 
 Statement PaperRuns::at_operating_speed(double friction) const {
   Statement statement = inputs_.statement;
@@ -255,6 +305,16 @@ const PaperRun& PaperRuns::changed(double friction, const char* quantity, double
   const PaperRun& as_it_is = rub(friction);
   Statement statement = at_operating_speed(friction);
   statement.numbers[quantity] = factor * find_statable(quantity)->quantity.of(as_it_is.scenario());
+  return get(statement);
+}
+
+const PaperRun& PaperRuns::from_steady(double part) {
+  const Parameters p = parameters();
+  Statement statement = inputs_.statement;
+  statement.numbers["friction"] = inputs_.mu_high;
+  statement.numbers["torque"] = 0;
+  statement.numbers["start_speed_hz"] = part * p.motor_off_Hz;
+  statement.numbers["support_stiffness"] = part * part * p.support_stiffness;
   return get(statement);
 }
 

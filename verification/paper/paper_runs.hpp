@@ -17,10 +17,16 @@ struct PaperInputs {
   Statement statement;  ///< of the rotor, and of the method
   double mu_high = 0.3, mu_intermediate = 0.2, mu_low = 0.08;
   double t_operating = 29.1, t_100 = 19.1, t_75 = 14.15, t_50 = 9.4, t_critical = 2.2;
+  // Results that the text's own arithmetic takes, SI.
+  double rolling_Hz = 770, rolling_rho = 3.5e-3, onset_Hz = 45, energy_left = 1050,
+         energy_before = 4000, shortest_s = 1e-4, longest_s = 3e-4;
 
-  /// Sets one of them by its name in printed-inputs.csv.
+  /// Sets one of them by its name in printed-inputs.csv or printed-results.csv.
   void set(const std::string& input, double value);
 };
+
+/// When the run-up of a rotor reaches a speed, s. Throws std::runtime_error if it does not.
+double run_up_time(const Statement& statement, double speed_Hz);
 
 /// A run with its events, and what is measured along it.
 class PaperRun {
@@ -42,8 +48,11 @@ class PaperRun {
   std::size_t touch_downs_before_rolling() const;
   std::optional<Instant> touch_down_before_rolling(std::size_t from_last) const;
   std::optional<Instant> last_touch_down() const;
-  /// Durations of the collisions that end by a release, s.
-  std::vector<double> collision_durations() const;
+  /// The collisions that end by a release.
+  struct Collision {
+    double duration_s, speed_gain;  ///< the gain in rad/s
+  };
+  std::vector<Collision> collisions() const;
   /// Largest change of the speed between a release and the next touch-down, relative.
   double change_of_speed_in_flight() const;
   /// Largest normal force until a time, N.
@@ -56,6 +65,8 @@ class PaperRun {
     double q1_Hz;     ///< of O, seen from the rotating axes
     double ripple;    ///< of rho, from least to greatest, relative to its mean
     double
+        off_sine;  ///< root mean square of what q1 differs from the best sine, relative to its own
+    double
         decrease_a_turn;  ///< of the mean of rho between the first turn and the last one, relative
   };
   std::optional<Rolling> first_5_ms() const { return measured(5e-3); }
@@ -67,7 +78,9 @@ class PaperRun {
     double time_s, rho, turned;  ///< in the rotating axes
     double q3;
   };
+  using Samples = std::vector<Sample>::const_iterator;
   std::optional<Rolling> measured(double duration_s) const;
+  static double off_sine(Samples from, Samples until);
 
   Scenario scenario_;
   Summary summary_;
@@ -94,11 +107,15 @@ class PaperRuns {
   const PaperRun& high_by(Method method);
   /// At the operating speed, a contact parameter multiplied.
   const PaperRun& changed(double friction, const char* quantity, double factor);
+  /// From steady motion at a part of the operating speed, with supports whose critical speed is the
+  /// same part.
+  const PaperRun& from_steady(double part);
   /// What friction takes at high friction, J; by the event method alone, and if the rotor comes to
   /// roll.
   struct FrictionWork {
     std::vector<double> until_touch_downs;  ///< one after the other
     double until_rolling;
+    double first_impact_damped;  ///< share of its energy along the normal that the dashpot takes
   };
   const std::optional<FrictionWork>& friction_work();
   /// The same loss at high friction from another point of the rim: see place_of_loss.hpp.

@@ -8,8 +8,7 @@
 #include <thread>
 
 #include "figures/data/files.hpp"
-#include "verification/paper/claims.hpp"
-#include "verification/paper/ranking.hpp"
+#include "verification/paper/uncertainty.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
@@ -68,7 +67,13 @@ int main(const Arguments& arguments) {
   const std::filesystem::path folder = arguments[0];
   const std::size_t count = std::stoul(arguments[1]);
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto readings = readings_to_draw(read_numbers(folder / "claims.csv"));
+  std::vector<std::string> readings;
+  for (const Number& number : read_numbers(folder / "claims.csv"))
+    for (const Reading& reading : number.readings)
+      if (number.kind == Kind::simulated &&
+          std::ranges::find(readings, reading.name) == readings.end())
+        readings.push_back(reading.name);
+  std::ranges::sort(readings);
   const auto ranges = read_input_ranges(folder / "printed-inputs.csv");
 
   const OT::Sample points = design(ranges, count);
@@ -79,16 +84,15 @@ int main(const Arguments& arguments) {
     return inputs;
   };
   const Draws alone = one_at_a_time(readings, ranges, threads);
-  const Draws draws = evaluate(readings, {static_cast<long>(points.getSize()), at}, threads,
+  const Draws draws = evaluate(readings, static_cast<long>(points.getSize()), at, threads,
                                [&, next = 0L](long done) mutable {
                                  if (done < next) return;
                                  fmt::print(stderr, "{} of {} draws\n", done, points.getSize());
                                  next = done + 1000;
                                });
   std::string csv = fmt::format(
-      "# Which input decides each number of the text, over what its printed digits leave open: "
-      "from "
-      "`make ranking`, not from the paper.\n"
+      "# Which input decides each number of the text, over the box (c) of policy.md: from `make "
+      "ranking`, not from the paper.\n"
       "# rotor " ROTOR_VERSION
       ", published equations, method event at tolerance 1e-8; OpenTURNS {}, "
       "a design of {} x {} draws, seed 1.\n"

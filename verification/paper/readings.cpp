@@ -1,8 +1,8 @@
 #include "verification/paper/readings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numbers>
 
@@ -47,42 +47,6 @@ double indentation(PaperRuns& r, const Instant& at) {
   return Ring<double>(r.parameters()).rim_point(at.motion()).indentation;
 }
 
-/// Of an instant at high friction, if it has occurred.
-template <class F>
-Formula at_onset(F f) {
-  return [f](PaperRuns& r) -> Value {
-    const auto& at = r.high().onset();
-    return at ? Value(f(r, *at)) : std::nullopt;
-  };
-}
-template <class F>
-Formula at_peak(F f) {
-  return [f](PaperRuns& r) -> Value {
-    const auto at = r.high().at_peak();
-    return at ? Value(f(r, *at)) : std::nullopt;
-  };
-}
-/// Of the touch-down with which continuous contact begins.
-template <class F>
-Formula at_touch_down(std::size_t from_last, F f) {
-  return [from_last, f](PaperRuns& r) -> Value {
-    const auto at = r.high().touch_down_before_rolling(from_last);
-    return at ? Value(f(r, *at)) : std::nullopt;
-  };
-}
-Formula before_loss(const std::function<double(PaperRuns&, const Instant&)>& f) {
-  return [f](PaperRuns& r) -> Value { return f(r, r.high().before_loss()); };
-}
-Formula rolling(double PaperRun::Rolling::*of, bool first_turn, double factor = 1) {
-  return [=](PaperRuns& r) -> Value {
-    const auto measured = first_turn ? r.high().first_turn() : r.high().first_5_ms();
-    return measured ? Value(factor * ((*measured).*of)) : std::nullopt;
-  };
-}
-Formula input(const std::function<double(PaperRuns&)>& f) {
-  return [f](PaperRuns& r) -> Value { return f(r); };
-}
-
 double energy_before(PaperRuns& r) { return energy(r.high().before_loss()); }
 double since_first_contact(PaperRuns& r, const Instant& at) {
   return at.time_s - r.high().summary().first_contact_s.value_or(at.time_s);
@@ -104,21 +68,15 @@ Formula change(double PaperInputs::*friction, const char* quantity,
   };
 }
 Value peak(const PaperRun& run) { return run.summary().peak_normal_force_N; }
+Value peak_kN(const PaperRun& run) {
+  const Value value = peak(run);
+  return value ? Value(*value / 1e3) : std::nullopt;
+}
 Value time_to_rolling(const PaperRun& run) {
   if (!run.onset()) return std::nullopt;
   return run.onset()->time_s - *run.summary().first_contact_s;
 }
 
-/// Of the separate collisions at the three frictions, s.
-Formula collision(bool longest) {
-  return [longest](PaperRuns& r) -> Value {
-    std::vector<double> all;
-    for (const PaperRun* run : {&r.high(), &r.intermediate(), &r.low()})
-      for (const double duration : run->collision_durations()) all.push_back(duration);
-    if (all.empty()) return std::nullopt;
-    return longest ? std::ranges::max(all) : std::ranges::min(all);
-  };
-}
 /// The separation: what the rotor and the piece have together after it, less what there was before.
 struct Gain {
   double energy;            ///< J
@@ -141,14 +99,11 @@ Gain gain_by_separation(PaperRuns& r) {
               its.lost_mass * cross(arm_of_piece, piece) - its.before.inertia * before.speed};
 }
 
-/// What friction takes until continuous contact begins, or from there to rolling, J.
-Formula friction_work(bool sliding, std::size_t from_last) {
-  return [=](PaperRuns& r) -> Value {
-    const auto& work = r.friction_work();
-    if (!work || work->until_touch_downs.size() <= from_last) return std::nullopt;
-    const double until = *(work->until_touch_downs.rbegin() + static_cast<long>(from_last));
-    return sliding ? work->until_rolling - until : until;
-  };
+/// What friction takes until continuous contact begins, J.
+Value friction_until(PaperRuns& r, const Instant&, std::size_t from_last) {
+  const auto& work = r.friction_work();
+  if (!work || work->until_touch_downs.size() <= from_last) return std::nullopt;
+  return *(work->until_touch_downs.rbegin() + static_cast<long>(from_last));
 }
 
 /// Largest change of a result when the piece leaves from elsewhere on the rim, %.
@@ -174,330 +129,317 @@ Formula off_by_own_method(const std::function<Value(const PaperRun&)>& result) {
   };
 }
 
-/// Where on the rim the loss leaves the largest unbalance: degrees from opposite to the first one.
-double place_of_largest_unbalance(PaperRuns& r) {
-  int best = 0;
-  const auto unbalance = [&](int degrees) {
-    return PlaceOfLoss(r.parameters(), degrees * two_pi / 360).unbalance();
-  };
-  for (int degrees = -179; degrees <= 180; ++degrees)
-    if (unbalance(degrees) > unbalance(best)) best = degrees;
-  return best;
+/// Adds readings of related names.
+class Table {
+ public:
+  std::map<std::string, Formula> all;
+
+  void add(const std::string& name, Formula formula) { all[name] = std::move(formula); }
+  /// Of an instant of the run at high friction.
+  template <class F>
+  void before_loss(const std::string& name, F f) {
+    add(name, [f](PaperRuns& r) -> Value { return f(r, r.high().before_loss()); });
+  }
+  template <class F>
+  void onset(const std::string& name, F f) {
+    add(name, [f](PaperRuns& r) { return of_instant(r, r.high().onset(), f); });
+  }
+  template <class F>
+  void peak(const std::string& name, F f) {
+    add(name, [f](PaperRuns& r) { return of_instant(r, r.high().at_peak(), f); });
+  }
+  /// onset_name and peak_name.
+  template <class F>
+  void onset_and_peak(const std::string& name, F f) {
+    onset("onset_" + name, f);
+    peak("peak_" + name, f);
+  }
+  /// name_last and name_last_but_one: of the touch-down with which continuous contact begins, and
+  /// how many come after it.
+  template <class F>
+  void touch_downs(const std::string& name, F f) {
+    for (const std::size_t from_last : {0U, 1U})
+      add(name + (from_last == 0 ? "_last" : "_last_but_one"), [f, from_last](PaperRuns& r) {
+        return of_instant(
+            r, r.high().touch_down_before_rolling(from_last),
+            [&](PaperRuns&, const Instant& at) -> Value { return f(r, at, from_last); });
+      });
+  }
+  /// name_5_ms and name_turn, of early rolling.
+  void rolling(const std::string& name, double PaperRun::Rolling::*of, double factor = 1) {
+    for (const bool first_turn : {false, true})
+      add(name + (first_turn ? "_turn" : "_5_ms"), [=](PaperRuns& r) -> Value {
+        const auto measured = first_turn ? r.high().first_turn() : r.high().first_5_ms();
+        return measured ? Value(factor * ((*measured).*of)) : std::nullopt;
+      });
+  }
+
+ private:
+  template <class F>
+  static Value of_instant(PaperRuns& r, const std::optional<Instant>& at, F f) {
+    return at ? Value(f(r, *at)) : std::nullopt;
+  }
+};
+
+std::array<const PaperRun*, 3> at_all_frictions(PaperRuns& r) {
+  return {&r.high(), &r.intermediate(), &r.low()};
 }
 
-/// With the numbers that the text itself uses: 770 Hz, 3.5 mm, 45 Hz.
-double printed_translation(PaperRuns& r) {
-  return loss(r).after.mass * std::pow(two_pi * 770 * 3.5e-3, 2) / 2;
+void add_run_up_and_loss(Table& table) {
+  using Runs = PaperRuns&;
+  using At = const Instant&;
+  table.add("resonance_s", [](Runs r) { return r.time_at_critical_speed(); });
+  table.add("motor_off_s", [](Runs r) { return r.high().summary().motor_off_s; });
+  table.before_loss("speed_at_loss", [](Runs, At at) { return speed_Hz(at); });
+  table.before_loss("relative_velocity", [](Runs r, At at) {
+    return 100 * std::hypot(at.state[3], at.state[4]) / (at.state[5] * r.parameters().eccentricity);
+  });
+  table.before_loss("c_distance",
+                    [](Runs, At at) { return 1e6 * at.motion().mass_centre().norm(); });
+  table.before_loss("c_share", [](Runs r, At at) {
+    return 100 * at.motion().mass_centre().norm() / r.parameters().eccentricity;
+  });
+  table.before_loss("energy_before", [](Runs, At at) { return energy(at); });
+  table.add("energy_gain",
+            [](Runs r) -> Value { return 100 * gain_by_separation(r).energy / energy_before(r); });
+  table.before_loss("momentum_gain", [](Runs r, At at) {
+    return 100 * gain_by_separation(r).momentum.norm() /
+           (loss(r).lost_mass * loss(r).piece_velocity(at.state[5]));
+  });
+  table.before_loss("angular_momentum_gain", [](Runs r, At at) {
+    return 100 * gain_by_separation(r).angular_momentum / (at.body.inertia * at.state[5]);
+  });
+  table.before_loss("speed_gain", [](Runs r, At at) {
+    return 100 * (r.high().after_loss().state[5] / at.state[5] - 1);
+  });
+  table.add("loss_of_energy", [](Runs r) -> Value {
+    return 100 * (1 - energy(r.high().after_loss()) / energy_before(r));
+  });
+  table.add("elsewhere_peak", elsewhere([](const Summary& s) { return s.peak_normal_force_N; }));
+  table.add("elsewhere_time", elsewhere([](const Summary& s) -> Value {
+              if (!s.rolling_onset_s) return std::nullopt;
+              return *s.rolling_onset_s - *s.first_contact_s;
+            }));
+}
+
+void add_rolling(Table& table) {
+  using Runs = PaperRuns&;
+  using At = const Instant&;
+  table.add("rolls", [](Runs r) -> Value { return r.high().onset() ? 1. : 0.; });
+  table.onset("to_rolling", since_first_contact);
+  table.peak("to_peak", since_first_contact);
+  table.onset("hundredths_to_rolling",
+              [](Runs r, At at) { return 100 * since_first_contact(r, at); });
+  table.onset_and_peak("Hz", [](Runs, At at) { return speed_Hz(at); });
+  table.onset("drop_at_onset",
+              [](Runs r, At at) { return speed_Hz(r.high().before_loss()) / speed_Hz(at); });
+  table.onset("onset_kN", [](Runs r, At at) { return force(r, at) / 1e3; });
+  table.add("peak_kN", [](Runs r) { return peak_kN(r.high()); });
+  table.onset("onset_to_peak",
+              [](Runs r, At at) { return 100 * (1 - force(r, at) / *peak(r.high())); });
+  table.peak("onset_to_peak_time", [](Runs r, At at) {
+    return 100 * (1 - since_first_contact(r, *r.high().onset()) / since_first_contact(r, at));
+  });
+  table.onset_and_peak("mm", [](Runs, At at) { return 1e3 * rho(at); });
+  table.onset_and_peak("rolling_Hz", rolling_Hz);
+  table.onset_and_peak("velocity", rolling_velocity);
+  table.onset_and_peak("translation", translation);
+  table.onset_and_peak("inertia_kN", [](Runs r, At at) { return inertia_force(r, at) / 1e3; });
+  table.onset_and_peak("inertia_off", [](Runs r, At at) {
+    return 100 * std::abs(inertia_force(r, at) / force(r, at) - 1);
+  });
+  table.onset_and_peak("energy", [](Runs, At at) { return energy(at); });
+  table.onset_and_peak("share_left",
+                       [](Runs r, At at) { return 100 * energy(at) / energy_before(r); });
+  table.onset_and_peak("share_lost",
+                       [](Runs r, At at) { return 100 - 100 * energy(at) / energy_before(r); });
+  table.add("friction_share", [](Runs r) -> Value {
+    const auto& work = r.friction_work();
+    return work ? Value(100 * work->until_rolling / energy_before(r)) : std::nullopt;
+  });
+  table.add("first_impact_damped", [](Runs r) -> Value {
+    const auto& work = r.friction_work();
+    return work ? Value(100 * work->first_impact_damped) : std::nullopt;
+  });
+  table.onset("translation_share",
+              [](Runs r, At at) { return 100 * translation(r, at) / energy(at); });
+  table.onset("bearing_share", [](Runs r, At at) {
+    const Parameters p = r.parameters();
+    const double load =
+        std::hypot(p.support_stiffness * rho(at), p.support_damping * at.motion().velocity.norm());
+    return 100 * load / *peak(r.high());
+  });
+  table.onset("elastic_N",
+              [](Runs r, At at) { return rho(at) * r.parameters().support_stiffness / 2; });
+  table.onset("damping_N", [](Runs r, At at) {
+    return rolling_velocity(r, at) * r.parameters().support_damping / 2;
+  });
+  table.peak("indentation_of_radius",
+             [](Runs r, At at) { return 100 * indentation(r, at) / r.parameters().rotor_radius; });
+  table.peak("indentation_of_clearance", [](Runs r, At at) {
+    return 100 * indentation(r, at) / (rho(at) - indentation(r, at));
+  });
+  table.rolling("whirl", &PaperRun::Rolling::whirl_Hz);
+  table.rolling("q1", &PaperRun::Rolling::q1_Hz);
+  table.rolling("ripple", &PaperRun::Rolling::ripple, 100);
+  using Early = const PaperRun::Rolling&;
+  const auto early = [&](const char* name, double (*of)(Runs, Early)) {
+    table.add(name, [of](Runs r) -> Value {
+      const auto measured = r.high().first_5_ms();
+      return measured ? Value(of(r, *measured)) : std::nullopt;
+    });
+  };
+  early("q1_off_whirl", [](Runs, Early m) { return 100 * std::abs(m.q1_Hz / m.whirl_Hz - 1); });
+  early("q1_off_sine", [](Runs, Early m) { return 100 * m.off_sine; });
+  early("decrease_a_turn", [](Runs, Early m) { return 100 * m.decrease_a_turn; });
+  early("whirl_period", [](Runs, Early m) { return 1 / m.whirl_Hz; });
+  early("whirl_ratio", [](Runs r, Early m) { return m.whirl_Hz / r.parameters().motor_off_Hz; });
+  table.onset("whirl_sense", [](Runs, At at) {
+    const auto m = at.motion();
+    return cross(m.displacement, m.velocity) * m.speed > 0 ? 1. : -1.;
+  });
+  table.add("whirl_off", off_by_own_method([](const PaperRun& run) -> Value {
+              const auto m = run.first_5_ms();
+              return m ? Value(m->whirl_Hz) : std::nullopt;
+            }));
+  table.add("final_speed_off",
+            off_by_own_method([](const PaperRun& run) { return Value(speed_Hz(run.last())); }));
+}
+
+void add_collisions(Table& table) {
+  using Runs = PaperRuns&;
+  using At = const Instant&;
+  table.touch_downs("before_the", [](Runs r, At, std::size_t after) {
+    return static_cast<double>(r.high().touch_downs_before_rolling() - 1 - after);
+  });
+  table.touch_downs("collisions_s",
+                    [](Runs r, At at, std::size_t) { return since_first_contact(r, at); });
+  table.touch_downs("collisions_J", [](Runs r, At at, std::size_t) {
+    return energy(r.high().after_loss()) - energy(at);
+  });
+  table.touch_downs(
+      "sliding_s", [](Runs r, At at, std::size_t) { return r.high().onset()->time_s - at.time_s; });
+  table.touch_downs("sliding_J", [](Runs r, At at, std::size_t) {
+    return energy(at) - energy(*r.high().onset());
+  });
+  table.touch_downs("collisions_friction", friction_until);
+  table.touch_downs("sliding_friction", [](Runs r, At at, std::size_t after) -> Value {
+    const Value until = friction_until(r, at, after);
+    return until ? Value(r.friction_work()->until_rolling - *until) : std::nullopt;
+  });
+  table.touch_downs("force_ratio", [](Runs r, At at, std::size_t) {
+    return *peak(r.high()) / r.high().peak_until(at.time_s);
+  });
+  for (const bool longest : {false, true})
+    table.add(longest ? "longest_s" : "shortest_s", [longest](Runs r) -> Value {
+      std::vector<double> all;
+      for (const PaperRun* run : at_all_frictions(r))
+        for (const auto& collision : run->collisions()) all.push_back(collision.duration_s);
+      if (all.empty()) return std::nullopt;
+      return longest ? std::ranges::max(all) : std::ranges::min(all);
+    });
+  table.add("impacts_that_do_not_slow", [](Runs r) -> Value {
+    long all = 0;
+    for (const PaperRun* run : at_all_frictions(r))
+      all +=
+          std::ranges::count_if(run->collisions(), [](const auto& c) { return c.speed_gain >= 0; });
+    return static_cast<double>(all);
+  });
+  table.add("speed_in_flight", [](Runs r) -> Value {
+    double greatest = 0;
+    for (const PaperRun* run : at_all_frictions(r))
+      greatest = std::max(greatest, run->change_of_speed_in_flight());
+    return 100 * greatest;
+  });
+  table.add("sooner_by_friction", [](Runs r) -> Value {
+    const auto count = [](const PaperRun& run) { return run.summary().collisions; };
+    const long middle = count(r.intermediate());
+    return count(r.high()) < middle && middle < count(r.low()) ? 1. : 0.;
+  });
+  table.add("low_collisions_s", [](Runs r) -> Value {
+    const auto at = r.low().last_touch_down();
+    return at ? Value(at->time_s - *r.low().summary().first_contact_s) : std::nullopt;
+  });
+  table.add("low_force_left", [](Runs r) -> Value {
+    const Instant& at = r.low().last();
+    return at.touches() ? Value(100 * force(r, at) / *peak(r.low())) : std::nullopt;
+  });
+  table.add("low_lasts", [](Runs r) -> Value { return r.low().last().touches() ? 1. : 0.; });
+  table.add("low_slows_a_turn", [](Runs r) -> Value {
+    const Instant& end = r.low().last();
+    const auto from = r.low().last_touch_down();
+    if (!from || !end.touches()) return std::nullopt;
+    const double turns = (end.state[2] - from->state[2]) / two_pi;
+    return 100 * (1 - end.state[5] / from->state[5]) / turns;
+  });
+  table.add("low_rolls", [](Runs r) -> Value { return r.low().onset() ? 1. : 0.; });
+}
+
+void add_other_losses_and_contacts(Table& table) {
+  using Runs = PaperRuns&;
+  table.add("peak_kN_100", [](Runs r) { return peak_kN(r.at_100_Hz()); });
+  table.add("peak_kN_75", [](Runs r) { return peak_kN(r.at_75_Hz()); });
+  table.add("rolls_at_100", [](Runs r) -> Value { return r.at_100_Hz().onset() ? 1. : 0.; });
+  table.add("rolls_at_75", [](Runs r) -> Value { return r.at_75_Hz().onset() ? 1. : 0.; });
+  table.add("collisions_100", [](Runs r) -> Value {
+    const auto count = r.at_100_Hz().touch_downs_before_rolling();
+    return count > 0 ? Value(count) : std::nullopt;
+  });
+  table.add("rises_with_speed", [](Runs r) -> Value {
+    const double at_75 = peak_kN(r.at_75_Hz()).value_or(0),
+                 at_100 = peak_kN(r.at_100_Hz()).value_or(0),
+                 at_150 = peak_kN(r.high()).value_or(0);
+    return at_75 < at_100 && at_100 < at_150 ? 1. : 0.;
+  });
+  table.add("Hz_100", [](Runs r) -> Value { return speed_Hz(r.at_100_Hz().before_loss()); });
+  table.add("Hz_75", [](Runs r) -> Value { return speed_Hz(r.at_75_Hz().before_loss()); });
+  table.add("Hz_50", [](Runs r) -> Value { return speed_Hz(r.at_50_Hz().before_loss()); });
+  table.add("Hz_critical",
+            [](Runs r) -> Value { return speed_Hz(r.near_critical().before_loss()); });
+  table.add("collisions_50",
+            [](Runs r) -> Value { return static_cast<double>(r.at_50_Hz().summary().collisions); });
+  table.add("collisions_critical", [](Runs r) -> Value {
+    return static_cast<double>(r.near_critical().summary().collisions);
+  });
+  table.add("settled_50", [](Runs r) -> Value {
+    const Instant& at = r.at_50_Hz().last();
+    return 100 * std::abs(rho(at) / at.body.eccentricity - 1);
+  });
+  table.add("force_by_ratio", [](Runs r) -> Value {
+    const Value as_it_is = peak(r.from_steady(1)), slower = peak(r.from_steady(0.5));
+    if (!as_it_is || !slower) return std::nullopt;
+    return 100 * std::abs(*slower / *as_it_is - 1);
+  });
+  table.add("k_t_peak", change(&PaperInputs::mu_high, "contact_stiffness", peak));
+  table.add("k_t_time", change(&PaperInputs::mu_high, "contact_stiffness", time_to_rolling));
+  table.add("d_t_peak", change(&PaperInputs::mu_high, "contact_damping", peak));
+  table.add("d_t_time", change(&PaperInputs::mu_high, "contact_damping", time_to_rolling));
+  table.add("d_t_peak_low", change(&PaperInputs::mu_low, "contact_damping", peak));
 }
 
 const std::map<std::string, Formula>& readings() {
-  static const std::map<std::string, Formula> all = {
-      {"speed_rad", input([](PaperRuns& r) { return two_pi * r.parameters().motor_off_Hz; })},
-      {"lost_mass", input([](PaperRuns& r) { return loss(r).lost_mass; })},
-      {"lost_share", input([](PaperRuns& r) { return 100 * loss(r).lost_mass / r.parameters().mass; })},
-      {"inertia_left", input([](PaperRuns& r) { return loss(r).after.inertia; })},
-      {"inertia_share",
-       input([](PaperRuns& r) { return 100 * (1 - loss(r).after.inertia / r.parameters().inertia); })},
-      {"unbalance_before",
-       input([](PaperRuns& r) { return 1e5 * loss(r).before.mass * loss(r).before.eccentricity; })},
-      {"unbalance_after",
-       input([](PaperRuns& r) { return 1e5 * loss(r).after.mass * loss(r).after.eccentricity; })},
-      {"eigenfrequency",
-       input([](PaperRuns& r) {
-         return in_Hz(std::sqrt(r.parameters().support_stiffness / r.parameters().mass));
-       })},
-      {"translation_printed", input(printed_translation)},
-      {"inertia_force_printed",
-       input([](PaperRuns& r) {
-         return loss(r).after.mass * std::pow(two_pi * 770, 2) * 3.5e-3 / 1e3;
-       })},
-      {"rolling_Hz_printed",
-       input([](PaperRuns& r) { return 45 * r.parameters().rotor_radius / 3.5e-3; })},
-      {"velocity_printed", input([](PaperRuns&) { return two_pi * 770 * 3.5e-3; })},
-      {"damping_N_printed", input([](PaperRuns& r) {
-         return two_pi * 770 * 3.5e-3 * r.parameters().support_damping / 2;
-       })},
-      {"sum_of_parts_printed",
-       input([](PaperRuns& r) {
-         return printed_translation(r) + loss(r).after.inertia * std::pow(two_pi * 45, 2) / 2;
-       })},
-      {"share_printed", input([](PaperRuns&) { return 100 * 1050. / 4000; })},
-      {"steps_a_turn", input([](PaperRuns& r) {
-         return 1 / (r.parameters().motor_off_Hz * Scenario{}.step_run_up);
-       })},
-
-      {"resonance_s", [](PaperRuns& r) -> Value { return r.time_at_critical_speed(); }},
-      {"motor_off_s", [](PaperRuns& r) -> Value { return r.high().summary().motor_off_s; }},
-      {"speed_at_loss", before_loss([](PaperRuns&, const Instant& at) { return speed_Hz(at); })},
-      {"relative_velocity", before_loss([](PaperRuns& r, const Instant& at) {
-         return 100 * std::hypot(at.state[3], at.state[4]) /
-                (at.state[5] * r.parameters().eccentricity);
-       })},
-      {"c_radial", before_loss([](PaperRuns&, const Instant& at) {
-         return 1e6 * std::abs(at.motion().mass_centre().x());
-       })},
-      {"c_distance", before_loss([](PaperRuns&, const Instant& at) {
-         return 1e6 * at.motion().mass_centre().norm();
-       })},
-      {"c_share", before_loss([](PaperRuns& r, const Instant& at) {
-         return 100 * at.motion().mass_centre().norm() / r.parameters().eccentricity;
-       })},
-      {"energy_before", before_loss([](PaperRuns&, const Instant& at) { return energy(at); })},
-      {"piece_velocity", before_loss([](PaperRuns& r, const Instant& at) {
-         return loss(r).piece_velocity(at.state[5]);
-       })},
-      {"velocity_jump", before_loss([](PaperRuns& r, const Instant& at) {
-         return loss(r).velocity_jump(at.state[5]);
-       })},
-      {"energy_gain",
-       [](PaperRuns& r) -> Value { return 100 * gain_by_separation(r).energy / energy_before(r); }},
-      {"momentum_gain", before_loss([](PaperRuns& r, const Instant& at) {
-         return 100 * gain_by_separation(r).momentum.norm() /
-                (loss(r).lost_mass * loss(r).piece_velocity(at.state[5]));
-       })},
-      {"angular_momentum_gain", before_loss([](PaperRuns& r, const Instant& at) {
-         return 100 * gain_by_separation(r).angular_momentum / (at.body.inertia * at.state[5]);
-       })},
-      {"speed_gain", before_loss([](PaperRuns& r, const Instant& at) {
-         return 100 * (r.high().after_loss().state[5] / at.state[5] - 1);
-       })},
-      {"place_of_largest_unbalance", input(place_of_largest_unbalance)},
-      {"elsewhere_peak", elsewhere([](const Summary& s) { return s.peak_normal_force_N; })},
-      {"elsewhere_time", elsewhere([](const Summary& s) -> Value {
-         if (!s.rolling_onset_s) return std::nullopt;
-         return *s.rolling_onset_s - *s.first_contact_s;
-       })},
-      {"loss_of_energy",
-       [](PaperRuns& r) -> Value {
-         return 100 * (1 - energy(r.high().after_loss()) / energy_before(r));
-       }},
-
-      {"to_rolling", at_onset(since_first_contact)},
-      {"to_peak", at_peak(since_first_contact)},
-      {"hundredths_to_rolling",
-       at_onset([](PaperRuns& r, const Instant& at) { return 100 * since_first_contact(r, at); })},
-      {"onset_Hz", at_onset([](PaperRuns&, const Instant& at) { return speed_Hz(at); })},
-      {"peak_Hz", at_peak([](PaperRuns&, const Instant& at) { return speed_Hz(at); })},
-      {"drop_at_onset", at_onset([](PaperRuns& r, const Instant& at) {
-         return speed_Hz(r.high().before_loss()) / speed_Hz(at);
-       })},
-      {"onset_kN", at_onset([](PaperRuns& r, const Instant& at) { return force(r, at) / 1e3; })},
-      {"peak_kN", [](PaperRuns& r) -> Value {
-         const Value value = peak(r.high());
-         return value ? Value(*value / 1e3) : std::nullopt;
-       }},
-      {"onset_to_peak", at_onset([](PaperRuns& r, const Instant& at) {
-         return 100 * (1 - force(r, at) / *peak(r.high()));
-       })},
-      {"onset_mm", at_onset([](PaperRuns&, const Instant& at) { return 1e3 * rho(at); })},
-      {"peak_mm", at_peak([](PaperRuns&, const Instant& at) { return 1e3 * rho(at); })},
-      {"onset_rolling_Hz", at_onset(rolling_Hz)},
-      {"peak_rolling_Hz", at_peak(rolling_Hz)},
-      {"onset_velocity", at_onset(rolling_velocity)},
-      {"peak_velocity", at_peak(rolling_velocity)},
-      {"onset_translation", at_onset(translation)},
-      {"peak_translation", at_peak(translation)},
-      {"onset_inertia_kN",
-       at_onset([](PaperRuns& r, const Instant& at) { return inertia_force(r, at) / 1e3; })},
-      {"peak_inertia_kN",
-       at_peak([](PaperRuns& r, const Instant& at) { return inertia_force(r, at) / 1e3; })},
-      {"onset_inertia_off", at_onset([](PaperRuns& r, const Instant& at) {
-         return 100 * std::abs(inertia_force(r, at) / force(r, at) - 1);
-       })},
-      {"peak_inertia_off", at_peak([](PaperRuns& r, const Instant& at) {
-         return 100 * std::abs(inertia_force(r, at) / force(r, at) - 1);
-       })},
-      {"onset_energy", at_onset([](PaperRuns&, const Instant& at) { return energy(at); })},
-      {"peak_energy", at_peak([](PaperRuns&, const Instant& at) { return energy(at); })},
-      {"onset_share_left", at_onset([](PaperRuns& r, const Instant& at) {
-         return 100 * energy(at) / energy_before(r);
-       })},
-      {"peak_share_left", at_peak([](PaperRuns& r, const Instant& at) {
-         return 100 * energy(at) / energy_before(r);
-       })},
-      {"peak_share_lost", at_peak([](PaperRuns& r, const Instant& at) {
-         return 100 - 100 * energy(at) / energy_before(r);
-       })},
-      {"onset_share_lost", at_onset([](PaperRuns& r, const Instant& at) {
-         return 100 - 100 * energy(at) / energy_before(r);
-       })},
-      {"friction_share",
-       [](PaperRuns& r) -> Value {
-         const auto& work = r.friction_work();
-         return work ? Value(100 * work->until_rolling / energy_before(r)) : std::nullopt;
-       }},
-      {"translation_share", at_onset([](PaperRuns& r, const Instant& at) {
-         return 100 * translation(r, at) / energy(at);
-       })},
-      {"elastic_N", at_onset([](PaperRuns& r, const Instant& at) {
-         return rho(at) * r.parameters().support_stiffness / 2;
-       })},
-      {"damping_N", at_onset([](PaperRuns& r, const Instant& at) {
-         return rolling_velocity(r, at) * r.parameters().support_damping / 2;
-       })},
-
-      {"collisions_s_last", at_touch_down(0, since_first_contact)},
-      {"collisions_s_last_but_one", at_touch_down(1, since_first_contact)},
-      {"collisions_J_last", at_touch_down(0, [](PaperRuns& r, const Instant& at) {
-         return energy(r.high().after_loss()) - energy(at);
-       })},
-      {"collisions_J_last_but_one", at_touch_down(1, [](PaperRuns& r, const Instant& at) {
-         return energy(r.high().after_loss()) - energy(at);
-       })},
-      {"sliding_s_last", at_touch_down(0, [](PaperRuns& r, const Instant& at) {
-         return r.high().onset()->time_s - at.time_s;
-       })},
-      {"sliding_s_last_but_one", at_touch_down(1, [](PaperRuns& r, const Instant& at) {
-         return r.high().onset()->time_s - at.time_s;
-       })},
-      {"sliding_J_last", at_touch_down(0, [](PaperRuns& r, const Instant& at) {
-         return energy(at) - energy(*r.high().onset());
-       })},
-      {"sliding_J_last_but_one", at_touch_down(1, [](PaperRuns& r, const Instant& at) {
-         return energy(at) - energy(*r.high().onset());
-       })},
-      {"collisions_friction_last", friction_work(false, 0)},
-      {"collisions_friction_last_but_one", friction_work(false, 1)},
-      {"sliding_friction_last", friction_work(true, 0)},
-      {"sliding_friction_last_but_one", friction_work(true, 1)},
-      {"rolls", [](PaperRuns& r) -> Value { return r.high().onset() ? 1. : 0.; }},
-      {"before_the_last", at_touch_down(0, [](PaperRuns& r, const Instant&) {
-         return static_cast<double>(r.high().touch_downs_before_rolling()) - 1;
-       })},
-      {"before_the_last_but_one", at_touch_down(1, [](PaperRuns& r, const Instant&) {
-         return static_cast<double>(r.high().touch_downs_before_rolling()) - 2;
-       })},
-      {"indentation_of_radius", at_peak([](PaperRuns& r, const Instant& at) {
-         return 100 * indentation(r, at) / r.parameters().rotor_radius;
-       })},
-      {"indentation_of_clearance", at_peak([](PaperRuns& r, const Instant& at) {
-         return 100 * indentation(r, at) / (rho(at) - indentation(r, at));
-       })},
-      {"speed_in_flight", [](PaperRuns& r) -> Value {
-         double greatest = 0;
-         for (const PaperRun* run : {&r.high(), &r.intermediate(), &r.low()})
-           greatest = std::max(greatest, run->change_of_speed_in_flight());
-         return 100 * greatest;
-       }},
-      {"force_ratio_last", at_touch_down(0, [](PaperRuns& r, const Instant& at) {
-         return *peak(r.high()) / r.high().peak_until(at.time_s);
-       })},
-      {"force_ratio_last_but_one", at_touch_down(1, [](PaperRuns& r, const Instant& at) {
-         return *peak(r.high()) / r.high().peak_until(at.time_s);
-       })},
-
-      {"whirl_5_ms", rolling(&PaperRun::Rolling::whirl_Hz, false)},
-      {"whirl_turn", rolling(&PaperRun::Rolling::whirl_Hz, true)},
-      {"q1_5_ms", rolling(&PaperRun::Rolling::q1_Hz, false)},
-      {"q1_turn", rolling(&PaperRun::Rolling::q1_Hz, true)},
-      {"q1_off_whirl",
-       [](PaperRuns& r) -> Value {
-         const auto m = r.high().first_5_ms();
-         return m ? Value(100 * std::abs(m->q1_Hz / m->whirl_Hz - 1)) : std::nullopt;
-       }},
-      {"whirl_period",
-       [](PaperRuns& r) -> Value {
-         const auto m = r.high().first_5_ms();
-         return m ? Value(1 / m->whirl_Hz) : std::nullopt;
-       }},
-      {"whirl_ratio",
-       [](PaperRuns& r) -> Value {
-         const auto m = r.high().first_5_ms();
-         return m ? Value(m->whirl_Hz / r.parameters().motor_off_Hz) : std::nullopt;
-       }},
-      {"ripple_5_ms", rolling(&PaperRun::Rolling::ripple, false, 100)},
-      {"ripple_turn", rolling(&PaperRun::Rolling::ripple, true, 100)},
-      {"decrease_a_turn", rolling(&PaperRun::Rolling::decrease_a_turn, false, 100)},
-      {"whirl_sense", at_onset([](PaperRuns&, const Instant& at) {
-         const auto m = at.motion();
-         return cross(m.displacement, m.velocity) * m.speed > 0 ? 1. : -1.;
-       })},
-
-      {"low_collisions_s",
-       [](PaperRuns& r) -> Value {
-         const auto at = r.low().last_touch_down();
-         return at ? Value(at->time_s - *r.low().summary().first_contact_s) : std::nullopt;
-       }},
-      {"low_force_left",
-       [](PaperRuns& r) -> Value {
-         const Instant& at = r.low().last();
-         if (!at.touches()) return std::nullopt;
-         return 100 * force(r, at) / *peak(r.low());
-       }},
-      {"low_lasts", [](PaperRuns& r) -> Value { return r.low().last().touches() ? 1. : 0.; }},
-      {"low_slows_a_turn", [](PaperRuns& r) -> Value {
-         const Instant& end = r.low().last();
-         const auto from = r.low().last_touch_down();
-         if (!from || !end.touches()) return std::nullopt;
-         const double turns = (end.state[2] - from->state[2]) / two_pi;
-         return 100 * (1 - end.state[5] / from->state[5]) / turns;
-       }},
-      {"low_rolls", [](PaperRuns& r) -> Value { return r.low().onset() ? 1. : 0.; }},
-      {"shortest_s", collision(false)},
-      {"longest_s", collision(true)},
-      {"shortest_steps", input([](PaperRuns&) { return 1e-4 / Scenario{}.step_rub; })},
-      {"longest_steps", input([](PaperRuns&) { return 3e-4 / Scenario{}.step_rub; })},
-      {"whirl_off", off_by_own_method([](const PaperRun& run) -> Value {
-         const auto m = run.first_5_ms();
-         return m ? Value(m->whirl_Hz) : std::nullopt;
-       })},
-      {"final_speed_off",
-       off_by_own_method([](const PaperRun& run) { return Value(speed_Hz(run.last())); })},
-
-      {"peak_kN_100",
-       [](PaperRuns& r) -> Value {
-         const Value value = peak(r.at_100_Hz());
-         return value ? Value(*value / 1e3) : std::nullopt;
-       }},
-      {"peak_kN_75",
-       [](PaperRuns& r) -> Value {
-         const Value value = peak(r.at_75_Hz());
-         return value ? Value(*value / 1e3) : std::nullopt;
-       }},
-      {"rolls_at_100", [](PaperRuns& r) -> Value { return r.at_100_Hz().onset() ? 1. : 0.; }},
-      {"rolls_at_75", [](PaperRuns& r) -> Value { return r.at_75_Hz().onset() ? 1. : 0.; }},
-      {"collisions_100", [](PaperRuns& r) -> Value {
-         const auto count = r.at_100_Hz().touch_downs_before_rolling();
-         return count > 0 ? Value(count) : std::nullopt;
-       }},
-      {"rises_with_speed", [](PaperRuns& r) -> Value {
-         const auto force = [](const PaperRun& run) { return peak(run).value_or(0); };
-         return force(r.at_75_Hz()) < force(r.at_100_Hz()) && force(r.at_100_Hz()) < force(r.high())
-                    ? 1.
-                    : 0.;
-       }},
-      {"Hz_100", [](PaperRuns& r) -> Value { return speed_Hz(r.at_100_Hz().before_loss()); }},
-      {"Hz_75", [](PaperRuns& r) -> Value { return speed_Hz(r.at_75_Hz().before_loss()); }},
-      {"Hz_50", [](PaperRuns& r) -> Value { return speed_Hz(r.at_50_Hz().before_loss()); }},
-      {"Hz_critical", [](PaperRuns& r) -> Value { return speed_Hz(r.near_critical().before_loss()); }},
-      {"collisions_50",
-       [](PaperRuns& r) -> Value { return static_cast<double>(r.at_50_Hz().summary().collisions); }},
-      {"settled_50", [](PaperRuns& r) -> Value {
-         const Instant& at = r.at_50_Hz().last();
-         return 100 * std::abs(rho(at) / at.body.eccentricity - 1);
-       }},
-      {"collisions_critical",
-       [](PaperRuns& r) -> Value {
-         return static_cast<double>(r.near_critical().summary().collisions);
-       }},
-
-      {"k_t_peak", change(&PaperInputs::mu_high, "contact_stiffness", peak)},
-      {"k_t_time", change(&PaperInputs::mu_high, "contact_stiffness", time_to_rolling)},
-      {"d_t_peak", change(&PaperInputs::mu_high, "contact_damping", peak)},
-      {"d_t_time", change(&PaperInputs::mu_high, "contact_damping", time_to_rolling)},
-      {"d_t_peak_low", change(&PaperInputs::mu_low, "contact_damping", peak)},
-  };
+  static const std::map<std::string, Formula> all = [] {
+    Table table;
+    add_run_up_and_loss(table);
+    add_rolling(table);
+    add_collisions(table);
+    add_other_losses_and_contacts(table);
+    return table.all;
+  }();
   return all;
 }
 
 }  // namespace
 
 std::optional<double> read_off(const std::string& reading, PaperRuns& runs) {
+  const auto found = all_arithmetic().find(reading);
+  if (found != all_arithmetic().end()) return found->second(runs.inputs(), runs.parameters());
   return readings().at(reading)(runs);
 }
 
 std::vector<std::string> all_readings() {
   std::vector<std::string> all;
+  for (const auto& [name, reading] : all_arithmetic()) all.push_back(name);
   for (const auto& [name, reading] : readings()) all.push_back(name);
   return all;
 }

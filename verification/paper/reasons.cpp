@@ -1,28 +1,21 @@
 #include "verification/paper/reasons.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
 #include "figures/scenes/account.hpp"
-#include "figures/scenes/audience.hpp"
-#include "figures/sweep/dealer.hpp"
 #include "figures/sweep/sweep.hpp"
-#include "model/simulation/start.hpp"
-#include "verification/support/follow.hpp"
-#include "verification/support/place_of_loss.hpp"
+#include "verification/paper/ensembles.hpp"
 
 namespace rotor {
 namespace {
 
-constexpr std::array judged_names = {"rolls", "touches", "force", "harmless", "minor", "slight"};
+constexpr std::array judged_names = {"rolls", "touches", "force", "harmless", "decides"};
 
 Judged parse_judged(const std::string& name) {
   const auto found = std::ranges::find(judged_names, name);
@@ -30,240 +23,237 @@ Judged parse_judged(const std::string& name) {
   return static_cast<Judged>(found - judged_names.begin());
 }
 
+/// The largest normal force in rolling, N.
+class RollingForce : public Observer {
+ public:
+  explicit RollingForce(const Scenario& scenario) : ring_(scenario.parameters) {}
+
+  void on_instant(const Instant& at) override {
+    rolls_ = at.contact == ContactState::rolling;
+    if (rolls_) note(at);
+  }
+  double threshold(Extreme of, const double& from_s, const double& until_s) const override {
+    return rolls_ && of == Extreme::normal_force ? largest
+                                                 : Observer::threshold(of, from_s, until_s);
+  }
+  void on_maximum(const Maximum& maximum) override {
+    if (rolls_ && maximum.of == Extreme::normal_force) note(maximum.at);
+  }
+
+  double largest = 0;
+
+ private:
+  void note(const Instant& at) {
+    largest = std::max(largest, -ring_.normal_force(ring_.rim_point(at.motion())));
+  }
+
+  Ring<double> ring_;
+  bool rolls_ = false;
+};
+
 /// What has become of a rotor.
 struct End {
-  Outcome outcome;
-  bool touched;
-  double force_kN;  ///< 0 without contact
-
-  explicit End(const Summary& summary)
-      : outcome(summary.outcome),
-        touched(summary.collisions > 0),
-        force_kN(summary.peak_normal_force_N.value_or(0) / 1e3) {}
-  bool rolls() const { return outcome == Outcome::rolling; }
+  bool touches, rolls;
+  Forces forces;
 };
-using Series = std::vector<End>;  ///< along the values of a quantity
+
+End end_of(const Statement& statement) {
+  const Scenario scenario = scenario_of(statement);
+  RollingForce in_rolling(scenario);
+  const Summary summary =
+      finish(Departure(scenario), scenario, StopOn::outcome, in_rolling).summary;
+  return {summary.collisions > 0,
+          summary.outcome == Outcome::rolling,
+          {summary.peak_normal_force_N.value_or(0), in_rolling.largest}};
+}
 
 double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }
 
+/// The random rotors, each with a pair of shares of a range, the first one being less.
 class Rotors {
  public:
-  explicit Rotors(Equations equations)
-      : equations_(equations),
-        sweep_(read_sweep(ROTOR_SOURCES "/verification/paper/reasons.toml")) {}
-
-  Statement draw(long n) const {
-    Statement statement = SweepPoints(sweep_)(n).statement;
-    for (const Draw& draw : sweep_.sample.over) {
-      double& value = statement.numbers.at(draw.quantity);
-      value = rounded(value);
-    }
-    return statement;
+  explicit Rotors(const Equations& equations)
+      : sweep_(read_sweep(ROTOR_SOURCES "/verification/paper/reasons.toml")) {
+    sweep_.base.equations = equations;
+    for (const char* share : {"share", "other_share"})
+      sweep_.sample.over.push_back({share, Distribution::uniform, 0, 1});
   }
 
-  Series along(const Reason& reason, long n) const {
-    Statement statement = draw(n);
-    Series series;
-    if (reason.quantity == "location") {
-      // Angles that are even wherever one stops: multiples of the golden section of a turn.
-      const double turns = std::fmod(static_cast<double>(n + 1) * std::numbers::phi, 1);
-      for (const double angle : {std::numbers::pi, 2 * std::numbers::pi * turns})
-        series.push_back(lost_at(statement, angle));
-      return series;
+  struct Rotor {
+    Statement statement;
+    double less, more;
+  };
+  Rotor draw(long n, const std::optional<long>& steps) const {
+    Rotor rotor{SweepPoints(sweep_)(n).statement, 0, 0};
+    auto& numbers = rotor.statement.numbers;
+    for (auto& [quantity, value] : numbers)
+      if (!quantity.ends_with("share")) value = rounded(value);
+    rotor.less = numbers.extract("share").mapped();
+    rotor.more = numbers.extract("other_share").mapped();
+    if (steps) {  // any two different ones of the grid
+      const auto all = static_cast<double>(*steps);
+      const double first = std::floor(rotor.less * (all + 1)),
+                   second = std::floor(rotor.more * all);
+      rotor.less = first / all;
+      rotor.more = (second + (second >= first ? 1 : 0)) / all;
     }
-    for (const double value : reason.values) {
-      statement.numbers[reason.quantity] = value;
-      series.push_back(run(statement));
-    }
-    return series;
+    if (rotor.less > rotor.more) std::swap(rotor.less, rotor.more);
+    return rotor;
   }
 
  private:
-  Scenario scenario(const Statement& statement) const {
-    Scenario scenario = scenario_of(statement);
-    scenario.equations = equations_;
-    return scenario;
-  }
-
-  End run(const Statement& statement) const {
-    const Scenario scenario = this->scenario(statement);
-    Observer nobody;
-    return End(finish(Departure(scenario), scenario, StopOn::outcome, nobody).summary);
-  }
-
-  End lost_at(const Statement& statement, double angle) const {
-    const Scenario scenario = this->scenario(statement);
-    SummaryObserver summary(scenario);
-    StopObserver stop(StopOn::outcome, scenario);
-    Audience audience;
-    audience.add(summary);
-    audience.add(stop);
-    const PlaceOfLoss loss(scenario.parameters, angle - std::numbers::pi,
-                           statement.numbers.at("lost_mass"));
-    Instant at = loss.separate(start_of(scenario), scenario.equations);
-    at.motor_on = false;
-    follow(scenario, at, scenario.until, audience);
-    return End(summary.summary());
-  }
-
-  Equations equations_;
   Sweep sweep_;
 };
 
-bool changes(const End& a, const End& b, double allowed) {
-  return a.outcome != b.outcome || std::abs(b.force_kN - a.force_kN) > allowed * a.force_kN;
+double value_at(const Reason& reason, double share) {
+  return rounded(reason.logarithmic ? reason.from * std::pow(reason.until / reason.from, share)
+                                    : reason.from + (reason.until - reason.from) * share);
 }
 
-/// At which steps a rotor fails; empty if it does not count.
-std::vector<bool> failing(const Series& series, Judged judged) {
-  bool counts = false;
-  std::vector<bool> fails;
-  const auto note = [&](bool could_fail, bool does) {
-    counts = counts || could_fail;
-    fails.push_back(could_fail && does);
-  };
-  if (judged == Judged::harmless)
-    for (const End& end : series) note(end.touched, end.rolls());
-  else
-    for (std::size_t i = 0; i + 1 < series.size(); ++i) {
-      const End &a = series[i], &b = series[i + 1];
-      switch (judged) {
-        case Judged::rolls:
-          note(a.rolls(), !b.rolls());
-          break;
-        case Judged::touches:
-          note(a.touched, !b.touched);
-          break;
-        case Judged::force:
-          note(a.rolls() && b.rolls(), b.force_kN < a.force_kN);
-          break;
-        default:
-          note(a.touched || b.touched, changes(a, b, judged == Judged::minor ? 0.1 : 0.05));
-      }
-    }
-  return counts ? fails : std::vector<bool>();
+/// The values at which a rotor is tried.
+std::pair<double, double> values(const Reason& reason, const Rotors::Rotor& rotor) {
+  const double more =
+      reason.judged == Judged::harmless ? Parameters{}.motor_off_Hz : value_at(reason, rotor.more);
+  return {value_at(reason, rotor.less), more};
 }
 
-double trend(const End& end, Judged judged) {
+/// Notes what becomes of a statement where the ends are those at the less and the more risky value.
+void note(Trial& trial, Judged judged, const End& a, const End& b,
+          const std::function<std::string()>& example) {
+  bool applies = true, holds = true;
+  double size = b.forces.largest / a.forces.largest;
   switch (judged) {
     case Judged::rolls:
-    case Judged::harmless:
-      return end.rolls() ? 1 : 0;
+      applies = a.rolls, holds = b.rolls;
+      break;
     case Judged::touches:
-      return end.touched ? 1 : 0;
+      applies = a.touches, holds = b.touches;
+      break;
+    case Judged::force:
+      applies = a.rolls && b.rolls, holds = b.forces.in_rolling >= a.forces.in_rolling;
+      size = b.forces.in_rolling / a.forces.in_rolling;
+      break;
+    case Judged::harmless:
+      applies = a.touches, holds = !a.rolls;
+      size = a.forces.largest / b.forces.largest;
+      break;
     default:
-      return end.force_kN;
+      holds = a.rolls == b.rolls;
   }
+  ++trial.pairs;
+  trial.apply += applies;
+  if (!applies || holds) return;
+  ++trial.violate;
+  if (judged != Judged::decides) trial.sizes.push_back(size);
+  if (trial.example.empty()) trial.example = example();
 }
 
 /// As options of `rotor run`, but for what is varied.
-std::string options_of(const Statement& statement, Equations equations, const std::string& varied) {
-  std::string options = fmt::format("--equations {} ", name_of(equations));
-  for (const auto& [name, value] : statement.numbers) {
-    if (name == varied) continue;
-    options += fmt::format("--{} {} ", name, value);
-  }
-  std::ranges::replace(options, '_', '-');
-  return options;
-}
-
-std::string example_of(const Reason& reason, Equations equations, const Statement& statement,
-                       std::size_t step) {
-  std::string option = reason.quantity;
-  std::ranges::replace(option, '_', '-');
-  const std::string options = options_of(statement, equations, reason.quantity);
-  if (reason.quantity == "location") return options;
-  if (reason.judged == Judged::harmless)
-    return fmt::format("{}--{} {}", options, option, reason.values[step]);
-  return fmt::format("{}--{} {}; {}", options, option, reason.values[step],
-                     reason.values[step + 1]);
+std::string example_of(const Reason& reason, Statement statement, double less, double more) {
+  statement.numbers.erase(reason.quantity);
+  std::string options = fmt::format("--equations {} ", name_of(*statement.equations));
+  for (const auto& [name, value] : statement.numbers)
+    options += fmt::format("{} {} ", option_of(name), value);
+  return fmt::format("{}{} {}; {}", options, option_of(reason.quantity), less, more);
 }
 
 }  // namespace
 
+Forces forces_of(const Statement& statement) { return end_of(statement).forces; }
+
 double Trial::share() const {
-  return static_cast<double>(fails) / static_cast<double>(std::max(1L, rotors));
+  return static_cast<double>(violate) / static_cast<double>(std::max(1L, apply));
 }
 double Trial::standard_error() const {
-  return std::sqrt(share() * (1 - share()) / static_cast<double>(std::max(1L, rotors)));
+  return std::sqrt(share() * (1 - share()) / static_cast<double>(std::max(1L, apply)));
+}
+std::optional<double> Trial::median_size() const {
+  if (sizes.empty()) return std::nullopt;
+  std::vector<double> sorted = sizes;
+  const auto middle = sorted.begin() + static_cast<long>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  return *middle;
 }
 
 std::vector<Reason> read_reasons(const std::filesystem::path& table) {
   std::vector<Reason> reasons;
-  for (const CsvRow& row : read_csv(table)) {
-    Reason reason{row["reason"],   row["place"], row["says"],
-                  row["quantity"], {},           parse_judged(row["judged"])};
-    std::istringstream values(row["values"]);
-    for (double value = 0; values >> value;) reason.values.push_back(value);
-    reasons.push_back(reason);
-  }
+  for (const CsvRow& row : read_csv(table))
+    reasons.push_back({row["reason"], row["place"], row["says"], row["quantity"],
+                       static_cast<double>(row.number("from")),
+                       static_cast<double>(row.number("until")), row["spacing"] == "log",
+                       row["most_friction"].empty()
+                           ? std::nullopt
+                           : std::optional(static_cast<double>(row.number("most_friction"))),
+                       parse_judged(row["judged"])});
   return reasons;
 }
 
-std::map<std::pair<std::string, std::string>, std::string> read_shares_that_fail(
-    const std::filesystem::path& table) {
-  std::map<std::pair<std::string, std::string>, std::string> shares;
-  for (const CsvRow& row : read_csv(table))
-    shares[{row["reason"], row["equations"]}] =
-        row["fails"] == "0"
-            ? fmt::format("none of {}", row["rotors"])
-            : fmt::format("{:.1f} +- {:.1f} %", 100 * static_cast<double>(row.number("share")),
-                          100 * static_cast<double>(row.number("standard_error")));
-  return shares;
-}
-
-Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads) {
+Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads,
+             std::optional<long> steps) {
   const Rotors rotors(equations);
-  std::vector<std::vector<Series>> all(static_cast<std::size_t>(draws));
-  Dealer dealer(0, draws, [](std::string_view, long) {});
-  const Work run_draw = [&](long n) {
-    std::map<std::pair<std::string, std::vector<double>>, Series> known;
+  std::vector<std::vector<std::optional<std::pair<End, End>>>> all(static_cast<std::size_t>(draws));
+  in_parallel(draws, threads, [&](long n) {
+    const Rotors::Rotor rotor = rotors.draw(n, steps);
+    std::map<std::pair<std::string, double>, End> known;
+    const auto at = [&](const std::string& quantity, double value) {
+      const auto found = known.find({quantity, value});
+      if (found != known.end()) return found->second;
+      Statement statement = rotor.statement;
+      statement.numbers[quantity] = value;
+      return known.emplace(std::pair(quantity, value), end_of(statement)).first->second;
+    };
     for (const Reason& reason : reasons) {
-      const auto [series, is_new] = known.try_emplace({reason.quantity, reason.values});
-      if (is_new) series->second = rotors.along(reason, n);
-      all[static_cast<std::size_t>(n)].push_back(series->second);
+      auto& ends = all[static_cast<std::size_t>(n)].emplace_back();
+      if (rotor.statement.numbers.at("friction") > reason.most_friction.value_or(1e9)) continue;
+      const auto [less, more] = values(reason, rotor);
+      ends.emplace(at(reason.quantity, less), at(reason.quantity, more));
     }
-    return std::string();
-  };
-  work(
-      dealer, threads, [&] { return run_draw; }, [] {});
-
+  });
   Trials trials;
-  for (std::size_t r = 0; r < reasons.size(); ++r) {
-    const Reason& reason = reasons[r];
-    Trial& trial = trials[reason.id];
-    for (long n = 0; n < draws; ++n) {
-      const Series& series = all[static_cast<std::size_t>(n)][r];
-      trial.first += trend(series.front(), reason.judged) / static_cast<double>(draws);
-      trial.last += trend(series.back(), reason.judged) / static_cast<double>(draws);
-      const std::vector<bool> fails = failing(series, reason.judged);
-      if (fails.empty()) continue;
-      ++trial.rotors;
-      trial.failing.resize(fails.size());
-      for (std::size_t i = 0; i < fails.size(); ++i) trial.failing[i] += fails[i] ? 1 : 0;
-      const auto first = std::ranges::find(fails, true);
-      if (first == fails.end()) continue;
-      if (trial.fails++ == 0)
-        trial.example = example_of(reason, equations, rotors.draw(n),
-                                   static_cast<std::size_t>(first - fails.begin()));
-    }
-  }
+  for (std::size_t r = 0; r < reasons.size(); ++r)
+    for (long n = 0; n < draws; ++n)
+      if (const auto& ends = all[static_cast<std::size_t>(n)][r])
+        note(trials[reasons[r].id], reasons[r].judged, ends->first, ends->second, [&] {
+          const Rotors::Rotor rotor = rotors.draw(n, steps);
+          const auto [less, more] = values(reasons[r], rotor);
+          return example_of(reasons[r], rotor.statement, less, more);
+        });
   return trials;
 }
 
 std::string to_csv(const std::vector<Reason>& reasons, const Trials& published,
                    const Trials& consistent) {
-  std::string csv =
-      "reason,equations,rotors,fails,share,standard_error,by_step,first,last,example\n";
+  std::string csv = "reason,equations,pairs,apply,violate,share,standard_error,size,example\n";
   for (const Reason& reason : reasons)
     for (const auto& [name, trials] :
          {std::pair("published", &published), {"consistent", &consistent}}) {
       const Trial& trial = trials->at(reason.id);
-      csv += fmt::format("{},{},{},{},{:.3g},{:.2g},{},{:.3g},{:.3g},{}\n", reason.id, name,
-                         trial.rotors, trial.fails, trial.share(), trial.standard_error(),
-                         fmt::join(trial.failing, " "), trial.first, trial.last, trial.example);
+      const auto size = trial.median_size();
+      csv += fmt::format("{},{},{},{},{},{:.3g},{:.2g},{},{}\n", reason.id, name, trial.pairs,
+                         trial.apply, trial.violate, trial.share(), trial.standard_error(),
+                         size ? fmt::format("{:.3g}", *size) : "", trial.example);
     }
   return csv;
+}
+
+std::map<std::pair<std::string, std::string>, std::string> read_trials_in_words(
+    const std::filesystem::path& folder) {
+  std::map<std::string, Judged> judged;
+  for (const Reason& reason : read_reasons(folder / "reasons.csv"))
+    judged[reason.id] = reason.judged;
+  std::map<std::pair<std::string, std::string>, std::string> words;
+  for (const CsvRow& row : read_csv(folder / "reasons-tried.csv")) {
+    const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
+    const bool decides = judged.at(row["reason"]) == Judged::decides;
+    const double percent = 100 * (decides ? number("share") : 1 - number("share"));
+    words[{row["reason"], row["equations"]}] =
+        row["violate"] == "0" && !decides
+            ? fmt::format("in all of {}", row["apply"])
+            : fmt::format("{}{:.1f} +- {:.1f} %", decides ? "decides in " : "", percent,
+                          100 * number("standard_error")) +
+                  (row["size"].empty() ? "" : fmt::format(", else x {:.2f}", number("size")));
+  }
+  return words;
 }
 
 }  // namespace rotor

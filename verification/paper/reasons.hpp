@@ -3,57 +3,69 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "model/mechanics/parameters.hpp"
+#include "figures/scenes/statement.hpp"
 
 namespace rotor {
 
-/// How a statement is judged, along values of one quantity from the least to the most risky one.
-/// A rotor counts if the statement could fail on it, and fails it once or not at all.
+/// How a statement is judged on a rotor at two values of a quantity, the second one being riskier.
 enum class Judged {
-  rolls,     ///< one that rolls goes on to do so
-  touches,   ///< one that touches the ring goes on to do so
-  force,     ///< the largest force rises from each value at which it rolls to the next
-  harmless,  ///< one that touches does not roll
-  minor,     ///< the outcome is the same, and the largest force but for 10 %, at each value
-  slight,    ///< the same with 5 %; both by reference-data/policy.md
+  rolls,     ///< applies if it rolls at the first one, holds if it does at the second
+  touches,   ///< the same of touching the ring
+  force,     ///< applies if it rolls at both, holds if the largest force in rolling is not less
+  harmless,  ///< the second one being the operating speed: applies if it touches at the first one,
+             ///< holds if it does not roll there
+  decides,   ///< holds if it rolls at both or at neither: how often the quantity decides that
 };
 
 struct Reason {
   std::string id, place, says, quantity;
-  std::vector<double> values;  ///< of the quantity, SI; of a location, the number of angles
+  double from, until;  ///< of the quantity, from the least to the most risky value, SI
+  bool logarithmic;
+  std::optional<double> most_friction;  ///< of the rotors on which it is tried
   Judged judged;
 };
 
-/// The first columns of reference-data/reasons.csv.
+/// The rows of reference-data/reasons.csv.
 std::vector<Reason> read_reasons(const std::filesystem::path& table);
 
-/// Of each reason, by its id and the equations: on how many rotors it fails, in words, from
-/// reference-data/reasons-tried.csv.
-std::map<std::pair<std::string, std::string>, std::string> read_shares_that_fail(
-    const std::filesystem::path& table);
-
-/// What becomes of a statement.
+/// What becomes of a statement on random rotors, with a random pair of values on each.
 struct Trial {
-  long rotors = 0, fails = 0;  ///< that count, and those of them that fail
-  std::vector<long> failing;   ///< at each step from a value to the next; harmless: at each value
-  double first = 0, last = 0;  ///< trend: share of the draws that roll, or touch, at the least and
-                               ///< at the most risky value; or their mean largest force, kN
-  std::string example;         ///< the first draw that fails, as options of `rotor run`
+  long pairs = 0, apply = 0, violate = 0;
+  std::vector<double> sizes;  ///< of each violation: the force at the riskier value, relative to
+                              ///< that at the other one; harmless: the other way round
+  std::string example;        ///< the first violation, as options of `rotor run`
 
-  double share() const;  ///< of those that fail
+  double share() const;  ///< of those to which it applies, that violate it
   double standard_error() const;
+  std::optional<double> median_size() const;
 };
 using Trials = std::map<std::string, Trial>;  ///< by reason
 
-/// Over so many draws of reasons.toml, numbers to four digits, by so many threads.
-Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads);
+/// Over so many draws of reasons.toml, numbers to four digits, by so many threads. The values of a
+/// pair differ, and are any ones of the range, or lie on a grid of so many steps.
+Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads,
+             std::optional<long> steps = {});
+
+/// The largest normal force of a run until its outcome, and that while it rolls, N; 0 if there is
+/// none.
+struct Forces {
+  double largest, in_rolling;
+};
+Forces forces_of(const Statement& statement);
 
 /// What `make reasons` writes.
 std::string to_csv(const std::vector<Reason>& reasons, const Trials& published,
                    const Trials& consistent);
+
+/// Of each reason, by its id and the equations: with which probability the riskier value is not
+/// worse, and by how much the force differs at the median where it is; or how often a quantity
+/// decides. From reasons-tried.csv in the folder of reference data.
+std::map<std::pair<std::string, std::string>, std::string> read_trials_in_words(
+    const std::filesystem::path& folder);
 
 }  // namespace rotor

@@ -19,15 +19,17 @@ int main(const Arguments& arguments) {
   FileTransaction files;
   files.write(
       folder / "reasons-tried.csv",
-      fmt::format("# How often the statements of reasons.csv fail, from `make reasons`; not "
-                  "from the paper.\n"
-                  "# rotor " ROTOR_VERSION ", {} draws of verification/paper/reasons.toml. "
-                  "rotors: that count; fails: those on which the statement fails,\n"
-                  "# by_step: at each step along the values; first, last: trend, from the "
-                  "least to the most risky value; example: the first\n"
-                  "# rotor that fails, as options of `rotor run`, with the two values "
-                  "between which it does.\n",
-                  draws) +
+      fmt::format(
+          "# How often the statements of reasons.csv fail on a random rotor and a random pair of "
+          "values, from `make reasons`; not from the paper.\n"
+          "# rotor " ROTOR_VERSION
+          ", {} draws of verification/paper/reasons.toml. apply: pairs to which the statement "
+          "applies; violate: those of them that violate it;\n"
+          "# share: of those; size: median of the largest force at the riskier value relative to "
+          "that at the other one, where it is violated (of\n"
+          "# contact at low speed: of that at low speed relative to that at 150 Hz); example: the "
+          "first violation, as options of `rotor run` with both values.\n",
+          draws) +
           to_csv(reasons, tried(reasons, Equations::published, draws, threads),
                  tried(reasons, Equations::consistent, draws, threads)));
   files.commit();

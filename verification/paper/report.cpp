@@ -12,8 +12,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
-#include "verification/paper/claims_table.hpp"
-#include "verification/paper/convergence.hpp"
+#include "verification/paper/claims.hpp"
 #include "verification/paper/reasons.hpp"
 #include "verification/paper/uncertainty.hpp"
 #include "verification/support/program.hpp"
@@ -45,26 +44,6 @@ std::vector<TestOutcome> read_outcomes(const std::filesystem::path& folder) {
   return outcomes;
 }
 
-/// The class of a test is the file that it stands in.
-void print_by_class(const std::vector<TestOutcome>& outcomes) {
-  struct Class {
-    int tests = 0, failed = 0;
-    double time_s = 0;
-  };
-  std::map<std::string, Class> classes;
-  for (const TestOutcome& outcome : outcomes) {
-    std::string name = outcome.file.substr(0, outcome.file.rfind("_test"));
-    std::ranges::replace(name, '_', ' ');
-    Class& its = classes[name];
-    ++its.tests;
-    its.failed += outcome.failed;
-    its.time_s += outcome.time_s;
-  }
-  fmt::print("\n{:<24}{:>6}{:>8}{:>8}\n", "Tests by class", "tests", "failed", "s");
-  for (const auto& [name, its] : classes)
-    fmt::print("  {:<22}{:>6}{:>8}{:>8.1f}\n", name, its.tests, its.failed, its.time_s);
-}
-
 /// The name of a test as words.
 std::string in_words(const std::string& name) {
   std::string words;
@@ -90,46 +69,26 @@ void print_audit(const std::vector<TestOutcome>& outcomes) {
   }
 }
 
-void print_and_write_convergence(FileTransaction& files, const std::filesystem::path& out) {
-  const auto all = studied_convergence();
-  fmt::print(
-      "\nConvergence of the landmarks: relative errors. The event method locates its events and "
-      "follows its tolerance:\nit has no grid, hence no grid convergence index (GCI); its errors "
-      "fall with a power of the tolerance. The paper's\nmethod is of fourth order while nothing is "
-      "switched; across contacts, which lie anywhere in a step, successive\norders scatter, and "
-      "there is no asymptotic range in which a GCI would mean anything.\n{}",
-      convergence_table(all));
-  files.write(out / "convergence.csv", to_csv(all));
-}
-
-void print_and_write_uncertainty(const std::vector<Number>& numbers,
-                                 const std::filesystem::path& folder, FileTransaction& files,
-                                 const std::filesystem::path& out) {
-  const auto all = uncertainties(numbers, read_ranking(folder / "ranking.csv"));
-  fmt::print(
-      "\nUncertainty in the terms of ASME V&V 20, in per cent of the simulated value S. E = S - D, "
-      "D "
-      "being the number as printed,\nu_D half a unit of its last digit. u_num: what the tolerance "
-      "leaves open; by rk4: what the paper's steps do; u_input: half the\nrange from 5 to 95 % "
-      "over "
-      "the rounding of every printed digit, by t_1: of that alone. decided by: the inputs with the "
-      "greatest\ntotal Sobol' indices over that rounding (reference-data/ranking.csv). The model's "
-      "part is not quantified: reference-data/policy.md\n{}",
-      uncertainty_table(all));
-  files.write(out / "uncertainty.csv", to_csv(all));
-}
-
 /// Whether all numbers have the verdicts that the table expects.
 bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction& files,
                             const std::filesystem::path& out) {
+  const auto draws = static_cast<double>(numbers.front().readings.front().in[0].b.spread.draws);
   fmt::print(
-      "\nThe claims of the paper's text, by the rules of reference-data/policy.md; ranges "
-      "from 5 to 95 % over the rounding of t_1 and of every printed digit,\nand the share of "
-      "runs in which the claim holds (standard error {:.1f} % at most)\n{}",
-      50 / std::sqrt(numbers.back().readings.front().everything.draws), claims_table(numbers));
+      "\nThe claims of the paper's text, by the rules of reference-data/policy.md, over {} draws "
+      "of "
+      "each population (standard error of a share: {:.1f} % at most)\n{}",
+      draws, 50 / std::sqrt(draws), claims_table(numbers));
   files.write(out / "claims.csv", to_csv(numbers));
-  return std::ranges::all_of(
-      numbers, [](const Number& number) { return number.verdict == number.expected_verdict; });
+  std::string counts = "equations,width_of_words,reproduced,within_rounding,refuted\n";
+  bool as_expected = true;
+  for (const Counts& its : sensitivity(numbers))
+    counts += fmt::format("{},{},{},{},{}\n", its.set, its.words, its.claims.at("reproduced"),
+                          its.claims.at("within rounding"), its.claims.at("refuted"));
+  files.write(out / "verdict-counts.csv", counts);
+  for (std::size_t set = 0; set < sets.size(); ++set)
+    for (const Number& number : numbers)
+      as_expected = as_expected && verdict_of(number, set).says == number.expected[set];
+  return as_expected;
 }
 
 void print_register(const std::filesystem::path& assumptions) {
@@ -142,14 +101,17 @@ void print_register(const std::filesystem::path& assumptions) {
 void print_reasons(const std::filesystem::path& folder) {
   fmt::print(
       "\nThe paper's reasons for the accident, on the rotors of verification/paper/reasons.toml: "
-      "the "
-      "share on which each statement\nfails, of those on which it can (reference-data/reasons.csv; "
-      "make reasons; reasons-tried.csv has an example of each)\n  {:<62}{:<18}{:>16}{:>16}\n",
+      "for "
+      "a random rotor and a random pair of\nvalues, how often the riskier one is not worse, where "
+      "the statement applies; else, the force at it relative to that at the other one\n(median). "
+      "Last, how often a quantity decides whether the rotor rolls (reference-data/reasons.csv; "
+      "make "
+      "reasons)\n  {:<62}{:<20}{:>28}{:>28}\n",
       "", "along", "published", "consistent");
-  const auto fail = read_shares_that_fail(folder / "reasons-tried.csv");
+  const auto words = read_trials_in_words(folder);
   for (const Reason& reason : read_reasons(folder / "reasons.csv"))
-    fmt::print("  {:<62}{:<18}{:>16}{:>16}\n", reason.says, reason.quantity,
-               fail.at({reason.id, "published"}), fail.at({reason.id, "consistent"}));
+    fmt::print("  {:<62}{:<20}{:>28}{:>28}\n", reason.says, reason.quantity,
+               words.at({reason.id, "published"}), words.at({reason.id, "consistent"}));
 }
 
 int main(const Arguments& arguments) {
@@ -160,15 +122,14 @@ int main(const Arguments& arguments) {
   const std::vector<TestOutcome> outcomes = read_outcomes(arguments[0]);
   if (outcomes.empty())
     fmt::print("\nThe tests ended before their time: there is no {}/tests-0.json.\n", arguments[0]);
-  print_by_class(outcomes);
   print_audit(outcomes);
   print_register(arguments[2]);
   const std::filesystem::path data = arguments[1], out = arguments[3];
   print_reasons(data);
   const auto numbers = judged_numbers(data);
   FileTransaction files;
-  print_and_write_convergence(files, out);
-  print_and_write_uncertainty(numbers, data, files, out);
+  files.write(out / "uncertainty.csv",
+              to_csv(uncertainties(numbers, read_ranking(data / "ranking.csv"))));
   const bool as_expected = print_and_write_claims(numbers, files, out);
   files.commit();
   return as_expected ? 0 : 1;

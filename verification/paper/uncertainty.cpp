@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "figures/data/csv.hpp"
+#include "verification/paper/readings.hpp"
 
 namespace rotor {
 namespace {
@@ -21,10 +22,6 @@ bool is_continuous(const Number& number) {
 
 bool has_printed_number(const Number& number) {
   return number.rule == "digits" || number.rule == "about";
-}
-
-std::string percent(double value) {
-  return std::isnan(value) ? "-" : fmt::format("{:.2g}", 100 * value);
 }
 
 std::string decided(const Uncertainty& u, std::size_t most) {
@@ -48,11 +45,12 @@ std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
   for (const Number& number : numbers) {
     if (!is_continuous(number)) continue;
     const Reading& reading = number.readings.front();
-    const double s = reading.converged.value();
+    const Reading::InSet& in = reading.in[0];
+    const double s = in.converged.value();
     if (s == 0) continue;  // kept to the bit: nothing is relative to that
     const auto relative = [&](double value) { return value / std::abs(s); };
-    const auto half_range = [&](const Spread& spread) {
-      return relative((spread.high - spread.low) / 2);
+    const auto half_range = [&](const Stored& over) {
+      return relative((over.spread.high - over.spread.low) / 2);
     };
     const bool printed = has_printed_number(number);
     all.push_back({.number = number.id,
@@ -61,30 +59,18 @@ std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
                    .simulated = s,
                    .error = printed ? relative(s - std::stod(number.printed)) : nan,
                    .u_num = relative(std::abs(read_off(reading.name, finer_runs).value() - s)),
-                   .u_num_own = reading.by_rk4 ? relative(std::abs(*reading.by_rk4 - s)) : nan,
-                   .u_times = half_range(reading.times),
-                   .u_input = half_range(reading.everything),
+                   .u_num_own = in.by_rk4 ? relative(std::abs(*in.by_rk4 - s)) : nan,
+                   .u_times = half_range(in.a),
+                   .u_input = half_range(in.b),
                    .u_printed = printed ? relative(half_digit(number.printed)) : nan,
                    .decided_by = ranked(ranking, reading.name)});
   }
   return all;
 }
 
-std::string uncertainty_table(const std::vector<Uncertainty>& all) {
-  std::string table =
-      fmt::format("  {:<80}{:>11} {:<5}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {}\n", "", "S", "", "E, %",
-                  "u_num", "by rk4", "by t_1", "u_input", "u_D", "decided by, total index");
-  for (const Uncertainty& u : all)
-    table +=
-        fmt::format("  {:<80}{:>11.5g} {:<5}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {}\n", u.says,
-                    u.simulated, u.unit, percent(u.error), percent(u.u_num), percent(u.u_num_own),
-                    percent(u.u_times), percent(u.u_input), percent(u.u_printed), decided(u, 2));
-  return table;
-}
-
 std::string to_csv(const std::vector<Uncertainty>& all) {
   std::string csv =
-      "number,unit,simulated,error,u_num,u_num_published_method,u_input_times,u_input,u_printed,"
+      "number,unit,simulated,error,u_num,u_num_published_method,u_input_a,u_input_b,u_printed,"
       "decided_by\n";
   for (const Uncertainty& u : all) {
     csv += fmt::format("{},{}", u.number, u.unit);
@@ -94,6 +80,41 @@ std::string to_csv(const std::vector<Uncertainty>& all) {
     csv += ',' + csv_field(decided(u, u.decided_by.size())) + '\n';
   }
   return csv;
+}
+
+Draws one_at_a_time(const std::vector<std::string>& readings, const std::vector<InputRange>& ranges,
+                    int threads) {
+  const auto at = [&](long n) {
+    const InputRange& range = ranges[static_cast<std::size_t>(n / 2)];
+    PaperInputs inputs;
+    inputs.set(range.input, n % 2 == 0 ? range.least : range.greatest);
+    return inputs;
+  };
+  return evaluate(readings, 2 * static_cast<long>(ranges.size()), at, threads);
+}
+
+std::vector<Influence> read_ranking(const std::filesystem::path& ranking) {
+  std::vector<Influence> all;
+  for (const CsvRow& row : read_csv(ranking)) {
+    const auto number = [&](const std::string& heading) {
+      return row[heading].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                  : static_cast<double>(row.number(heading));
+    };
+    const auto estimate = [&](const std::string& of) {
+      return Estimate{number(of), number(of + "_low"), number(of + "_high")};
+    };
+    all.push_back({row["reading"], row["input"], number("at_least"), number("at_greatest"),
+                   estimate("first"), estimate("total")});
+  }
+  return all;
+}
+
+std::vector<Influence> ranked(const std::vector<Influence>& all, const std::string& reading) {
+  std::vector<Influence> its;
+  for (const Influence& influence : all)
+    if (influence.reading == reading) its.push_back(influence);
+  std::ranges::stable_sort(its, std::greater(), [](const Influence& i) { return i.total.value; });
+  return its;
 }
 
 }  // namespace rotor

@@ -1,13 +1,9 @@
 /// What the method, the paper's steps and the printed digits leave open, and which input decides.
 #include "verification/paper/uncertainty.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-
-#include "verification/paper/judged.hpp"
 
 namespace rotor {
 namespace {
@@ -34,17 +30,6 @@ TEST(Uncertainty, OfTheMethodIsAtMostAHundredthOfWhatThePrintedDigitsLeaveOpen) 
     }
 }
 
-TEST(Uncertainty, OfThePapersStepsIsLessThanWhatThePrintedDigitsLeaveOpenButForOneDifference) {
-  for (const Uncertainty& u : all()) {
-    if (std::isnan(u.u_num_own) || u.u_input == 0) continue;
-    EXPECT_EQ(u.u_num_own < u.u_input, u.number != "F_in_agrees") << u.number;
-  }
-}
-
-TEST(Uncertainty, OfTheInstantAloneIsNoneOfItsOwn) {
-  for (const Uncertainty& u : all()) EXPECT_LE(u.u_times, u.u_input * (1 + 1e-9)) << u.number;
-}
-
 TEST(Uncertainty, IsRelativeToTheSimulatedValue) {
   const Uncertainty& peak = of("peak_force");
   EXPECT_NEAR(peak.error, (peak.simulated - 455) / peak.simulated, 1e-12);
@@ -52,25 +37,12 @@ TEST(Uncertainty, IsRelativeToTheSimulatedValue) {
   EXPECT_TRUE(std::isnan(of("onset_at_peak").error));  // which has no number printed
 }
 
-TEST(Uncertainty, IsSaidInTheReadme) {
-  std::ifstream file(ROTOR_SOURCES "/README.md");
-  std::string readme;
-  for (std::string word; file >> word;) readme += word + ' ';
-  const Uncertainty& peak = of("peak_force");
-  ASSERT_EQ(peak.decided_by.at(0).input, "clearance");
-  ASSERT_EQ(peak.decided_by.at(1).input, "mass");
-  const std::string sentence = fmt::format(
-      "The printed digits leave the largest force open by {:.0f} %, those of clearance and mass "
-      "before all, the paper's steps by {:.1f} %, ours by less than 1e-9 %.",
-      100 * peak.u_input, 100 * peak.u_num_own);
-  EXPECT_NE(readme.find(sentence), std::string::npos) << sentence;
-  EXPECT_LT(peak.u_num, 1e-11);
-}
-
 // A fixed part of what `make ranking` writes, without OpenTURNS.
 TEST(Ranking, HasWhatRunsGiveOneAtATime) {
   const auto ranges = read_input_ranges(ROTOR_REFERENCE_DATA "/printed-inputs.csv");
-  const auto readings = readings_to_draw(read_numbers(ROTOR_REFERENCE_DATA "/claims.csv"));
+  std::vector<std::string> readings;
+  for (const Influence& row : ranking())
+    if (readings.empty() || readings.back() != row.reading) readings.push_back(row.reading);
   const Draws draws = one_at_a_time(readings, ranges, 2);
   const double digits = 2e-5;  // of six that are written, and another compiler's last ones
   for (const Influence& row : ranking()) {
@@ -91,8 +63,8 @@ TEST(Ranking, HasWhatRunsGiveOneAtATime) {
 // Where a reading varies nearly linearly, an input's share of the variance follows from the ends of
 // its range: another way to Sobol's index.
 TEST(Ranking, HasTheSharesOfALinearResultWhereItIsNearlyOne) {
-  for (const char* reading : {"resonance_s", "c_radial", "onset_mm", "onset_velocity", "whirl_5_ms",
-                              "q1_5_ms", "elastic_N", "damping_N", "onset_rolling_Hz"}) {
+  for (const char* reading : {"resonance_s", "onset_mm", "onset_velocity", "whirl_5_ms", "q1_5_ms",
+                              "elastic_N", "damping_N", "onset_rolling_Hz"}) {
     const std::vector<Influence> its = ranked(ranking(), reading);
     ASSERT_GE(its.size(), 2U) << reading;
     double sum = 0;
@@ -104,23 +76,6 @@ TEST(Ranking, HasTheSharesOfALinearResultWhereItIsNearlyOne) {
           << reading << ' ' << input.input;
     }
   }
-}
-
-TEST(Ranking, HasTheGreatestTotalIndexFirst) {
-  const std::vector<Influence> its = ranked(ranking(), "peak_kN");
-  ASSERT_GE(its.size(), 5U);
-  for (std::size_t n = 1; n < its.size(); ++n) {
-    EXPECT_GE(its[n - 1].total.value, its[n].total.value);
-    EXPECT_EQ(its[n].reading, "peak_kN");
-  }
-}
-
-TEST(Ranking, HasEachEstimateWithinItsInterval) {
-  for (const Influence& row : ranking())
-    for (const Estimate& e : {row.first, row.total}) {
-      EXPECT_LE(e.low, e.value) << row.reading << ' ' << row.input;
-      EXPECT_GE(e.high, e.value) << row.reading << ' ' << row.input;
-    }
 }
 
 }  // namespace

@@ -12,70 +12,70 @@
 namespace rotor {
 namespace {
 
+/// As keys of the document.
+constexpr std::array set_keys = {"as_printed", "corrected"};
+
 Json number_or_nothing(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-Json spread_json(const Spread& spread) {
-  Json all = {{"draws", spread.draws},
-              {"median", number_or_nothing(spread.median)},
-              {"low", number_or_nothing(spread.low)},
-              {"high", number_or_nothing(spread.high)},
-              {"holds_in_percent", number_or_nothing(100 * spread.share)}};
-  all["is_range"] = !all["low"].is_null();
-  return all;
-}
-
 Json number_or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-Json reading_json(const Reading& reading, const std::optional<double>& put_right) {
+Json population_json(const Stored& stored) {
+  const Spread& spread = stored.spread;
+  return {{"draws", spread.draws},
+          {"valued_in_percent", number_or_nothing(100 * spread.valued)},
+          {"median", number_or_nothing(spread.median)},
+          {"low", number_or_nothing(spread.low)},
+          {"high", number_or_nothing(spread.high)},
+          {"is_range", std::isfinite(spread.low)},
+          {"holds_in_percent", number_or_nothing(100 * stored.holds)}};
+}
+
+Json reading_json(const Reading& reading) {
   std::string words = reading.name;
   std::ranges::replace(words, '_', ' ');
+  const Reading::InSet& in = reading.in[0];
   return {{"name", reading.name},
           {"words", words},
-          {"converged", number_or_nothing(reading.converged)},
-          {"published_method", number_or_nothing(reading.by_rk4)},
-          {"put_right", number_or_nothing(put_right)},
-          {"times", spread_json(reading.times)},
-          {"inputs", spread_json(reading.everything)}};
+          {"converged", number_or_nothing(in.converged)},
+          {"published_method", number_or_nothing(in.by_rk4)},
+          {"corrected_value", number_or_nothing(reading.in[1].converged)},
+          {"a", population_json(in.a)},
+          {"b", population_json(in.b)}};
 }
 
-/// As a class of the page's style.
-std::string mark_of(const std::string& verdict) {
-  return verdict == "within rounding" ? "rounding" : verdict;
+/// With its class of the page's style.
+Json verdict_json(const std::string& verdict) {
+  return {{"says", verdict}, {"mark", verdict == "within rounding" ? "rounding" : verdict}};
 }
 
-Json number_json(const Number& number, PaperRuns& consistent) {
+Json number_json(const Number& number) {
   Json readings = Json::array();
-  bool holds = false;
-  for (const Reading& reading : number.readings) {
-    const auto value = read_off(reading.name, consistent);
-    holds = holds || (value && number.allowed.holds(*value));
-    readings.push_back(reading_json(reading, value));
+  for (const Reading& reading : number.readings) readings.push_back(reading_json(reading));
+  const Allowed allowed = number.allowed();
+  Json all = {{"id", number.id},
+              {"says", number.says},
+              {"printed", number.printed},
+              {"unit", number.unit},
+              {"rule", number.rule},
+              {"least", allowed.least()},
+              {"greatest", allowed.greatest()},
+              {"is_interval", number.rule != "major" && number.rule != "is"},
+              {"is_bound", number.rule == "major"},
+              {"is_drawn", number.kind != Kind::method},
+              {"conditions", number.conditions},
+              {"reason", number.reason},
+              {"readings", readings}};
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const Verdict verdict = verdict_of(number, set);
+    all[set_keys[set]] = verdict_json(verdict.says);
+    all[set_keys[set]]["off_a"] = number_or_nothing(verdict.off_a);
+    all[set_keys[set]]["off_b"] = number_or_nothing(verdict.off_b);
   }
-  return {{"id", number.id},
-          {"says", number.says},
-          {"printed", number.printed},
-          {"unit", number.unit},
-          {"rule", number.rule},
-          {"least", number_or_nothing(number.allowed.least)},
-          {"greatest", number_or_nothing(number.allowed.greatest)},
-          {"is_interval", number.allowed.least < number.allowed.greatest &&
-                              std::isfinite(number.allowed.greatest)},
-          {"is_bound", !std::isfinite(number.allowed.greatest)},
-          {"is_drawn", number.kind == Kind::simulated},
-          {"verdict", number.verdict},
-          {"mark", mark_of(number.verdict)},
-          {"holds_put_right", holds},
-          {"reason", number.reason},
-          {"readings", readings}};
+  return all;
 }
 
 }  // namespace
 
 Json claims_json(const std::vector<Number>& numbers) {
-  PaperInputs put_right;
-  put_right.statement.equations = Equations::consistent;
-  PaperRuns consistent(put_right);
-  const auto verdicts = verdicts_of_claims(numbers);
   std::map<std::string, Json> claims;
   std::vector<std::string> order;
   for (const Number& number : numbers) {
@@ -84,9 +84,6 @@ Json claims_json(const std::vector<Number>& numbers) {
       claims[number.claim] = {{"id", number.claim},
                               {"figures", Json::array()},
                               {"place", number.place},
-                              {"verdict", verdicts.at(number.claim)},
-                              {"mark", mark_of(verdicts.at(number.claim))},
-                              {"holds_put_right", true},
                               {"numbers", Json::array()}};
     }
     Json& claim = claims[number.claim];
@@ -95,34 +92,40 @@ Json claims_json(const std::vector<Number>& numbers) {
       if (std::find(claim["figures"].begin(), claim["figures"].end(), figure) ==
           claim["figures"].end())
         claim["figures"].push_back(figure);
-    claim["numbers"].push_back(number_json(number, consistent));
-    if (claim["numbers"].back()["holds_put_right"] == false) claim["holds_put_right"] = false;
+    claim["numbers"].push_back(number_json(number));
   }
+  for (std::size_t set = 0; set < sets.size(); ++set)
+    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set))
+      claims[claim][set_keys[set]] = verdict_json(verdict);
   Json all = Json::array();
   for (const std::string& id : order) all.push_back(claims[id]);
   return all;
 }
 
-Json verdict_json(const std::vector<const Json*>& claims) {
-  const auto count = [&](const char* verdict) {
-    return std::ranges::count_if(claims,
-                                 [&](const Json* claim) { return (*claim)["verdict"] == verdict; });
-  };
-  const auto put_right = std::ranges::count_if(
-      claims, [](const Json* claim) { return claim->at("holds_put_right") == true; });
-  const auto all = static_cast<long>(claims.size());
-  const auto reproduced = count("reproduced"), rounding = count("within rounding"),
-             refuted = count("refuted");
-  const auto [mark, says] = [&]() -> std::array<const char*, 2> {
-    if (all == 0) return {"none", "nothing is claimed"};
-    if (refuted == all) return {"refuted", "refuted"};
-    if (refuted > 0) return {"partly", "holds in part"};
-    if (rounding > 0) return {"rounding", "holds within rounding"};
-    return {"reproduced", "holds"};
-  }();
-  return {{"claims", all},      {"reproduced", reproduced},   {"within_rounding", rounding},
-          {"refuted", refuted}, {"put_right", put_right},     {"mark", mark},
-          {"says", says},       {"claims_something", all > 0}};
+Json verdicts_json(const std::vector<const Json*>& claims) {
+  Json all = {{"claims", claims.size()}, {"claims_something", !claims.empty()}};
+  for (const char* set : set_keys) {
+    const auto count = [&](const char* verdict) {
+      return std::ranges::count_if(
+          claims, [&](const Json* claim) { return claim->at(set).at("says") == verdict; });
+    };
+    const auto reproduced = count("reproduced"), rounding = count("within rounding"),
+               refuted = count("refuted");
+    std::string says = claims.empty() ? "nothing is claimed" : "";
+    for (const auto& [number, verdict] :
+         {std::pair(reproduced, "reproduced"), {rounding, "within rounding"}, {refuted, "refuted"}})
+      if (number > 0) says += fmt::format("{}{} {}", says.empty() ? "" : ", ", number, verdict);
+    all[set] = {{"reproduced", reproduced},
+                {"within_rounding", rounding},
+                {"refuted", refuted},
+                {"mark", claims.empty()               ? "none"
+                         : reproduced + rounding == 0 ? "refuted"
+                         : refuted > 0                ? "partly"
+                         : rounding > 0               ? "rounding"
+                                                      : "reproduced"},
+                {"says", says}};
+  }
+  return all;
 }
 
 }  // namespace rotor

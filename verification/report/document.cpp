@@ -40,6 +40,18 @@ Json register_json(const std::filesystem::path& assumptions) {
   return rows;
 }
 
+/// The counts of verdicts by the width that words are given.
+Json sensitivity_json(const std::vector<Number>& numbers) {
+  Json rows = Json::array();
+  for (const Counts& counts : sensitivity(numbers))
+    rows.push_back({{"set", counts.set},
+                    {"words", fmt::format("{:g}", counts.words)},
+                    {"reproduced", counts.claims.at("reproduced")},
+                    {"within_rounding", counts.claims.at("within rounding")},
+                    {"refuted", counts.claims.at("refuted")}});
+  return rows;
+}
+
 /// The runs of both sets beside each other.
 Json comparison_json(const Json& values) {
   Json rows = Json::array();
@@ -88,11 +100,12 @@ Json table_json(const std::filesystem::path& csv) {
 Json document(const Sources& sources) {
   const std::vector<Number> judged = judged_numbers(sources.reference_data);
   const Json claims = claims_json(judged);
-  const Json values = values_json(judged, read_accidents(sources.reference_data / "accidents.csv"));
+  const Json values = values_json(judged);
   const Json words = with_numbers(read_json(sources.texts), values);
   Json all = {{"title", words.at("title")},
               {"paper", words.at("paper")},
-              {"verdict", verdict_json(all_of(claims))},
+              {"verdict", verdicts_json(all_of(claims))},
+              {"sensitivity", sensitivity_json(judged)},
               {"words", words},
               {"values", values},
               {"figures", figures_json(sources, claims)},

@@ -29,7 +29,7 @@ Json document(const Sources& sources);
 
 // Its parts.
 Json claims_json(const std::vector<Number>& numbers);
-Json values_json(const std::vector<Number>& numbers, const Accidents& accidents);
+Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
 Json accident_json(const Sources& sources);
 Json studies_json(const Sources& sources);
@@ -37,8 +37,8 @@ Json tests_json(const Sources& sources);
 Json machine_json();
 Json provenance_json(const Sources& sources);
 
-/// How many of them have which verdict, and what follows for all together.
-Json verdict_json(const std::vector<const Json*>& claims);
+/// How many of them have which verdict in each set of equations, in words and as a mark.
+Json verdicts_json(const std::vector<const Json*>& claims);
 
 /// The whole of a file. Throws std::runtime_error, naming it, if it cannot be read.
 std::string content_of(const std::filesystem::path& file);

@@ -89,7 +89,7 @@ Json figures_json(const Sources& sources, const Json& claims) {
     all.push_back({{"number", std::to_string(number)},
                    {"name", name},
                    {"title", scene.title},
-                   {"verdict", verdict_json(judged)},
+                   {"verdict", verdicts_json(judged)},
                    {"pictures", pictures},
                    {"is_told_twice", told_twice.contains(number)},
                    {"is_whirl", number == 7 || number == 10},

@@ -11,7 +11,6 @@
 #include "figures/scenes/audience.hpp"
 #include "model/simulation/simulation.hpp"
 #include "model/simulation/summary.hpp"
-#include "verification/paper/judged.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/law.hpp"
@@ -40,9 +39,7 @@ std::vector<std::string> all_texts() {
   return all;
 }
 
-Json all_values() {
-  return values_json(judged(), read_accidents(ROTOR_REFERENCE_DATA "/accidents.csv"));
-}
+Json all_values() { return values_json(judged()); }
 
 TEST(ReportTexts, StateNoResultThemselves) {
   // What the scenarios state, places in the paper, names and units may stand there; results come in
@@ -128,51 +125,37 @@ TEST(Render, EscapesAndPrintsSymbols) {
 
 // Each column of the page's table of claims has what its head names.
 TEST(TableOfClaims, HasEachNumberInItsColumn) {
-  const Json reading = {{"is_first", true},          {"says", "says"},     {"converged", "1.5"},
-                        {"published_method", "2.5"}, {"put_right", "3.5"}, {"is_drawn", false}};
+  const Json reading = {{"is_first", true},         {"says", "says"},
+                        {"converged", "1.5"},       {"published_method", "2.5"},
+                        {"corrected_value", "3.5"}, {"is_drawn", false}};
   const Json claims = {{"claims", {{{"numbers", {{{"readings", {reading}}}}}}}}};
   const std::string table = render(content_of(room / "claims_table.mustache.html"), {}, claims);
   for (const char* cell :
        {"<td data-label=\"converged\">1.5</td>", "<td data-label=\"paper's method\">2.5</td>",
-        "<td data-label=\"put right\">3.5</td>"})
+        "<td data-label=\"corrected\">3.5</td>"})
     EXPECT_NE(table.find(cell), std::string::npos) << cell << table;
-  const std::string index = content_of(room / "index.mustache.html");
-  EXPECT_NE(index.find("{{reproduced}} of {{claims}}"), std::string::npos);
-  EXPECT_NE(index.find("{{put_right}} of {{claims}}"), std::string::npos);
 }
 
-TEST(VerdictOfAFigure, FollowsFromItsClaims) {
-  const auto says = [](const std::vector<const char*>& verdicts) {
+TEST(MarksOfAFigure, CountItsClaimsInEachSetOfEquations) {
+  const auto marks = [](const std::vector<std::pair<const char*, const char*>>& verdicts) {
     std::vector<Json> claims;
-    for (const char* verdict : verdicts)
-      claims.push_back({{"verdict", verdict}, {"holds_put_right", false}});
+    for (const auto& [as_printed, corrected] : verdicts)
+      claims.push_back(
+          {{"as_printed", {{"says", as_printed}}}, {"corrected", {{"says", corrected}}}});
     std::vector<const Json*> all;
     for (const Json& claim : claims) all.push_back(&claim);
-    return verdict_json(all).at("says").get<std::string>();
+    const Json both = verdicts_json(all);
+    std::string text;
+    for (const char* set : {"as_printed", "corrected"})
+      text +=
+          both[set]["says"].get<std::string>() + ": " + both[set]["mark"].get<std::string>() + "; ";
+    return text;
   };
-  EXPECT_EQ(says({}), "nothing is claimed");
-  EXPECT_EQ(says({"reproduced", "reproduced"}), "holds");
-  EXPECT_EQ(says({"reproduced", "within rounding"}), "holds within rounding");
-  EXPECT_EQ(says({"reproduced", "within rounding", "refuted"}), "holds in part");
-  EXPECT_EQ(says({"refuted"}), "refuted");
-}
-
-TEST(VerdictOfAFigure, IsTheOneInTheReadme) {
-  const Json claims = claims_json(judged());
-  const std::string readme = content_of(ROTOR_SOURCES "/README.md");
-  for (int number = 2; number <= 17; ++number) {
-    std::vector<const Json*> its;
-    for (const Json& claim : claims)
-      for (const Json& figure : claim.at("figures"))
-        if (figure == number) its.push_back(&claim);
-    const Json verdict = verdict_json(its);
-    std::string says = verdict.at("says").get<std::string>();
-    if (!its.empty())
-      says += fmt::format(", {} of {}", verdict.at("reproduced").get<int>(), its.size());
-    EXPECT_TRUE(std::regex_search(
-        readme, std::regex(fmt::format("\\n\\| {} \\| [^|]* \\| {} \\|", number, says))))
-        << number << ": " << says;
-  }
+  EXPECT_EQ(marks({}), "nothing is claimed: none; nothing is claimed: none; ");
+  EXPECT_EQ(marks({{"reproduced", "refuted"}, {"reproduced", "refuted"}}),
+            "2 reproduced: reproduced; 2 refuted: refuted; ");
+  EXPECT_EQ(marks({{"reproduced", "within rounding"}, {"within rounding", "refuted"}}),
+            "1 reproduced, 1 within rounding: rounding; 1 within rounding, 1 refuted: partly; ");
 }
 
 class Accident : public CommandLine {};

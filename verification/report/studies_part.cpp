@@ -53,26 +53,25 @@ Json table_of(const fs::path& csv) {
 }
 
 Json reasons_json(const fs::path& folder) {
-  const auto fail = read_shares_that_fail(folder / "reasons-tried.csv");
+  const auto words = read_trials_in_words(folder);
   Json rows = Json::array();
   for (const Reason& reason : read_reasons(folder / "reasons.csv")) {
     std::string along = reason.quantity;
     std::ranges::replace(along, '_', ' ');
     rows.push_back({{"cells",
-                     {reason.says, reason.place, along, fail.at({reason.id, "published"}),
-                      fail.at({reason.id, "consistent"})}}});
+                     {reason.says, reason.place, along, words.at({reason.id, "published"}),
+                      words.at({reason.id, "consistent"})}}});
   }
   return {{"header",
-           {"The text, in our words", "Place", "Tried along", "Fails, equations as printed",
-            "Fails, put right"}},
+           {"The text, in our words", "Place", "Tried along", "Holds, equations as printed",
+            "Holds, corrected"}},
           {"rows", rows}};
 }
 
 }  // namespace
 
 Json studies_json(const Sources& sources) {
-  Json all = {{"convergence", table_of(sources.report / "convergence.csv")},
-              {"uncertainty", table_of(sources.report / "uncertainty.csv")},
+  Json all = {{"uncertainty", table_of(sources.report / "uncertainty.csv")},
               {"reasons", reasons_json(sources.reference_data)},
               {"maps", study_json(sources, "maps")},
               {"explore", fs::exists(sources.report / "explore.html")}};

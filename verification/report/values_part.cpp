@@ -67,17 +67,6 @@ Json balanced_json() {
           {"mu_008", run_of({.friction = 0.08}, 29.35)}};
 }
 
-Json accidents_json(const Accidents& accidents) {
-  Json all;
-  for (const auto& [key, accident] : accidents) {
-    std::string loss = key.first;
-    std::ranges::replace(loss, '.', '_');
-    all[key.second]["at_" + loss.substr(0, loss.find(' '))] = {
-        {"draws", accident.force.draws}, {"roll_in_percent", 100 * accident.rolls}};
-  }
-  return all;
-}
-
 /// What the second jump adds to the rotor's momentum, and to the energy of rotor and piece.
 Json separation_json() {
   Scenario scenario;
@@ -98,15 +87,20 @@ Json separation_json() {
 
 }  // namespace
 
-Json values_json(const std::vector<Number>& numbers, const Accidents& accidents) {
+Json values_json(const std::vector<Number>& numbers) {
   Json readings, printed, shares;
+  long draws = 0;
   for (const Number& number : numbers) {
     printed[number.id] = number.printed;
-    shares[number.id] = {{"times", 100 * number.readings.front().times.share},
-                         {"inputs", 100 * number.readings.front().everything.share}};
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+      const Reading::InSet& in = number.readings.front().in[set];
+      shares[sets[set].name][number.id] = {{"a", 100 * in.a.holds}, {"b", 100 * in.b.holds}};
+      draws = std::max(draws, in.b.spread.draws);
+    }
     for (const Reading& reading : number.readings) {
-      if (reading.converged) readings[reading.name] = *reading.converged;
-      if (reading.by_rk4) readings[reading.name + "_by_rk4"] = *reading.by_rk4;
+      const Reading::InSet& in = reading.in[0];
+      if (in.converged) readings[reading.name] = *in.converged;
+      if (in.by_rk4) readings[reading.name + "_by_rk4"] = *in.by_rk4;
     }
   }
   return {{"reading", readings},
@@ -115,7 +109,7 @@ Json values_json(const std::vector<Number>& numbers, const Accidents& accidents)
           {"published", runs_json(Equations::published)},
           {"consistent", runs_json(Equations::consistent)},
           {"balanced", balanced_json()},
-          {"accidents", accidents_json(accidents)},
+          {"draws", draws},
           {"separation", separation_json()}};
 }
 

@@ -1,0 +1,171 @@
+#include "verification/paper/populations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "figures/data/csv.hpp"
+#include "verification/paper/readings.hpp"
+#include "verification/paper/rules.hpp"
+
+namespace rotor {
+namespace {
+
+/// Where the inputs can lie of which the text prints arithmetic: a little more than what follows
+/// for each from the intervals of the printed numbers. A test sees that no draw comes near an end.
+/// (r + e_x) is v_DC over the speed; m follows from Delta_vy, e_x from 75 g cm, k_u from 223.9 g
+/// cm, I_C from I_C1.
+const std::vector<InputRange>& proposals() {
+  static const std::vector<InputRange> box = {
+      {"mass", 4.968, 5.020},
+      {"eccentricity", 0.1483e-3, 0.1520e-3},
+      {"rotor_radius", 0.05987, 0.06012},
+      {"unbalance_factor", 2.975, 3.025},
+      {"inertia", 8.9935e-3, 9.0065e-3},
+  };
+  return box;
+}
+
+/// Draws of the run-up, by which the torque and an instant are found.
+constexpr const char *motor_off_s = "motor_off_s", *speed_at_50 = "speed_at_50";
+
+bool is_left_to_arithmetic(const std::string& input) {
+  for (const char* found : {"torque", "t_50", "clearance", "lost_mass"})
+    if (input == found) return true;
+  return std::ranges::find(proposals(), input, &InputRange::input) != proposals().end();
+}
+
+/// A conditioning number: how the inputs make it, and what prints the same.
+struct Condition {
+  std::function<double(const PaperInputs&, const Parameters&)> value;
+  Allowed allowed;
+};
+
+/// The claims that condition, and what is allowed of those that the run-up decides.
+struct Conditions {
+  std::vector<Condition> arithmetic;
+  Allowed motor_off_s, speed_at_50;
+};
+
+Conditions read_conditions(const std::filesystem::path& claims) {
+  Conditions conditions;
+  for (const CsvRow& row : read_csv(claims)) {
+    if (row["conditions"] != "yes") continue;
+    const Allowed its = allowed(row["printed"], row["rule"]);
+    if (row["kind"] == "arithmetic") {
+      conditions.arithmetic.push_back({all_arithmetic().at(row["readings"]), its});
+    } else if (row["number"] == "motor_off") {
+      conditions.motor_off_s = its;
+    } else if (row["number"] == "speed_9") {
+      conditions.speed_at_50 = its;
+    } else if (row["number"] != "speed_14") {  // which the others leave no choice
+      row.fail("no draw can be conditioned on that");
+    }
+  }
+  return conditions;
+}
+
+void add(Sweep& sweep, const std::string& input, double least, double greatest) {
+  sweep.sample.over.push_back({input, Distribution::uniform, least, greatest});
+}
+
+/// The torque with which the motor is switched off at a time. The time is nearly that of a constant
+/// torque, so that each step multiplies the error by what the losses take, a thousandth.
+double torque_for(const PaperInputs& inputs, double off_s) {
+  Statement statement = inputs.statement;
+  const double speed_Hz = statement.numbers.at("motor_off_hz");
+  statement.numbers["motor_off_hz"] = 1.01 * speed_Hz;  // the motor still drives at that instant
+  double torque = Parameters{}.torque;
+  for (int n = 0; n < 8; ++n) {
+    statement.numbers["torque"] = torque;
+    const double at_s = run_up_time(statement, speed_Hz);
+    torque *= at_s / off_s;
+    if (std::abs(at_s / off_s - 1) < 1e-8) break;
+  }
+  return torque;
+}
+
+}  // namespace
+
+std::vector<InputRange> read_input_ranges(const std::filesystem::path& printed_inputs) {
+  std::vector<InputRange> ranges;
+  for (const CsvRow& row : read_csv(printed_inputs))
+    ranges.push_back({row["input"], static_cast<double>(row.number("least")),
+                      static_cast<double>(row.number("greatest"))});
+  return ranges;
+}
+
+PopulationDraws::PopulationDraws(Population population, const std::filesystem::path& reference_data,
+                                 long count) {
+  const std::vector<InputRange> ranges = read_input_ranges(reference_data / "printed-inputs.csv");
+  sweep_.sample.seed = 1;
+  sweep_.sample.count = std::numeric_limits<long>::max();
+  if (population == Population::a) {
+    for (const auto& [input, least, greatest] : ranges)
+      if (input.starts_with("t_")) add(sweep_, input, least, greatest);
+    return;
+  }
+  // Independent draws: a part of Sobol's sequence is none.
+  sweep_.sample.method = Sampling::random;
+  for (const auto& [input, least, greatest] : proposals()) add(sweep_, input, least, greatest);
+  const auto speed = std::ranges::find(ranges, "motor_off_hz", &InputRange::input);
+  add(sweep_, speed->input, speed->least, speed->greatest);
+  const Sweep proposed = sweep_;
+  const Conditions conditions = read_conditions(reference_data / "claims.csv");
+  const SweepPoints propose(proposed);
+  long tried = 0;
+  for (; static_cast<long>(accepted_.size()) < count; ++tried) {
+    if (tried > 100'000 &&
+        static_cast<double>(accepted_.size()) < 1e-4 * static_cast<double>(tried))
+      throw std::runtime_error("population (b): hardly a proposal prints the paper's numbers");
+    PaperInputs inputs;
+    inputs.statement = propose(tried).statement;
+    const Parameters p = scenario_of(inputs.statement).parameters;
+    if (std::ranges::all_of(conditions.arithmetic, [&](const Condition& condition) {
+          return condition.allowed.holds(condition.value(inputs, p));
+        }))
+      accepted_.push_back(tried);
+  }
+  proposals_a_draw_ = static_cast<double>(tried) / static_cast<double>(count);
+  for (const auto& [input, least, greatest] : ranges)
+    if (!is_left_to_arithmetic(input) && input != "motor_off_hz")
+      add(sweep_, input, least, greatest);
+  const Allowed ring = allowed("0.063", "digits");  // r_a
+  add(sweep_, "stator_radius", ring.least(), ring.greatest());
+  add(sweep_, motor_off_s, conditions.motor_off_s.least(), conditions.motor_off_s.greatest());
+  add(sweep_, speed_at_50, conditions.speed_at_50.least(), conditions.speed_at_50.greatest());
+  for (const CsvRow& row : read_csv(reference_data / "printed-results.csv")) {
+    const Allowed its = allowed(row["printed"], row["rule"]);
+    add(sweep_, row["input"], its.least(), its.greatest());
+  }
+}
+
+std::map<std::string, double> PopulationDraws::proposed_shares(long n) const {
+  const auto drawn =
+      SweepPoints(sweep_)(accepted_.at(static_cast<std::size_t>(n))).statement.numbers;
+  std::map<std::string, double> shares;
+  for (const auto& [input, least, greatest] : proposals())
+    shares[input] = (drawn.at(input) - least) / (greatest - least);
+  return shares;
+}
+
+PaperInputs PopulationDraws::operator()(long n, const Equations& equations) const {
+  const long point = accepted_.empty() ? n : accepted_.at(static_cast<std::size_t>(n));
+  PaperInputs inputs;
+  inputs.statement.equations = equations;
+  std::map<std::string, double, std::less<>> drawn = SweepPoints(sweep_)(point).statement.numbers;
+  const auto taken = [&](const char* input) { return drawn.extract(input).mapped(); };
+  if (accepted_.empty()) {
+    for (const auto& [input, value] : drawn) inputs.set(input, value);
+    return inputs;
+  }
+  const double off_s = taken(motor_off_s), speed_Hz = taken(speed_at_50);
+  for (const auto& [input, value] : drawn) inputs.set(input, value);
+  inputs.set("torque", torque_for(inputs, off_s));
+  inputs.set("t_50", run_up_time(inputs.statement, speed_Hz));
+  return inputs;
+}
+
+}  // namespace rotor

@@ -1,0 +1,43 @@
+/// The populations of reference-data/policy.md over which readings are drawn.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "figures/sweep/sweep.hpp"
+#include "verification/paper/paper_runs.hpp"
+
+namespace rotor {
+
+/// What the digits of an input allow: a row of printed-inputs.csv. All of them are the box (c).
+struct InputRange {
+  std::string input;
+  double least, greatest;
+};
+std::vector<InputRange> read_input_ranges(const std::filesystem::path& printed_inputs);
+
+enum class Population {
+  a,  ///< inputs as printed, the instants of the mass loss over their rounding
+  b,  ///< all inputs over their rounding, as far as the paper's arithmetic prints the same
+};
+
+/// The draws of a population, by their numbers from 0 on, in any order.
+class PopulationDraws {
+ public:
+  /// Finds that many draws of (b). Throws std::runtime_error if hardly any proposal is accepted.
+  PopulationDraws(Population population, const std::filesystem::path& reference_data, long count);
+
+  /// What a draw states in a set of equations, on whose run-up torque and instants depend.
+  PaperInputs operator()(long n, const Equations& equations) const;
+
+  /// Of (b): proposals tried for each draw, and where a draw lies in their box, as shares of it.
+  double proposals_a_draw() const { return proposals_a_draw_; }
+  std::map<std::string, double> proposed_shares(long n) const;
+
+ private:
+  Sweep sweep_;
+  std::vector<long> accepted_;  ///< points of the sweep; empty for (a), which takes all
+  double proposals_a_draw_ = 1;
+};
+
+}  // namespace rotor

@@ -1,0 +1,58 @@
+#include "verification/paper/rules.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace rotor {
+namespace {
+
+double number_of(const std::string& printed) {
+  std::size_t length = 0;
+  const double value = std::stod(printed, &length);
+  if (length != printed.size()) throw std::invalid_argument("is no number: " + printed);
+  return value;
+}
+
+}  // namespace
+
+double half_digit(const std::string& printed) {
+  const std::size_t exponent = printed.find('e');
+  const std::string digits = printed.substr(0, exponent);
+  const double scale =
+      exponent == std::string::npos ? 1 : std::pow(10, number_of(printed.substr(exponent + 1)));
+  const std::size_t point = digits.find('.');
+  if (point != std::string::npos)
+    return scale / 2 * std::pow(10, -static_cast<double>(digits.size() - point - 1));
+  // Zeros behind the second digit of a whole number do not count.
+  const std::size_t last = digits.find_last_not_of('0');
+  const std::size_t first = digits.find_first_of("123456789");
+  const std::size_t counts = std::min(digits.size() - 1, std::max(last, first + 1));
+  return scale / 2 * std::pow(10, static_cast<double>(digits.size() - 1 - counts));
+}
+
+Allowed allowed(const std::string& printed, const std::string& rule, double words) {
+  constexpr double about = 0.05;
+  if (rule == "digits") return {number_of(printed), half_digit(printed)};
+  if (rule == "about")
+    return {number_of(printed),
+            std::max(half_digit(printed), words * about * std::abs(number_of(printed)))};
+  if (rule == "range") {
+    const std::string to = " to ";
+    const std::size_t at = printed.find(to);
+    if (at == std::string::npos) throw std::invalid_argument("is no range: " + printed);
+    const std::string from = printed.substr(0, at), until = printed.substr(at + to.size());
+    const double least = number_of(from) - half_digit(from),
+                 greatest = number_of(until) + half_digit(until);
+    return {(least + greatest) / 2, (greatest - least) / 2};
+  }
+  if (rule == "is") return {number_of(printed), 0.4999};
+  if (rule == "few") return {6, 4 * words};
+  if (rule == "minor") return {0, 10 * words};
+  if (rule == "slight" || rule == "agrees") return {0, 5 * words};
+  if (rule == "negligible") return {0, words};
+  if (rule == "major") return {100, 50 * words};
+  if (rule == "unchanged") return {0, 1e-6};
+  throw std::invalid_argument("there is no rule " + rule);
+}
+
+}  // namespace rotor
