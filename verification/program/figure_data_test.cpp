@@ -5,45 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 
-#include "figures/data/csv.hpp"
 #include "figures/data/thinning.hpp"
-#include "figures/scenes/names.hpp"
-#include "figures/scenes/recorder.hpp"
 #include "verification/support/column_formulas.hpp"
-#include "verification/support/command_line.hpp"
+#include "verification/support/figure_folder.hpp"
 #include "verification/support/figure_list.hpp"
 #include "verification/support/figure_watch.hpp"
 
 namespace rotor {
 namespace {
-
-/// The data of all figures in one set of equations, written once.
-class FigureFolder {
- public:
-  explicit FigureFolder(Equations equations)
-      : path_(fs::temp_directory_path() /
-              fmt::format("rotor-figures-{}-{}", ::getpid(), name_of(equations))) {
-    const std::string command =
-        fmt::format("'{}' figure --out '{}' --equations {} 2>&1 >/dev/null | cat >/dev/null",
-                    ROTOR_PROGRAM, path_.string(), name_of(equations));
-    EXPECT_EQ(std::system(command.c_str()), 0);
-  }
-  ~FigureFolder() { fs::remove_all(path_); }
-  FigureFolder(const FigureFolder&) = delete;
-  FigureFolder& operator=(const FigureFolder&) = delete;
-
-  fs::path csv(int number) const { return path_ / fmt::format("fig{:02}.csv", number); }
-
-  static const FigureFolder& of(Equations equations) {
-    static const FigureFolder published(Equations::published), consistent(Equations::consistent);
-    return equations == Equations::published ? published : consistent;
-  }
-
- private:
-  fs::path path_;
-};
 
 /// Of velocities near 17 m/s: in rolling, the slip is nothing else.
 constexpr double rounding = 1e-13;
@@ -53,7 +23,7 @@ using Rows = std::vector<std::vector<double>>;
 
 std::vector<std::pair<std::string, Rows>> rows_of(const Figure& figure, Equations equations) {
   std::vector<std::pair<std::string, Rows>> runs;
-  for (const CsvRow& row : read_csv(FigureFolder::of(equations).csv(figure.number))) {
+  for (const CsvRow& row : FigureFolder::of(equations).rows(figure.number)) {
     if (runs.empty() || runs.back().first != row["run"]) runs.push_back({row["run"], {}});
     runs.back().second.emplace_back();
     for (const std::string& column : figure.columns)
@@ -81,51 +51,30 @@ double distance(const Rows& rows, std::size_t column, double time_s, double valu
   return least;
 }
 
-class FigureData : public testing::TestWithParam<std::tuple<Figure, Equations>> {
- protected:
-  const Figure& figure() const { return std::get<0>(GetParam()); }
-  Equations equations() const { return std::get<1>(GetParam()); }
-  Scenario scenario(std::size_t run) const {
-    Scenario scenario = figure().runs[run].second;
-    scenario.equations = equations();
-    return scenario;
-  }
-};
+class FigureData : public testing::TestWithParam<Figure> {};
 
-TEST_P(FigureData, HasItsRunsInOrderFromTheBeginningToTheEndOfItsWindow) {
-  const auto runs = rows_of(figure(), equations());
-  ASSERT_EQ(runs.size(), figure().runs.size());
-  for (std::size_t n = 0; n < runs.size(); ++n) {
-    const auto& [name, rows] = runs[n];
-    EXPECT_EQ(name, figure().runs[n].first);
-    ASSERT_GT(rows.size(), 10U);
-    double from_s = figure().from_s, until_s = figure().until_s;
-    if (figure().number == 10) {
-      FigureWatch watch(figure(), scenario(n), {});
-      run(scenario(n), watch);
-      from_s = watch.from_s();
-      until_s = watch.until_s();
-    }
-    EXPECT_NEAR(rows.front()[0], from_s, 1e-10);
-    EXPECT_NEAR(rows.back()[0], until_s, 1e-10);
-    EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end(),
-                               [](const auto& a, const auto& b) { return a[0] < b[0]; }));
-  }
-}
-
-// Rows are instants of the motion, and the lines between them stay as close to it as thinning
-// promises.
+// Rows are instants of the motion, from the beginning to the end of the window, and the lines
+// between them stay as close to it as thinning promises. In the consistent equations, as the values
+// below are of the published ones.
 TEST_P(FigureData, IsTheMotionThatTheEngineGives) {
-  const auto runs = rows_of(figure(), equations());
-  ASSERT_EQ(runs.size(), figure().runs.size());
+  const Figure& figure = GetParam();
+  const auto runs = rows_of(figure, Equations::consistent);
+  ASSERT_EQ(runs.size(), figure.runs.size());
   for (std::size_t n = 0; n < runs.size(); ++n) {
     const auto& [name, rows] = runs[n];
+    EXPECT_EQ(name, figure.runs[n].first);
+    Scenario scenario = figure.runs[n].second;
+    scenario.equations = Equations::consistent;
+    ASSERT_GT(rows.size(), 10U);
     std::vector<double> times;
     for (const auto& row : rows) times.push_back(row[0]);
-    FigureWatch watch(figure(), scenario(n), times);
-    run(scenario(n), watch);
-    for (std::size_t column = 1; column < figure().columns.size(); ++column) {
-      const std::string at = name + ": " + figure().columns[column];
+    FigureWatch watch(figure, scenario, times);
+    run(scenario, watch);
+    EXPECT_TRUE(std::ranges::is_sorted(times));
+    EXPECT_NEAR(times.front(), watch.from_s(), 1e-10);
+    EXPECT_NEAR(times.back(), watch.until_s(), 1e-10);
+    for (std::size_t column = 1; column < figure.columns.size(); ++column) {
+      const std::string at = name + ": " + figure.columns[column];
       double least = std::numeric_limits<double>::infinity(), greatest = -least;
       for (const auto& sample : watch.samples()) {
         least = std::min(least, sample[column]);
@@ -154,37 +103,11 @@ TEST_P(FigureData, IsTheMotionThatTheEngineGives) {
   }
 }
 
-TEST_P(FigureData, SaysWhereItComesFrom) {
-  std::ifstream file(FigureFolder::of(equations()).csv(figure().number));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line) && line.starts_with('#');) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 2 + figure().runs.size() + figure().columns.size());
-  EXPECT_TRUE(lines[0].starts_with(fmt::format("# Fig. {}: ", figure().number))) << lines[0];
-  EXPECT_EQ(lines[1], "# rotor " ROTOR_VERSION);
-  for (std::size_t n = 0; n < figure().runs.size(); ++n) {
-    const Scenario of = scenario(n);
-    std::string expected =
-        fmt::format("# {}: equations {}, method {}", figure().runs[n].first, name_of(equations()),
-                    of.method == Method::rk4 ? "rk4" : "event");
-    for (const Quantity& quantity : quantities())
-      expected += fmt::format(", {} = {}{}{}", quantity.name, quantity.of(of),
-                              quantity.unit.empty() ? "" : " ", quantity.unit);
-    if (!of.parameters.separates) expected += ", no mass loss";
-    EXPECT_EQ(lines[2 + n], expected);
-  }
+std::string name_of_figure(const testing::TestParamInfo<Figure>& of) {
+  return fmt::format("Fig{:02}", of.param.number);
 }
 
-std::string name_of_case(const testing::TestParamInfo<FigureData::ParamType>& c) {
-  const auto& [figure, equations] = c.param;
-  return fmt::format("Fig{:02}{}", figure.number,
-                     equations == Equations::published ? "Published" : "Consistent");
-}
-
-INSTANTIATE_TEST_SUITE_P(Every, FigureData,
-                         testing::Combine(testing::ValuesIn(paper_figures()),
-                                          testing::Values(Equations::published,
-                                                          Equations::consistent)),
-                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Every, FigureData, testing::ValuesIn(paper_figures()), name_of_figure);
 
 class PinnedFigure : public testing::TestWithParam<Figure> {};
 
@@ -218,8 +141,7 @@ TEST_P(PinnedFigure, PassesThroughTheValuesOfTheReference) {
     EXPECT_EQ(pinned[name] >= 7, scenario.method == Method::event) << name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, PinnedFigure, testing::ValuesIn(paper_figures()),
-                         [](const auto& c) { return fmt::format("Fig{:02}", c.param.number); });
+INSTANTIATE_TEST_SUITE_P(Every, PinnedFigure, testing::ValuesIn(paper_figures()), name_of_figure);
 
 }  // namespace
 }  // namespace rotor

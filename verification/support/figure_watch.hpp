@@ -21,7 +21,7 @@ class FigureWatch : public Observer {
         scenario_(scenario),
         times_(std::move(row_times)),
         at_(times_.size()),
-        waits_(figure.number == 10),
+        waits_(figure.from_rolling_onset),
         from_s_(figure.from_s),
         until_s_(figure.until_s) {}
 
