@@ -109,28 +109,6 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
   }
 }
 
-// A rotor that stalls swings: its greatest speed is not its last one.
-TEST(TimeAtSpeed, TellsTheGreatestSpeedWhereOneIsNotReached) {
-  Scenario scenario{.until = 60, .tolerance = 1e-7};
-  Parameters& p = scenario.parameters;
-  p.separates = false;
-  p.torque = 0.0126;
-  p.eccentricity = 6e-4;
-  p.stator_radius = 0.1;
-  struct Fastest : Observer {
-    bool goes_on(const Progress& now) override {
-      return greatest_Hz = std::max(greatest_Hz, now.speed / (2 * std::numbers::pi)), true;
-    }
-    double greatest_Hz = 0;
-  } fastest;
-  const double last_Hz = run(scenario, fastest).last.state[5] / (2 * std::numbers::pi);
-  Observer nobody;
-  const SpeedReached found = time_at_speed(Simulation(scenario), scenario, 12, 60., nobody);
-  EXPECT_FALSE(found.time_s);
-  EXPECT_NEAR(found.greatest_Hz, fastest.greatest_Hz, 1e-3 * fastest.greatest_Hz);
-  EXPECT_GT(found.greatest_Hz, 1.2 * last_Hz);
-}
-
 /// All that an observer is shown.
 struct Log : Observer {
   explicit Log(bool all_maxima) : wants(all_maxima) {}
@@ -170,23 +148,6 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
     run(all[n], alone);
     EXPECT_TRUE(alone.seen == logs[n].seen) << n;
   }
-}
-
-// Counted is all that is integrated, and what runs share only once.
-TEST(Production, CountsWhatItCosts) {
-  Log nobody(false);
-  const auto cost = [&](std::initializer_list<double> frictions) {
-    std::vector<Request> requests;
-    for (const double friction : frictions)
-      requests.push_back({Scenario{.parameters = {.friction = friction}}, nobody});
-    return produce(requests).cost;
-  };
-  Simulation alone(Scenario{.parameters = {.friction = 0.08}});
-  alone.finish(nobody);
-  const Counters low = cost({0.08}), high = cost({0.3}), both = cost({0.08, 0.3});
-  EXPECT_EQ(low.right_hand_sides, alone.counters().right_hand_sides);
-  EXPECT_EQ(both.contact_evaluations, low.contact_evaluations + high.contact_evaluations);
-  EXPECT_LT(both.steps, low.steps + high.steps - 500);
 }
 
 // What matters after the mass loss alone, its time and the end, parts no run-ups.

@@ -1,4 +1,4 @@
-/// Sweeps: the points of a file, dealt out to workers, and the maps of figures/maps/, coarse.
+/// The points of sweeps: their order, how they are drawn, and how they are dealt out to workers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,16 +6,13 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <numbers>
-#include <regex>
+#include <map>
 #include <set>
 #include <thread>
 
 #include "figures/data/csv.hpp"
 #include "figures/sweep/dealer.hpp"
-#include "figures/sweep/sweep_row.hpp"
-#include "model/theory/mass_loss_response.hpp"
-#include "model/theory/whirl.hpp"
+#include "figures/sweep/sweep.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -135,64 +132,6 @@ TEST(MapOfRounding, DrawsWhatThePrintedDigitsAllow) {
   for (const Draw& draw : sweep.sample.over)
     EXPECT_EQ((std::pair{draw.a, draw.b}), printed.at(draw.quantity)) << draw.quantity;
 }
-
-/// The maps of the reasons, whose borders closed forms know in part.
-struct Maps : CommandLine, testing::WithParamInterface<std::string> {};
-
-TEST_P(Maps, TouchAndRollWhereClosedFormsSay) {
-  const std::string file = ROTOR_SOURCES "/figures/maps/" + GetParam() + ".toml";
-  std::ifstream stream(file);
-  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
-  write("m.toml", std::regex_replace(whole, std::regex("\npoints = 400\n"), "\npoints = 18\n"));
-  const Sweep sweep = read_sweep(folder_ / "m.toml");
-  const SweepPoints points(sweep);
-  SweepRows rows(sweep);
-  std::string all = sweep_head(sweep);
-  for (long n = 0; n < sweep.points(); ++n) all += rows(n);
-  write("map.csv", all);
-  const auto results = read_csv(folder_ / "map.csv");
-  // The program that prints the closed forms parts its scans by blank lines, as gnuplot wants them.
-  ASSERT_EQ(shell(ROTOR_MAP_THEORY " m.toml | grep . > theory.csv").status, 0);
-  const auto theory = read_csv(folder_ / "theory.csv");
-  ASSERT_EQ(theory.size(), results.size());
-  int touching = 0, clear = 0, limited = 0;
-  for (long n = 0; n < sweep.points(); ++n) {
-    const CsvRow& row = results[static_cast<std::size_t>(n)];
-    if (!row["refusal"].empty()) continue;
-    const Scenario scenario = scenario_of(points(n).statement);
-    const Parameters& p = scenario.parameters;
-    const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
-    const double ratio = speed / std::sqrt(p.support_stiffness / p.mass);
-    // Near resonance half a second is short, and the unbalance changes the speed.
-    if (std::abs(ratio - 1) < 0.15) continue;
-    const MassLossResponse response(p, scenario.equations, speed);
-    EXPECT_EQ(static_cast<double>(theory[static_cast<std::size_t>(n)].number("greatest_m")),
-              response.greatest());
-    const double clearance = p.stator_radius - p.rotor_radius;
-    const bool touches = row.number("collisions") > 0;
-    (touches ? touching : clear)++;
-    // To the 0.3 % by which the speed changes, and gravity's moment.
-    if (std::abs(response.greatest() / clearance - 1) > 3e-3) {
-      EXPECT_EQ(touches, response.greatest() > clearance) << n;
-    }
-    if (touches) {
-      EXPECT_GT(response.bound(), clearance) << n;
-    }
-    // Below the critical speed a vibration that the loss has left may touch for longer.
-    if (touches && ratio > 1 && p.friction > Whirl(p).synchronous_friction(speed)) {
-      ++limited;
-      EXPECT_TRUE(row["outcome"] == "rolling" || row["outcome"] == "freed") << n;
-    }
-  }
-  EXPECT_GT(touching, 150);
-  EXPECT_GT(clear, 100);
-  EXPECT_GT(limited, 50);
-}
-
-INSTANTIATE_TEST_SUITE_P(Two, Maps, testing::Values("speed-friction", "clearance-stiffness"),
-                         [](const auto& map) {
-                           return std::regex_replace(map.param, std::regex("-"), "_");
-                         });
 
 }  // namespace
 }  // namespace rotor
