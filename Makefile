@@ -87,7 +87,7 @@ help: ## list all targets
 	  awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
 	@echo "  make figNN          redraw one figure: $(FIGURES)"
 	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures),"
-	@echo "         SEED=7, HAND=50, COUNT=100 (of make mutants: which changes by hand and mechanical, and how many)"
+	@echo "         SEED=7, HAND=50, COUNT=100, UNDER=\"model figures\" (of make mutants: which changes, how many, and where)"
 	@echo "         POINTS=40 (of make maps: points along each axis, 400 if not given)"
 	@echo "         RUNS=100 (of make stress: how many, with SEED, to 3, 6, 9 and 12 digits)"
 
@@ -237,7 +237,7 @@ SEED  ?= 1
 HAND  ?= 50
 COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
-	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT)
+	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under "$(UNDER)"
 
 reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision, and random-runs.csv (minutes)
 	$(call build-target,reference digits-reference)

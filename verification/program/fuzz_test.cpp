@@ -154,7 +154,7 @@ std::string in_xml(std::string text) {
 TEST_F(Fuzz, ScenesAreReadOrRefusedByFileAndLine) {
   Random random(1);
   long read = 0, refused = 0;
-  for (long n = 0; n < count(3000); ++n) {
+  for (long n = 0; n < count(1000); ++n) {
     const fs::path file = write("scene.toml", random_scene(random));
     try {
       const Scene scene = read_scene(file);
@@ -257,6 +257,29 @@ TEST_F(Fuzz, ControlCharactersReachNeitherPicturesNorTerminals) {
     for (const char* command : {"plot", "run --columns", "run --scene", "sweep --out"})
       expect_clean(rotor(command + quoted(text)).output);
   }
+}
+
+// A file that would exhaust the parser's stack or the memory is refused, not read.
+TEST_F(Fuzz, ScenesThatNoParserStandsAreRefused) {
+  std::string keys = "a";
+  for (int i = 0; i < 50'000; ++i) keys += ".a";
+  for (const std::string& text :
+       {"title = \"a\"\n" + keys + " = 1\n", "columns = " + std::string(50'000, '[') + "\n",
+        "columns = [\"\"\"\n# \"\"\", {" + keys + " = 1}]\n",
+        "# " + std::string(60'000, ']') + "\ncolumns = " + std::string(50'000, '[')}) {
+    write("deep.toml", text);
+    expect_refusal("run --scene deep.toml", ": is nested deeper than any scene needs");
+  }
+  write("large.toml", "title = \"" + std::string(2'000'000, 'a') + "\"\n");
+  expect_refusal("run --scene large.toml", "large.toml: cannot be read: it is larger than");
+  // What is long or wide is not deep.
+  std::string values = "0.1", runs;
+  for (int i = 0; i < 400; ++i) values += ", 0.1";
+  for (int i = 0; i < 150; ++i) runs += "[[run]]\nname = \"" + std::to_string(i) + "\"\n";
+  write("list.toml", "[[axis]]\nquantity = \"friction\"\nvalues = [" + values + "]\n");
+  EXPECT_TRUE(rotor("sweep list.toml --dry-run").output.starts_with("401 points"));
+  write("wide.toml", "  # " + std::string(400, '[') + "\n[parameters]\nuntil = 1e-3\n" + runs);
+  EXPECT_EQ(rotor("run --scene wide.toml").status, 0);
 }
 
 }  // namespace

@@ -51,15 +51,6 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
 }
 
-// What a killed gnuplot has drawn so far is no picture.
-TEST_F(Gnuplot, RefusesThePictureOfAGnuplotThatWasKilled) {
-  write_gnuplot("kill -KILL $$\n");
-  const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out a.svg");
-  EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("gnuplot has not drawn the picture"), std::string::npos) << output;
-  EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
-}
-
 // A gnuplot whose disk is full succeeds nonetheless.
 TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
   write_gnuplot(
@@ -72,23 +63,6 @@ TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
     EXPECT_EQ(output, "rotor: gnuplot has not drawn the whole picture\n");
     EXPECT_EQ(content(name), "old");
   }
-}
-
-TEST_F(Gnuplot, NamesTheVariableThatNamesNoFolder) {
-  const auto [status, output] = shell("TMPDIR=/nowhere $rotor plot \"it's.toml\"");
-  EXPECT_NE(status, 0);
-  EXPECT_EQ(output, "rotor: TMPDIR: must be a folder that exists, where gnuplot reads and draws\n");
-}
-
-TEST_F(Gnuplot, FollowsLinksAndKeepsTheMode) {
-  write("target.svg", "old");
-  fs::permissions(folder_ / "target.svg", fs::perms::owner_read | fs::perms::owner_write);
-  fs::create_symlink("target.svg", folder_ / "link.svg");
-  EXPECT_EQ(rotor("plot \"it's.toml\" --out link.svg").status, 0);
-  EXPECT_TRUE(fs::is_symlink(folder_ / "link.svg"));
-  EXPECT_NE(content("target.svg").find("</svg>"), std::string::npos);
-  EXPECT_EQ(fs::status(folder_ / "target.svg").permissions(),
-            fs::perms::owner_read | fs::perms::owner_write);
 }
 
 TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {

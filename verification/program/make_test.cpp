@@ -1,14 +1,8 @@
-/// What `make` makes anew, what it leaves alone, and that nothing which failed passes for made.
-#include <fmt/format.h>
-
-#include <chrono>
-
+/// That nothing which failed passes for made.
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
-
-using namespace std::chrono_literals;
 
 class Make : public CommandLine {
  protected:
@@ -19,33 +13,7 @@ class Make : public CommandLine {
       fs::copy_file(fs::path(ROTOR_SOURCES) / file, folder_ / file);
     write("figures/paper/fig18.toml", "");
   }
-
-  /// Not as a part of the make that may run the tests, nor with the options it was given.
-  Outcome make(const std::string& arguments) const {
-    return shell("env -i PATH=\"$PATH\" make " + arguments);
-  }
 };
-
-// Where a scene was edited all data are computed anew. Those that come out the same are left as
-// they are, so that no picture is drawn again.
-TEST_F(Make, ReplacesDataThatHaveChanged) {
-  fs::create_directories(folder_ / "build/figures");
-  const auto made_of = [&](const std::string& data) {
-    write("build/rotor", "#!/bin/sh\nmkdir -p build/figures/new\necho " + data +
-                             " > build/figures/new/fig18.csv\n");
-    fs::permissions(folder_ / "build/rotor", fs::perms::owner_all);
-    const fs::path stamp = folder_ / "build/figures/.data";
-    const fs::path scene = folder_ / "figures/paper/fig18.toml";
-    if (fs::exists(stamp)) fs::last_write_time(scene, fs::last_write_time(stamp) + 1s);
-    const auto [status, output] = make("-o build -o build/rotor build/figures/.data");
-    EXPECT_EQ(status, 0) << output;
-    EXPECT_EQ(content("build/figures/fig18.csv"), data + "\n");
-    return fs::last_write_time(folder_ / "build/figures/fig18.csv");
-  };
-  const auto first = made_of("a");
-  EXPECT_EQ(made_of("a"), first);
-  EXPECT_NE(made_of("b"), first);
-}
 
 // Data that were removed are written anew, others are left alone; a picture without its end is
 // none.
@@ -72,18 +40,6 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
     EXPECT_EQ(make_figure("</svg>").status, 0) << removed;
     EXPECT_TRUE(fs::exists(folder_ / removed));
   }
-  // Points that were read off printed figures are drawn into these alone.
-  fs::create_directories(folder_ / "reference-data/digitised");
-  for (const char* file : {"fig17_force.csv", "fig18_force.csv", "fig18_speed.csv"})
-    write(std::string("reference-data/digitised/") + file, "");
-  program("bin/gnuplot",
-          "echo \"$*\" >arguments; echo '<svg></svg>' >build/figures/fig18.svg.part\n");
-  EXPECT_EQ(shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18").status, 0);
-  EXPECT_NE(content("arguments")
-                .find("points = 'reference-data/digitised/fig18_force.csv "
-                      "reference-data/digitised/fig18_speed.csv'"),
-            std::string::npos)
-      << content("arguments");
   fs::remove(folder_ / "build/figures/fig18.svg");
   const auto [status, output] = make_figure("");
   EXPECT_NE(status, 0);
@@ -91,20 +47,6 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
       << output;
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg"));
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg.part"));
-}
-
-// What fails leaves nothing that a later make would take for made.
-TEST_F(Make, KeepsNothingOfWhatHasFailed) {
-  fs::create_directories(folder_ / "figures/maps");
-  fs::create_directories(folder_ / "build/maps");
-  write("figures/maps/some.toml", "");
-  write("build/map-theory", "#!/bin/sh\necho half\nexit 1\n");
-  fs::permissions(folder_ / "build/map-theory", fs::perms::owner_all);
-  EXPECT_NE(
-      make("-o build -o build/rotor -o map-theory -o build/map-theory build/maps/some-theory.csv")
-          .status,
-      0);
-  EXPECT_FALSE(fs::exists(folder_ / "build/maps/some-theory.csv"));
 }
 
 // A test that fails ends `make verify` with a status of its own.

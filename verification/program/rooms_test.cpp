@@ -51,16 +51,6 @@ const std::map<std::string, Names>& allowed() {
   return rooms;
 }
 
-/// What only those files may include that have to.
-const std::map<std::string, Names>& heavy() {
-  static const std::map<std::string, Names> all = {
-      {"CLI/CLI.hpp", {"figures/program/main.cpp"}},
-      {"toml++/toml.h", {"figures/scenes/toml_file.hpp"}},
-      {"rapidcheck/gtest.h", {"verification/equations/friction_test.cpp"}},
-  };
-  return all;
-}
-
 struct SourceFile {
   std::string path, room;
   std::vector<std::string> includes;
@@ -108,30 +98,6 @@ TEST(Rooms, IncludeOnlyWhatTheyMay) {
       EXPECT_TRUE(allowed().at(file.room).contains(room)) << file.path << " includes " << include;
     }
   }
-}
-
-TEST(Rooms, HaveNoCircleOfIncludes) {
-  std::map<std::string, Names> open;  // what each header still waits for
-  for (const SourceFile& file : sources())
-    for (const std::string& include : file.includes)
-      if (allowed().contains(room_of(include))) open[file.path].insert(include);
-  for (bool found = true; found;) {
-    found = false;
-    for (auto file = open.begin(); file != open.end();) {
-      std::erase_if(file->second, [&](const auto& include) { return !open.contains(include); });
-      found = found || file->second.empty();
-      file = file->second.empty() ? open.erase(file) : std::next(file);
-    }
-  }
-  for (const auto& [file, includes] : open) ADD_FAILURE() << file << " includes itself in the end";
-}
-
-TEST(Rooms, KeepHeavyHeadersOutOfOtherFiles) {
-  for (const SourceFile& file : sources())
-    for (const auto& [header, users] : heavy())
-      if (std::ranges::find(file.includes, header) != file.includes.end()) {
-        EXPECT_TRUE(users.contains(file.path)) << file.path << " includes " << header;
-      }
 }
 
 TEST(Rooms, HaveNoFileThatOneCannotReadAtASitting) {

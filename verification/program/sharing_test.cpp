@@ -3,7 +3,6 @@
 
 #include <numbers>
 #include <random>
-#include <set>
 
 #include "figures/scenes/account.hpp"
 #include "figures/scenes/audience.hpp"
@@ -22,7 +21,8 @@ std::string finished(Departure way, const Scenario& scenario) {
       .dump(1);
 }
 
-/// Scenarios that differ in what their run-up depends on, or later, or in when they leave it.
+/// Scenarios that differ in what their run-up depends on, or later, or in when they leave it; each
+/// input varies.
 std::vector<Scenario> scenarios() {
   std::mt19937_64 random(3);
   const auto one_of = [&](auto... values) {
@@ -30,13 +30,11 @@ std::vector<Scenario> scenarios() {
     return all[random() % all.size()];
   };
   std::vector<Scenario> all;
-  for (int n = 0; n < 120; ++n) {
+  for (int n = 0; n < 80; ++n) {
     Scenario scenario{.tolerance = 1e-8};
     Parameters& p = scenario.parameters;
     p.friction = one_of(0.3, 0.1);
-    p.contact_stiffness = one_of(7.625e8, 4e8);
     p.unbalance_factor = one_of(3., 2.);
-    p.eccentricity *= one_of(1., 1., 0.7);
     // The stiffer support lets the rotor touch the ring before the mass loss.
     p.support_stiffness = one_of(5e4, 5e4, 1.2e5);
     p.separation_time = one_of(0., 0.5, 2.0, 9.4, 19.1, 29.1, 29.2, 29.100001, 28.0);
@@ -47,10 +45,13 @@ std::vector<Scenario> scenarios() {
     if (n % 8 == 0) {
       scenario.method = Method::rk4;
       p.separation_time = one_of(1.0, 2.0, 2.00003);
-      scenario.step_rub = one_of(5e-6, 2e-5);
       scenario.until = p.separation_time + 0.01;
     }
     if (scenario.start_speed_Hz > 0) p.support_stiffness = 5e4;
+    if (n % 2 == 0) {
+      const Quantity& other = quantities()[static_cast<std::size_t>(n / 2) % quantities().size()];
+      if (other.name != "until") other.in(scenario) *= 0.99;
+    }
     all.push_back(scenario);
   }
   return all;
@@ -62,51 +63,11 @@ TEST(RunUps, LeadWhereARunOfItsOwnLeadsTo) {
   int touching_before = 0;
   for (const Scenario& scenario : scenarios()) {
     const Departure shared = run_ups.depart(scenario, null_observer);
-    EXPECT_EQ(shared.simulation.instant().separated, false);
     const std::string alone = finished(Departure(scenario), scenario);
     touching_before += alone.find("\"collisions_before_loss\": 0") == std::string::npos;
     EXPECT_EQ(finished(shared, scenario), alone);
   }
   EXPECT_GT(touching_before, 3);
-}
-
-// It is looked for from the last of the places that are kept before it.
-TEST(RunUps, FindTheTimeAtASpeedWhereverOthersHaveDeparted) {
-  Observer null_observer;
-  const Scenario scenario;
-  RunUps used;
-  const auto depart_at = [&](double time_s) {
-    Scenario other = scenario;
-    other.parameters.separation_time = time_s;
-    used.depart(other, null_observer);
-  };
-  for (const double time_s : {24., 12., 18.}) depart_at(time_s);
-  for (const double speed_Hz : {10., 50., 80., 100., 130.}) {
-    const double alone_s =
-        RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer).time_s.value();
-    const double found_s =
-        used.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer).time_s.value();
-    EXPECT_NEAR(found_s / alone_s, 1, 1e-13) << speed_Hz;
-  }
-}
-
-// A second run of the same way costs no run-up.
-TEST(RunUps, AreNotRunTwice) {
-  RunUps run_ups;
-  struct : Observer {
-    bool goes_on(const Progress&) override { return ++steps > 0; }
-    long steps = 0;
-  } monitor;
-  const Scenario scenario;
-  run_ups.depart(scenario, monitor);
-  EXPECT_GT(monitor.steps, 1000);
-  Scenario later = scenario;
-  later.parameters.friction = 0.1;
-  later.parameters.separation_time = 29.15;
-  later.until = 29.4;
-  monitor.steps = 0;
-  run_ups.depart(later, monitor);
-  EXPECT_LT(monitor.steps, 100);
 }
 
 // A way that a monitor stops is of no use, to later ones neither.
@@ -148,28 +109,6 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
   }
 }
 
-// A rotor that stalls swings: its greatest speed is not its last one.
-TEST(TimeAtSpeed, TellsTheGreatestSpeedWhereOneIsNotReached) {
-  Scenario scenario{.until = 60, .tolerance = 1e-7};
-  Parameters& p = scenario.parameters;
-  p.separates = false;
-  p.torque = 0.0126;
-  p.eccentricity = 6e-4;
-  p.stator_radius = 0.1;
-  struct Fastest : Observer {
-    bool goes_on(const Progress& now) override {
-      return greatest_Hz = std::max(greatest_Hz, now.speed / (2 * std::numbers::pi)), true;
-    }
-    double greatest_Hz = 0;
-  } fastest;
-  const double last_Hz = run(scenario, fastest).last.state[5] / (2 * std::numbers::pi);
-  Observer nobody;
-  const SpeedReached found = time_at_speed(Simulation(scenario), scenario, 12, 60., nobody);
-  EXPECT_FALSE(found.time_s);
-  EXPECT_NEAR(found.greatest_Hz, fastest.greatest_Hz, 1e-3 * fastest.greatest_Hz);
-  EXPECT_GT(found.greatest_Hz, 1.2 * last_Hz);
-}
-
 /// All that an observer is shown.
 struct Log : Observer {
   explicit Log(bool all_maxima) : wants(all_maxima) {}
@@ -203,37 +142,12 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
   std::vector<Request> requests;
   for (std::size_t n = 0; n < all.size(); ++n) requests.push_back({all[n], logs[n]});
   const ProductionReport report = produce(requests);
-  EXPECT_LT(report.run_ups, 70);  // of 120
+  EXPECT_LT(report.run_ups, 60);  // of 80
   for (std::size_t n = 0; n < all.size(); ++n) {
     Log alone(n % 3 == 0);
     run(all[n], alone);
     EXPECT_TRUE(alone.seen == logs[n].seen) << n;
   }
-}
-
-// Counted is all that is integrated, and what runs share only once.
-TEST(Production, CountsWhatItCosts) {
-  Log nobody(false);
-  const auto cost = [&](std::initializer_list<double> frictions) {
-    std::vector<Request> requests;
-    for (const double friction : frictions)
-      requests.push_back({Scenario{.parameters = {.friction = friction}}, nobody});
-    return produce(requests).cost;
-  };
-  const auto numbers = [](const Counters& c) {
-    return std::array{c.steps, c.right_hand_sides, c.contact_evaluations, c.located_events};
-  };
-  const auto counters_of = [&](double friction) {
-    Simulation simulation(Scenario{.parameters = {.friction = friction}});
-    simulation.finish(nobody);
-    return simulation.counters();
-  };
-  const Counters low = counters_of(0.08), high = counters_of(0.3), both = cost({0.08, 0.3});
-  EXPECT_EQ(numbers(cost({0.08})), numbers(low));
-  EXPECT_EQ(numbers(cost({0.3})), numbers(high));
-  EXPECT_EQ(both.contact_evaluations, low.contact_evaluations + high.contact_evaluations);
-  EXPECT_EQ(both.located_events, low.located_events + high.located_events - 1);  // motor off
-  EXPECT_LT(both.steps, low.steps + high.steps - 500);
 }
 
 // What matters after the mass loss alone, its time and the end, parts no run-ups.
@@ -261,46 +175,6 @@ TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   EXPECT_LT(steps(scenario), all / 20);
   scenario.parameters.torque = 0.29;
   EXPECT_GT(steps(scenario), all / 3);
-}
-
-// Where one has seen enough, the others are told of that step nevertheless.
-TEST(Audience, IsToldOfEachStepAltogether) {
-  struct Listener : Observer {
-    explicit Listener(bool goes) : goes_on_with_it(goes) {}
-    bool goes_on(const Progress& /*now*/) override { return ++steps, goes_on_with_it; }
-    bool goes_on_with_it;
-    int steps = 0;
-  } first(true), bored(false), last(true);
-  Audience audience;
-  for (Listener* listener : {&first, &bored, &last}) audience.add(*listener);
-  EXPECT_FALSE(audience.goes_on({}));
-  EXPECT_FALSE(audience.goes_on({}));
-  for (const Listener* listener : {&first, &bored, &last}) EXPECT_EQ(listener->steps, 2);
-}
-
-// A run-up is shared by all that differ only in what comes into play with the loss or the ring.
-TEST(RunUpPart, DependsOnWhatTheRotorMeetsUntilTheLossOrTheFirstContact) {
-  const std::set<std::string_view> without = {"contact_stiffness", "contact_damping", "friction",
-                                              "unbalance_factor",  "separation_time", "until",
-                                              "step_rub"};
-  const Scenario scenario;
-  for (const Quantity& quantity : quantities()) {
-    Scenario other = scenario;
-    quantity.in(other) = 1.01 * quantity.in(other) + 0.01;
-    EXPECT_EQ(run_up_part(scenario) == run_up_part(other), without.contains(quantity.name))
-        << quantity.name;
-  }
-  const auto is_shared_with = [&](auto change) {
-    Scenario other = scenario;
-    change(other);
-    return run_up_part(scenario) == run_up_part(other);
-  };
-  EXPECT_TRUE(is_shared_with([](Scenario& other) { other.parameters.separates = false; }));
-  EXPECT_TRUE(
-      is_shared_with([](Scenario& other) { other.equations.velocity_jump = VelocityJump::once; }));
-  EXPECT_FALSE(is_shared_with(
-      [](Scenario& other) { other.equations.gravity_moment = GravityMoment::balanced; }));
-  EXPECT_FALSE(is_shared_with([](Scenario& other) { other.method = Method::rk4; }));
 }
 
 }  // namespace

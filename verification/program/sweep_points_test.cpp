@@ -1,17 +1,24 @@
-/// The points of a sweep: their order, and how they are drawn.
+/// The points of sweeps: their order, how they are drawn, and how they are dealt out to workers.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <map>
 #include <set>
+#include <thread>
 
+#include "figures/data/csv.hpp"
+#include "figures/sweep/dealer.hpp"
 #include "figures/sweep/sweep.hpp"
-#include "verification/support/in_folder.hpp"
+#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
 
-class SweepPointsOf : public InFolder {
+class SweepPointsOf : public CommandLine {
  protected:
   Sweep sweep(const std::string& text) const {
     write("s.toml", text);
@@ -46,53 +53,84 @@ std::vector<std::array<double, 2>> draws(const Sweep& sweep) {
   return all;
 }
 
+// Of 1024 points of Sobol's sequence one lies in each box of 1/1024 of the area; random ones leave
+// 1/e of the boxes empty, within five deviations.
 TEST_F(SweepPointsOf, ASampleAreEven) {
   const auto sampled = [&](const std::string& how) {
     return draws(sweep("[sample]\ncount = 1024\n" + how +
                        "[[sample.over]]\nquantity = \"friction\"\nuniform = [2, 3]\n"
                        "[[sample.over]]\nquantity = \"torque\"\nlog_uniform = [1, 100]\n"));
   };
-  // Of 1024 points of Sobol's sequence one lies in each box of 1/1024 of the area.
   const auto boxes_filled = [](const auto& all, int columns) {
     std::set<std::pair<int, int>> boxes;
     for (const auto& [friction, torque] : all)
       boxes.emplace((friction - 2) * columns, std::log10(torque) / 2 * (1024. / columns));
-    return boxes.size();
+    return static_cast<double>(boxes.size());
   };
   const auto sobol = sampled("seed = 5\n");
-  for (const int columns : {1, 4, 32, 1024}) EXPECT_EQ(boxes_filled(sobol, columns), 1024U);
+  for (const int columns : {1, 4, 32, 1024}) EXPECT_EQ(boxes_filled(sobol, columns), 1024);
   // Each coordinate has a shift of its own, by which the origin has come off the diagonal.
   EXPECT_GT(std::abs(sobol[0][0] - 2 - std::log10(sobol[0][1]) / 2), 1e-3);
   EXPECT_NE(sobol, sampled("seed = 6\n"));
   EXPECT_EQ(sobol, sampled("seed = 5\n"));
-  // Random ones leave 1/e of the boxes empty, and have the mean, the variance and the independence
-  // of such, within four deviations.
-  double mean = 0, variance = 0, covariance = 0;
   const auto random = sampled("method = \"random\"\nseed = 5\n");
-  EXPECT_NEAR(static_cast<double>(boxes_filled(random, 32)), 1024 * (1 - std::exp(-1)),
-              50);  // five deviations
-  for (const auto& [friction, torque] : random) {
-    const double x = friction - 2.5, y = std::log10(torque) / 2 - 0.5;
-    mean += x / 1024;
-    variance += x * x / 1024;
-    covariance += x * y / 1024;
-  }
-  EXPECT_NEAR(mean, 0, 4 * std::sqrt(1 / 12. / 1024));
-  EXPECT_NEAR(variance, 1 / 12., 4 * std::sqrt(1 / 180. / 1024));
-  EXPECT_NEAR(covariance, 0, 4 / 12. / 32);
+  for (const int columns : {1, 32, 1024})
+    EXPECT_NEAR(boxes_filled(random, columns), 1024 * (1 - std::exp(-1)), 50) << columns;
 }
 
 TEST_F(SweepPointsOf, ANormalDistributionAreSo) {
   const auto all = draws(
       sweep("[sample]\ncount = 4096\n[[sample.over]]\nquantity = \"friction\"\nnormal = [7, 0.5]\n"
             "[[sample.over]]\nquantity = \"torque\"\nuniform = [0, 1]\n"));
-  double within = 0, below = 0;
-  for (const auto& [friction, torque] : all) {
-    within += std::abs(friction - 7) < 0.5;
-    below += friction < 7 - 2 * 0.5;
+  for (const double deviations : {-2., -1., 0.5, 1.}) {
+    const auto below = std::ranges::count_if(
+        all, [&](const auto& draw) { return draw[0] < 7 + 0.5 * deviations; });
+    EXPECT_NEAR(static_cast<double>(below) / 4096, std::erfc(-deviations / std::sqrt(2.)) / 2,
+                1e-3);
   }
-  EXPECT_NEAR(within / 4096, 0.682689, 1e-3);  // Sobol's sequence is that even
-  EXPECT_NEAR(below / 4096, 0.022750, 1e-3);
+}
+
+// In their order, though the first one is slow; what the others have done meanwhile waits.
+TEST(Dealer, PassesRowsOnInOrder) {
+  std::string seen, expected;
+  std::atomic<long> worked = 0;
+  long worked_while_slow = 0;
+  Dealer dealer(0, 40000, [&](std::string_view rows, long) { seen += rows; });
+  for (long n = 0; n < 40000; ++n) expected += fmt::format("{} ", n);
+  const auto make = [&]() -> Work {
+    return [&](long n) {
+      if (n == 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        worked_while_slow = worked;
+      }
+      ++worked;
+      return fmt::format("{} ", n);
+    };
+  };
+  work(dealer, 3, make, [] {});
+  EXPECT_TRUE(seen == expected);
+  EXPECT_GT(worked_while_slow, 1000);
+  EXPECT_LT(worked_while_slow, 20000);  // memory is bounded
+}
+
+TEST(Dealer, EndsWithWhatTheWorkThrows) {
+  Dealer dealer(0, 1000, [](std::string_view, long) {});
+  const auto make = []() -> Work {
+    return [](long n) -> std::string { return n == 500 ? throw std::runtime_error("at 500") : ""; };
+  };
+  EXPECT_THROW(work(dealer, 2, make, [] {}), std::runtime_error);
+}
+
+// The map over the rounding of the inputs varies what is printed within its digits.
+TEST(MapOfRounding, DrawsWhatThePrintedDigitsAllow) {
+  const Sweep sweep = read_sweep(ROTOR_SOURCES "/figures/maps/rounding.toml");
+  std::map<std::string, std::pair<double, double>> printed;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/printed-inputs.csv"))
+    printed[row["input"]] = {static_cast<double>(row.number("least")),
+                             static_cast<double>(row.number("greatest"))};
+  EXPECT_GT(sweep.sample.over.size(), 8U);
+  for (const Draw& draw : sweep.sample.over)
+    EXPECT_EQ((std::pair{draw.a, draw.b}), printed.at(draw.quantity)) << draw.quantity;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 #include <set>
 #include <utility>
 
@@ -52,12 +53,6 @@ class SweepCommand : public CommandLine {
     return read_sweep(folder_ / "s.toml");
   }
   std::vector<CsvRow> results(const std::string& name) const { return read_csv(folder_ / name); }
-  /// Of runs to their ends, in a folder that was not there.
-  std::vector<CsvRow> swept(const std::string& text) const {
-    write("s.toml", "stop_on = \"end\"\n" + text);
-    EXPECT_EQ(rotor("sweep s.toml --out new/r.csv").status, 0);
-    return results("new/r.csv");
-  }
 };
 
 // A hundred points of many kinds; what a run says, it says on the command line.
@@ -104,25 +99,6 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
   EXPECT_GE(outcomes.size(), 3U);
 }
 
-TEST_F(SweepCommand, RunsEachToItsEndWhereItIsAskedTo) {
-  const std::string axis = "[[axis]]\nquantity = \"friction\"\nvalues = [0.3]\n";
-  const auto final_time = [&](const std::string& text) {
-    write("s.toml", text);
-    EXPECT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
-    return std::stod(results("r.csv").at(0)["final_time_s"]);
-  };
-  EXPECT_EQ(final_time("stop_on = \"end\"\n" + axis), 29.35);
-  EXPECT_LT(final_time(axis), 29.2);  // rolling, 23 ms after the first contact
-}
-
-// A tab is no more than a blank there.
-TEST_F(SweepCommand, HasTheSweepFileAboveItsRows) {
-  const Sweep sweep = this->sweep("[[axis]]\r\nquantity\t= \"friction\"\nvalues = [0.3]\n");
-  EXPECT_NE(
-      sweep_head(sweep).find("\n#   [[axis]]\n#   quantity = \"friction\"\n#   values = [0.3]\n"),
-      std::string::npos);
-}
-
 // The same cells as in the whole rows, a refusal beside them.
 TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
   const std::string axis = "[[axis]]\nquantity = \"start_speed_hz\"\nvalues = [10, 150]\n";
@@ -160,7 +136,7 @@ TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
     EXPECT_EQ(rotor("sweep s.toml --out whole.csv --jobs 2").status, 0);
     return content("whole.csv");
   };
-  const std::string whole = sweep_whole(4000);
+  const std::string whole = sweep_whole(2000);
   std::mt19937 random(1);
   std::size_t last = 0;
   int kills = 0;
@@ -172,7 +148,7 @@ TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
     EXPECT_TRUE(now >= std::exchange(last, now) || fs::exists(folder_ / "cut.csv")) << kills;
     if (kills == 3) write("cut.csv.journal", content("cut.csv.journal") + "0.07,rol");  // torn
   }
-  EXPECT_GE(kills, 5);
+  EXPECT_GE(kills, 3);
   EXPECT_EQ(rotor("sweep s.toml --out cut.csv").status, 0);
   EXPECT_TRUE(content("cut.csv") == whole);
   EXPECT_EQ(files(), 3);
@@ -261,107 +237,27 @@ TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
   }
 }
 
-TEST_F(SweepCommand, LeavesAJournalWhenItIsInterrupted) {
-  write("s.toml", "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 100000\n");
-  const auto [status, output] =
-      shell("timeout --foreground --signal=INT 0.3 $rotor sweep s.toml --out r.csv");
-  EXPECT_NE(output.find("the same command goes on there"), std::string::npos) << output;
-  EXPECT_FALSE(fs::exists(folder_ / "r.csv"));
-  EXPECT_TRUE(fs::exists(folder_ / "r.csv.journal"));
-}
-
-TEST_F(SweepCommand, SaysInItsHeadWhatItIs) {
-  const std::string axis = "[[axis]]\nquantity = \"until\"\nvalues = [1e-3]\n";
-  write("s.toml", axis);
-  ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
-  EXPECT_TRUE(content("r.csv").starts_with("# Sweep\n# rotor ")) << content("r.csv");
-  for (const char* line :
-       {"\n# 1 points,", "\n#   [[axis]]\n#   quantity = \"until\"\n#   values = [1e-3]\n"})
-    EXPECT_NE(content("r.csv").find(line), std::string::npos) << content("r.csv");
-  write("s.toml", "title = \"How short\"\n" + axis);
-  ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
-  EXPECT_TRUE(content("r.csv").starts_with("# Sweep: How short\n# rotor ")) << content("r.csv");
-}
-
-// A zero that nobody is sure of has no digit: the cell is empty, as that of what there is not.
-TEST_F(SweepCommand, LeavesACellWithoutASureDigitEmpty) {
-  const auto rows = swept(
-      "columns = [\"final_q1_m\", \"final_speed_Hz\"]\n[parameters]\n"
-      "eccentricity = 0\ngravity = 0\nno_separation = true\nuntil = 0.1\ndigits = 3\n"
-      "[[axis]]\nquantity = \"torque\"\nvalues = [0.3]\n");
-  ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0]["final_q1_m"], "");
-  EXPECT_GT(rows[0].number("final_speed_Hz"), 0);
-}
-
-// Whether the motor of a rotor at rest is on at a limit of 0 Hz, no precision tells.
-TEST_F(SweepCommand, TellsWhatARowLacks) {
-  const auto rows = swept(
-      "[parameters]\nmotor_off_hz = 0\nseparation_time = 0\nuntil = 0.01\ndigits = 5\n"
-      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
-  ASSERT_EQ(rows.size(), 1U);
-  const std::string refusal(rows[0]["refusal"]);
-  EXPECT_TRUE(refusal.starts_with("counts and outcome hang on digits that are not there"))
-      << refusal;
-  EXPECT_EQ(rows[0]["max_displacement_m"], "");
-  const auto [status, output] =
-      rotor("run --motor-off-hz 0 --separation-time 0 --until 0.01 --digits 5 2>&1 >/dev/null");
-  EXPECT_NE(output.find(": " + refusal + "\n"), std::string::npos) << output;
-}
-
-TEST_F(SweepCommand, SaysBeforehandHowLongItTakes) {
-  write("s.toml", "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 50\n");
-  const auto [status, output] = rotor("sweep s.toml --dry-run");
-  EXPECT_EQ(status, 0);
-  EXPECT_TRUE(output.starts_with("50 points; 50 of them took ")) << output;
-  EXPECT_EQ(files(), 1);
-  // Said with three digits: what each takes, times the points, over the jobs.
-  const auto start = std::chrono::steady_clock::now();
-  const auto [status_of_3, said] = rotor("sweep s.toml --dry-run --jobs 3");
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  double each_ms = 0, all_s = 0;
-  ASSERT_EQ(std::sscanf(said.c_str(), "50 points; 50 of them took %lf ms each: about %lf s with 3",
-                        &each_ms, &all_s),
-            2)
-      << said;
-  EXPECT_NEAR(all_s / (each_ms / 1000 * 50 / 3), 1, 0.01);
-  EXPECT_LT(each_ms / 1000 * 50, took.count() * 1.01);  // which is what they took, one by one
-}
-
-// After some seconds it has tried enough.
-TEST_F(SweepCommand, SaysBeforehandHowLongSlowPointsTake) {
-  write("s.toml",
-        "stop_on = \"end\"\n[parameters]\ntolerance = 1e-14\nuntil = 1500\nno_separation = true\n"
-        "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 1000\n");
-  const auto start = std::chrono::steady_clock::now();
-  const std::string said = rotor("sweep s.toml --dry-run --jobs 3").output;
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  int tried = 0;
-  double each_ms = 0, all_s = 0;
-  ASSERT_EQ(
-      std::sscanf(said.c_str(), "1000 points; %d of them took %lf ms each: about %lf s with 3",
-                  &tried, &each_ms, &all_s),
-      3)
-      << said;
-  EXPECT_LT(tried, 50);
-  EXPECT_NEAR(each_ms / 1000 * tried / took.count(), 1, 0.1);
-  EXPECT_NEAR(all_s / (each_ms / 1000 * 1000 / 3), 1, 0.01);
-}
-
-// Each row has the digits that a run of its own prints; where a run ends must not hang on steps.
+// Each row has the digits that a run of its own prints, or what that says. Whether the motor of a
+// rotor at rest is on at a limit of 0 Hz, no precision tells.
 TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
-  const auto rows = swept(
-      "[parameters]\nstart_speed_hz = 150\nuntil = 0.01\ndigits = 6\n"
-      "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n");
-  ASSERT_EQ(rows.size(), 2U);
-  for (const CsvRow& row : rows) {
-    EXPECT_EQ(row["refusal"], "");
-    const std::string run = rotor("run --start-speed-hz 150 --until 0.01 --digits 6 --friction " +
-                                  row["friction"] + " 2>messages")
-                                .output;
+  for (const std::string options :
+       {"--start-speed-hz 150 --until 0.01 --digits 6",
+        "--motor-off-hz 0 --separation-time 0 --until 0.01 --digits 5"}) {
+    std::string keys = options.substr(2) + '\n';
+    keys = std::regex_replace(keys, std::regex(" --"), "\n");
+    keys =
+        std::regex_replace(std::regex_replace(keys, std::regex(" "), " = "), std::regex("-"), "_");
+    write("s.toml", "stop_on = \"end\"\n[parameters]\n" + keys +
+                        "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
+    EXPECT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
+    const CsvRow row = results("r.csv").at(0);
+    const auto [status, run] = rotor("run --friction 0.1 " + options);
     for (const char* key : {"first_contact_s", "peak_normal_force_N", "final_q2_m"})
-      EXPECT_NE(run.find(fmt::format("{:<24} {}\n", key, row[key])), std::string::npos)
-          << key << ' ' << row[key];
+      EXPECT_TRUE(row[key].empty() ||
+                  run.find(fmt::format("{:<24} {}\n", key, row[key])) != std::string::npos)
+          << run;
+    EXPECT_EQ(row["refusal"].empty(), status == 0);
+    EXPECT_NE(run.find(row["refusal"]), std::string::npos) << run;
   }
 }
 

@@ -1,0 +1,212 @@
+/// Every column against formulas written out anew, in every state of the contact, and the rows of
+/// traces against runs of their own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+#include "figures/data/csv.hpp"
+#include "figures/scenes/columns.hpp"
+#include "figures/scenes/recorder.hpp"
+#include "model/simulation/energy.hpp"
+#include "model/simulation/simulation.hpp"
+#include "verification/support/column_formulas.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+/// Instants of a run, events and a few inside every step.
+struct Instants : Observer {
+  void on_instant(const Instant& at) override { all.push_back(at); }
+  bool wants_dense_output(const double&, const double&) const override { return true; }
+  void on_step(const DenseOutput& step) override {
+    for (const double part : {0.3, 0.8})
+      all.push_back(step.at(step.from_s + part * (step.until_s - step.from_s)));
+  }
+  std::vector<Instant> all;
+};
+
+/// No two numbers of this rotor are equal, and none is the paper's. It strikes the ring at once,
+/// slides and rolls.
+Scenario of_its_own(Equations equations, Method method) {
+  return {.parameters = {.mass = 6,
+                         .inertia = 0.011,
+                         .eccentricity = 0.4e-3,
+                         .support_stiffness = 3e4,
+                         .support_damping = 40,
+                         .gravity = 9.5,
+                         .torque = 7,
+                         .motor_off_Hz = 1000,
+                         .contact_stiffness = 7e8,
+                         .contact_damping = 2e4,
+                         .friction = 0.25,
+                         .rotor_radius = 0.05,
+                         .stator_radius = 0.0525,
+                         .unbalance_factor = 2.5},
+          .equations = equations,
+          .method = method,
+          .until = 0.1,
+          .tolerance = 1e-8};
+}
+
+Instant towards_the_ring(const Scenario& scenario, bool motor_on) {
+  Instant start = at_rest(scenario.parameters);
+  start.state = {1e-3, 2e-3, 0.7, 1, 5, 900};
+  start.motor_on = motor_on;
+  return start;
+}
+
+/// Where sliding begins or ends, the slip says by rounding alone which way the rim slides.
+bool slip_is_rounding(const Instant& at, const Scenario& scenario) {
+  const double slip = column_by_formula("slip_velocity_m_per_s", at, scenario);
+  return at.contact == ContactState::sliding && std::abs(slip) < 1e-12;
+}
+
+// Their largest values, over which rounding is spread, take part: F_n is the difference of a
+// displacement and the clearance, times k_t; a holding friction that of loads of its size.
+void compare(const Column& column, const std::vector<Instant>& instants, const Scenario& scenario) {
+  const ColumnContext context(scenario);
+  double largest = 0;
+  for (const Instant& at : instants)
+    largest = std::max(largest, std::abs(column_by_formula(column.name, at, scenario)));
+  for (const Instant& at : instants) {
+    View view(at, context);
+    double expected = column_by_formula(column.name, at, scenario);
+    if (column.name == "friction_force_N" && slip_is_rounding(at, scenario))
+      expected = -at.direction * std::abs(expected);
+    ASSERT_NEAR(column.value(view), expected, 1e-10 * std::abs(expected) + 1e-12 * largest)
+        << column.name << " at " << at.time_s << " s, state " << static_cast<int>(at.contact);
+  }
+}
+
+TEST(Column, IsWhatItsFormulaSays) {
+  for (const Equations& equations : {Equations::published, Equations::consistent})
+    for (const Method method : {Method::event, Method::rk4})
+      for (const bool motor_on : {false, true}) {
+        Scenario scenario = of_its_own(equations, method);
+        Instants instants;
+        for (const double separation_s : {0.0001, 0.099}) {  // before all contacts, after most
+          scenario.parameters.separation_time = separation_s;
+          run(scenario, towards_the_ring(scenario, motor_on), instants);
+        }
+        std::set<std::tuple<ContactState, bool>> seen;
+        for (const Instant& at : instants.all) seen.insert({at.contact, at.separated});
+        EXPECT_EQ(seen.size(), 8U);  // free, indented, sliding, rolling
+        for (const Column& column : all_columns()) compare(column, instants.all, scenario);
+      }
+}
+
+// The paper's signs, at an instant whose answer can be told without any formula.
+TEST(Column, HasThePapersSigns) {
+  const Scenario scenario;
+  Instant at = at_rest(scenario.parameters);
+  at.contact = ContactState::sliding;
+  at.state = {0, 3.5e-3, 0, 0, 0, 900};  // O lies along y_a, the rim slides with the rotation
+  const ColumnContext context(scenario);
+  const auto value = [&](const char* name) {
+    View view(at, context);
+    return find_column(name)->value(view);
+  };
+  EXPECT_EQ(value("x_a_m"), 0);
+  EXPECT_GT(value("y_a_m"), 3e-3);
+  EXPECT_LT(value("normal_force_N"), -3e5);  // compression
+  EXPECT_LT(value("friction_force_N"), 0);   // against the slip
+  EXPECT_GT(value("slip_velocity_m_per_s"), 0);
+  EXPECT_LT(value("friction_power_W"), 0);
+  at.state[2] = std::acos(-1.) / 2;  // y of the rotor points up now, against x_a
+  EXPECT_LT(value("x_a_m"), -3e-3);
+  EXPECT_NEAR(value("y_a_m"), 0, 1e-15);
+}
+
+class Trace : public CommandLine {
+ protected:
+  /// The numbers of a trace, row by row.
+  std::vector<std::vector<double>> numbers(const std::string& arguments) const {
+    const Outcome outcome = rotor("run --trace t.csv " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    const std::string& of = arguments.substr(arguments.find("--columns ") + 10);
+    std::vector<std::vector<double>> all;
+    for (const CsvRow& row : read_csv(folder_ / "t.csv")) {
+      all.emplace_back();
+      std::istringstream names(of.substr(0, of.find(' ')));
+      for (std::string name; std::getline(names, name, ',');)
+        all.back().push_back(static_cast<double>(row.number(name)));
+    }
+    return all;
+  }
+};
+
+// The largest force is shown to the digit wherever in its step the window begins or ends.
+TEST_F(Trace, ShowsAMaximumCloseToTheEndsOfItsWindow) {
+  const Scenario scenario{.until = 29.11};
+  const auto& force = find_column("normal_force_N");
+  const auto record = [&](const Window& window) {
+    std::pair<double, double> largest{0, 0};  // F_n and its time
+    Recorder recorder(window, {find_column("time_s"), force}, scenario, 1e-4, [&](auto row) {
+      if (row[1] < largest.first) largest = {row[1], row[0]};
+    });
+    run(scenario, recorder);
+    return largest;
+  };
+  const auto largest = record({.from_s = 29.1});
+  ASSERT_LT(largest.first, -1e4);
+  for (const double apart_s : {1e-7, 1e-6, 3e-6}) {
+    EXPECT_EQ(record({.from_s = largest.second - apart_s}), largest) << apart_s;
+    EXPECT_EQ(record({.from_s = 29.1, .length_s = largest.second + apart_s - 29.1}), largest)
+        << apart_s;
+  }
+}
+
+// At equal distances, and asked directly: a run that ends at the time of a row.
+TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
+  const std::string window = "--from 29.1 --until 29.13 --columns ",
+                    columns = "time_s,q1_m,q2_m,q3_rate_rad_per_s,normal_force_N";
+  const auto rows = numbers(window + columns + " --rows 61");
+  EXPECT_NEAR(numbers(window + columns + " --every 5e-4").at(30)[1], rows.at(30)[1], 1e-12);
+  EXPECT_EQ(numbers(window + "time_s --every 6.1e-4").size(), 50U);  // the last not at the end
+  ASSERT_EQ(rows.size(), 61U);
+  for (std::size_t n = 0; n < rows.size(); ++n)
+    EXPECT_NEAR(rows[n][0], 29.1 + 5e-4 * static_cast<double>(n), 1e-14);
+  for (const std::size_t n : {7U, 41U, 60U}) {
+    const Scenario scenario{.until = rows[n][0]};
+    Observer null_observer;
+    const Instant at = run(scenario, null_observer).last;
+    EXPECT_NEAR(rows[n][1], at.state[0], 1e-10) << n;
+    EXPECT_NEAR(rows[n][2], at.state[1], 1e-10) << n;
+    EXPECT_NEAR(rows[n][3] / at.state[5], 1, 1e-9) << n;
+    const double force = column_by_formula("normal_force_N", at, scenario);
+    EXPECT_NEAR(rows[n][4], force, 1e-3 + 1e-6 * std::abs(force)) << n;
+  }
+}
+
+// The powers add up to what EnergyObserver says, by the trapezoidal rule over fine rows.
+TEST_F(Trace, HasThePowersWhoseIntegralsAreTheWorksByCause) {
+  const double from = 29.1, until = 29.127;  // before the onset of rolling
+  const auto rows = numbers(
+      "--from 29.1 --until 29.127 --every 5e-7 --columns "
+      "time_s,motor_power_W,support_damping_power_W,friction_power_W,contact_damping_power_W,"
+      "support_energy_J,contact_energy_J");
+  std::array<double, 4> work{};
+  for (std::size_t n = 1; n < rows.size(); ++n)
+    for (std::size_t i = 0; i < work.size(); ++i)
+      work[i] += (rows[n][i + 1] + rows[n - 1][i + 1]) / 2 * (until - from) /
+                 static_cast<double>(rows.size() - 1);
+  const Scenario scenario{.until = until};
+  EnergyObserver energy(scenario);
+  run(scenario, energy);
+  const EnergyBalance& balance = energy.balance();
+  EXPECT_EQ(work[0], balance.motor);
+  // The powers jump at contacts, by up to 3 MW within a row.
+  EXPECT_NEAR(work[1], balance.support_damping, 1e-3);
+  EXPECT_NEAR(work[2] / balance.friction, 1, 1e-3);
+  EXPECT_NEAR(work[3] / balance.contact_damping, 1, 2e-2);
+  EXPECT_NEAR(rows.back()[5], balance.support_springs, 1e-9);
+  EXPECT_NEAR(rows.back()[6], balance.contact_spring, 1e-6);
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,44 @@
+/// The data of all figures, written once by the program for all tests of them.
+#pragma once
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "figures/data/csv.hpp"
+#include "figures/scenes/names.hpp"
+
+namespace rotor {
+
+class FigureFolder {
+ public:
+  static const FigureFolder& of(Equations equations) {
+    static const FigureFolder published(Equations::published), consistent(Equations::consistent);
+    return equations == Equations::published ? published : consistent;
+  }
+  ~FigureFolder() { std::filesystem::remove_all(path_); }
+  FigureFolder(const FigureFolder&) = delete;
+  FigureFolder& operator=(const FigureFolder&) = delete;
+
+  std::filesystem::path csv(int number) const {
+    return path_ / fmt::format("fig{:02}.csv", number);
+  }
+  std::vector<CsvRow> rows(int number) const { return read_csv(csv(number)); }
+
+ private:
+  explicit FigureFolder(Equations equations)
+      : path_(std::filesystem::temp_directory_path() /
+              fmt::format("rotor-figures-{}-{}", ::getpid(), name_of(equations))) {
+    const std::string command = fmt::format("'{}' figure --out '{}' --equations {} >/dev/null 2>&1",
+                                            ROTOR_PROGRAM, path_.string(), name_of(equations));
+    if (std::system(command.c_str()) != 0) throw std::runtime_error(command);
+  }
+
+  std::filesystem::path path_;
+};
+
+}  // namespace rotor
