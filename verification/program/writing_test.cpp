@@ -1,4 +1,5 @@
 /// What the program writes, where, and what it leaves behind: a file is whole or as it was before.
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
