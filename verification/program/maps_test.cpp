@@ -10,8 +10,7 @@
 #include "figures/data/csv.hpp"
 #include "figures/scenes/names.hpp"
 #include "figures/sweep/sweep_row.hpp"
-#include "model/theory/mass_loss_response.hpp"
-#include "model/theory/whirl.hpp"
+#include "model/theory/accident.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -163,6 +162,8 @@ TEST_F(Maps, HaveClosedFormsBesideThemPointByPoint) {
       const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
       const MassLossResponse response(scenario.parameters, scenario.equations, speed);
       const Whirl whirl(scenario.parameters);
+      const Accident law(scenario.parameters, scenario.equations, speed);
+      constexpr double none = -1;
       for (const auto& [column, expected] :
            {std::pair("greatest_m", response.greatest()),
             {"bound_m", response.bound()},
@@ -170,8 +171,11 @@ TEST_F(Maps, HaveClosedFormsBesideThemPointByPoint) {
             {"rolling_friction", whirl.rolling_friction(speed)},
             {"synchronous_friction", whirl.synchronous_friction(speed)},
             {"whip_friction", whirl.whip_friction()},
+            {"peak_force_N", law.peak_force().value_or(none)},
+            {"rebound_friction", law.whirl_friction.value_or(none)},
             {"mu", 0.3}})
-        EXPECT_EQ(static_cast<double>(row.number(column)), expected) << column;
+        EXPECT_EQ(row[column].empty() ? none : static_cast<double>(row.number(column)), expected)
+            << column;
     }
   }
   EXPECT_GT(refused, 5);
