@@ -79,7 +79,7 @@ endef
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
-        deps-mutants deps-clang deps-portable deps-mpi deps-explore explore check-explore explore-preview mpi stress \
+        laws deps-mutants deps-clang deps-portable deps-mpi deps-explore explore check-explore explore-preview mpi stress \
         sanitize portable deps-ranking ranking clean
 
 help: ## list all targets
@@ -256,6 +256,12 @@ ranking: build ## redraw reference-data/ranking.csv: which input decides each nu
 reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (minutes)
 	$(call build-target,reasons)
 	@$(BUILD)/reasons reference-data 1000
+
+laws: build ## hold the laws of model/theory against 10,000 random rotors: reference-data/laws.csv, and a picture (minutes)
+	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --out $(BUILD)/laws/laws.csv
+	@verification/paper/laws.sh $(BUILD)/laws/laws.csv > $(BUILD)/laws/quantiles.csv
+	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv
+	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run

@@ -28,17 +28,19 @@ stats theory using (1) nooutput name "closed"
 closed_scan = int(sqrt(closed_records/(2*rows)) + 0.5)
 
 # Where a closed form passes what it is compared with, as lines: $closed_P_I of panel P and form I.
-forms = 4
-array form[forms] = ["greatest_m", "bound_m", "steady_m", "synchronous_friction"]
-array meaning[forms] = ["closed form: border of contact", "closed form: cannot touch beyond", \
-  "steady response after the loss reaches the ring", "forward synchronous rub cannot last beyond"]
+forms = 6
+array form[forms] = ["greatest_m", "bound_m", "steady_m", "synchronous_friction", "rebound_friction", "peak_force_N"]
+array meaning[forms] = ["closed forms: border of contact", "cannot touch beyond", \
+  "steady response reaches the ring", "no lasting forward rub beyond", \
+  "rebounds lead to backward whirl beyond", "largest force of 300 kN"]
 array line[forms] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linewidth 1.2 dashtype (5,4)", \
-  "linecolor rgb blue linewidth 1.6 dashtype (2,2)", "linecolor rgb '#7a0177' linewidth 1.8 dashtype (8,3)"]
+  "linecolor rgb blue linewidth 1.6 dashtype (2,2)", "linecolor rgb '#7a0177' linewidth 1.8 dashtype (8,3)", \
+  "linecolor rgb '#006d2c' linewidth 1.8 dashtype (8,3,2,3)", "linecolor rgb '#30c0c0' linewidth 1.8"]
 nth(name) = int(system(sprintf("sed -n '/^[^#]/{p;q}' '%s' | tr , '\\n' | grep -nx %s | cut -d: -f1", theory, name)))
 u = nth(abscissa); v = nth(ordinate); mu = nth("mu"); gap = nth("clearance_m")
 array of[forms]
 do for [i = 1:forms] { of[i] = nth(form[i]) }
-excess(i) = i == 4 ? (column(of[i]) > 1 ? 1 : column(of[i])) - column(mu) : column(of[i])/column(gap) - 1
+excess(i) = i == 6 ? (shows eq "force" ? column(of[i])/3e5 - 1 : 1) : i > 3 ? (column(of[i]) > 1 ? 1 : column(of[i])) - column(mu) : column(of[i])/column(gap) - 1
 set contour base; unset surface; set cntrparam levels discrete 0; set zrange [-1000:1000]
 do for [p = 0:2*rows - 1] { do for [i = 1:forms] {
   eval sprintf("set table $closed_%d_%d", p, i)
@@ -48,7 +50,7 @@ do for [p = 0:2*rows - 1] { do for [i = 1:forms] {
 unset contour; set surface
 
 nth_word(n) = real(word(strcol(1), n))    # of a table, which knows no commas
-array seen[forms] = [0, 0, 0, 0]
+array seen[forms] = [0, 0, 0, 0, 0, 0]
 
 set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "what becomes of the rotor" : "largest normal force")
 set tics front out

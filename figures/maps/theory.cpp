@@ -15,15 +15,21 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
 #include "figures/sweep/sweep.hpp"
-#include "model/theory/mass_loss_response.hpp"
-#include "model/theory/whirl.hpp"
+#include "model/theory/accident.hpp"
 
 namespace rotor {
 namespace {
 
-constexpr std::array names = {
-    "clearance_m",          "mu",           "greatest_m", "bound_m", "steady_m", "rolling_friction",
-    "synchronous_friction", "whip_friction"};
+constexpr std::array names = {"clearance_m",
+                              "mu",
+                              "greatest_m",
+                              "bound_m",
+                              "steady_m",
+                              "rolling_friction",
+                              "synchronous_friction",
+                              "whip_friction",
+                              "rebound_friction",
+                              "peak_force_N"};
 
 std::array<double, names.size()> closed_forms(const Scenario& scenario) {
   const Parameters& p = scenario.parameters;
@@ -31,14 +37,18 @@ std::array<double, names.size()> closed_forms(const Scenario& scenario) {
   if (!(speed > 0)) throw std::domain_error("the speed of the loss is that of the start");
   const MassLossResponse response(p, scenario.equations, speed);
   const Whirl whirl(p);
+  const Accident law(p, scenario.equations, speed);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   return {p.stator_radius - p.rotor_radius,
           p.friction,
           response.greatest(),
           response.bound(),
           response.steady(),
           whirl.rolling_friction(speed),
-          whirl.synchronous_friction(speed),
-          whirl.whip_friction()};
+          law.forward_friction,
+          whirl.whip_friction(),
+          law.whirl_friction.value_or(none),
+          law.peak_force().value_or(none)};
 }
 
 /// Empty cells where the rotor would touch before the loss.

@@ -20,6 +20,7 @@ do for [i = 1:3] {
                   textcolor rgb grey boxed front
                 set arrow 1 from graph 0,first -455 to graph 1,first -455 nohead linestyle published }
   else { unset label 3; unset arrow 1 }
+  eval mark_law(name, "graph 0.2,0.68")
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
   fixed = name." by rk4"

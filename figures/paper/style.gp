@@ -33,13 +33,14 @@ set linetype 5 linecolor rgb "#cc79a7" linewidth 1.3
 set linetype 6 linecolor rgb "#56b4e9" linewidth 1.3
 set linetype 7 linecolor rgb "#e69f00" linewidth 1.3 dashtype (9, 6)
 set linetype 8 linecolor rgb "#7a0177" linewidth 1.3 dashtype (5, 6)
-published = 11; clearance = 12; reading = 13; fixed_steps = 14; first_place = 15; lost = 16
+published = 11; clearance = 12; reading = 13; fixed_steps = 14; first_place = 15; lost = 16; law = 18
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 7)
 set style line clearance linecolor rgb black linewidth 1.2 dashtype (1, 5)
 set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
 beneath = 3.4                                       # its width beneath a curve that it may equal
 set style line first_place pointtype 6 pointsize 1 linecolor rgb black linewidth 1.5
 set style line lost pointtype 2 pointsize 1.2 linecolor rgb vermilion linewidth 2
+set style line law linecolor rgb "#7a0177" linewidth 1.2 dashtype (10, 3, 2, 3)
 set style line reading linecolor rgb grey linewidth 0.8
 
 set border linewidth 0.8
@@ -80,6 +81,11 @@ said(run, what) = system(sprintf("sed -n 's/^# %s: %s.*/\\1/p' '%s'", run, what,
 number(run, name) = read(said(run, ".* ".name." = \\([-+.e0-9]*\\)"))
 read(text) = strstrt(text, "e") == 0 ? real(text) : \
   real(text[:strstrt(text, "e") - 1])*10.0**int(text[strstrt(text, "e") + 1:])    # gnuplot refuses 5e-06
+# Where the closed form puts the largest force in rolling, kN, if it knows one, and its label:
+law_kN(run) = said(run, ".*\\(law_peak_force_N\\)") eq "" ? 0 : 1e-3*number(run, "law_peak_force_N")
+mark_law(run, place) = law_kN(run) > 0 ? sprintf("set arrow 9 from graph 0,first %g to graph 1,first %g nohead linestyle law; ".\
+  "set label 9 'closed form of rolling: %.0f kN' at %s textcolor rgb '#7a0177'", \
+  -law_kN(run), -law_kN(run), law_kN(run), place) : "unset arrow 9; unset label 9"
 by_method(run) = said(run, ".*method \\([a-z0-9]*\\)") eq "rk4" ? "published method" : "event method"
 power_of_ten(x) = sprintf("%g×10^{%d}", x/10**floor(log10(x)), floor(log10(x)))
 

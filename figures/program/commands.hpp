@@ -3,6 +3,7 @@
 #pragma once
 
 #include "figures/program/options.hpp"
+#include "figures/scenes/scene.hpp"
 
 namespace rotor {
 
@@ -17,5 +18,11 @@ void run_sweep(const SweepOptions& options);
 
 /// `rotor run` runs any rotor.
 void run_rotor(const RunOptions& options);
+
+/// `rotor estimate` answers by closed forms alone.
+void estimate_rotor(const CaseOptions& options);
+
+/// The scene with the runs that are asked for.
+Scene scene_of(const CaseOptions& options);
 
 }  // namespace rotor

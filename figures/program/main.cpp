@@ -123,7 +123,7 @@ void add_options(CLI::App& command, SweepOptions& options) {
       ->excludes(out);
 }
 
-void add_options(CLI::App& command, RunOptions& options) {
+void add_options(CLI::App& command, CaseOptions& options) {
   auto* scene = command
                     .add_option("--scene", options.scene,
                                 "scene file (TOML); options override what it states")
@@ -154,6 +154,11 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_flag_callback(
       "--no-separation", [&options] { options.numbers.loses_mass = false; }, "no mass is lost");
   add_options(command, static_cast<CommonOptions&>(options));
+  command.add_flag("--json", options.json, "print the results as JSON");
+}
+
+void add_options(CLI::App& command, RunOptions& options) {
+  add_options(command, static_cast<CaseOptions&>(options));
   command
       .add_option_function<std::string>(
           "--stop-on",
@@ -211,7 +216,6 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_flag("--estimate-error", options.estimate_error,
                 "estimate the relative error of the summary, by another run")
       ->excludes(digits);
-  command.add_flag("--json", options.json, "print the summary as JSON");
   command.add_flag(
       "--energy", options.energy,
       "say in the summary where the energy goes from the mass loss on, until rolling and "
@@ -269,11 +273,14 @@ int main(int argc, char** argv) {
   FigureOptions figure;
   PlotOptions plot;
   RunOptions run;
+  CaseOptions estimate;
   SweepOptions sweep;
   add_command(app, "figure", "Write the data of the paper's figures as CSV", figure, write_figures);
   add_command(app, "plot", "Draw force, speed, displacement and orbit of a scene", plot,
               plot_scene);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
+  add_command(app, "estimate", "Say by closed forms, without a run, what becomes of any rotor",
+              estimate, estimate_rotor);
   add_command(app, "sweep", "Run many, of which some quantities vary", sweep, run_sweep);
   int status = 0;
   try {

@@ -31,16 +31,20 @@ struct SweepOptions {
   bool dry_run = false;
 };
 
-struct RunOptions : CommonOptions {
+/// What is run, or estimated.
+struct CaseOptions : CommonOptions {
   std::string scene, run_name;
-  Statement numbers;          ///< and whether mass is lost
+  Statement numbers;  ///< and whether mass is lost
+  bool json = false;
+};
+
+struct RunOptions : CaseOptions {
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
   std::optional<double> every_s;  ///< equal distances; adaptive if neither is stated
   std::optional<long> rows;
   std::optional<StopOn> stop_on;
-  bool json = false;
   static constexpr double usual_budget_s = 300;
   std::optional<double> budget_s;  ///< of each run whose digits are asked for
   bool estimate_error = false;

@@ -28,21 +28,6 @@
 namespace rotor {
 namespace {
 
-/// The scene with the runs that are asked for.
-Scene scene_of(const RunOptions& options) {
-  if (options.scene.empty()) {
-    const Statement stated = options.equations_and_method.overridden_by(options.numbers);
-    return {.title = "",
-            .window = {},
-            .columns = {},
-            .runs = {{"run", scenario_of(stated), stated.states_equations(), stated.digits}}};
-  }
-  return read_scene(options.scene,
-                    {.of_parameters = {},
-                     .of_runs = options.equations_and_method.overridden_by(options.numbers),
-                     .run = options.run_name});
-}
-
 /// What is asked for must go with the digits that are asked for.
 void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) {
   const auto refuse = [](bool is_asked, std::string_view what) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "figures/scenes/laws.hpp"
+
 namespace rotor {
 namespace {
 
@@ -25,6 +27,18 @@ std::string parameters(const Scenario& scenario) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
+/// What closed forms predict, if they know the rotor.
+std::string prediction(const Scenario& scenario) {
+  std::vector<std::string> all;
+  try {
+    const nlohmann::ordered_json known = laws(scenario);
+    for (const auto& [key, value] : known.items())
+      if (value.is_number()) all.push_back(fmt::format("{} = {}", key, value.dump()));
+  } catch (const std::exception&) {  // no mass loss, or supports that do not vibrate
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> provenance(const std::string& title, const Scene& scene) {
@@ -33,6 +47,9 @@ std::vector<std::string> provenance(const std::string& title, const Scene& scene
     lines.push_back(fmt::format("{}: equations {}, method {}, {}", run.name,
                                 describe(run.scenario.equations), name_of(run.scenario.method),
                                 parameters(run.scenario)));
+  for (const SceneRun& run : scene.runs)
+    if (const std::string said = prediction(run.scenario); !said.empty())
+      lines.push_back(fmt::format("{}: by closed forms, {}", run.name, said));
   for (const Column* column : scene.columns)
     lines.push_back(fmt::format("{}: {}", column->name, column->meaning));
   return lines;

@@ -56,7 +56,7 @@ class SweepReader : TomlFile {
     const toml::node& node = *root().get("columns");
     const toml::array* const array = node.as_array();
     if (!array || array->empty()) fail(node, "columns", "must be a list with something in it");
-    const std::vector<std::string>& allowed = result_columns();
+    const std::vector<std::string>& allowed = columns_on_request();
     std::vector<std::string> all;
     for (const toml::node& item : *array) {
       const auto name = item.value_or<std::string>("");

@@ -9,6 +9,7 @@
 #include "figures/data/text.hpp"
 #include "figures/scenes/certain_account.hpp"
 #include "figures/scenes/interruptible.hpp"
+#include "figures/scenes/laws.hpp"
 
 namespace rotor {
 namespace {
@@ -35,7 +36,10 @@ std::string field(const nlohmann::ordered_json& value, int digits) {
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
-std::string cells(const nlohmann::ordered_json& summary, const std::vector<std::string>& columns) {
+std::string cells(nlohmann::ordered_json summary, const Scenario& scenario,
+                  const std::vector<std::string>& columns) {
+  const auto is_law = [&](const std::string& column) { return !summary.contains(column); };
+  if (std::any_of(columns.begin(), columns.end(), is_law)) summary.update(laws(scenario));
   const int digits = asked_digits(summary);
   std::string row;
   for (const std::string& key : columns) row += field(summary.at(key), digits) + ',';
@@ -46,6 +50,15 @@ std::string cells(const nlohmann::ordered_json& summary, const std::vector<std::
 
 const std::vector<std::string>& result_columns() {
   static const std::vector<std::string> keys = keys_of(to_json(Account{}));
+  return keys;
+}
+
+const std::vector<std::string>& columns_on_request() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all = result_columns(), more = keys_of(laws(Scenario{}));
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
   return keys;
 }
 
@@ -80,13 +93,13 @@ std::string SweepRows::operator()(long n) {
       const auto found =
           run_to_digits(scenario, *digits, [](double /*time_s*/) { return !is_interrupted(); });
       if (!found || is_interrupted()) throw Interrupted();
-      return row + cells(to_json(*found, scenario, *digits), columns_of(sweep_)) +
+      return row + cells(to_json(*found, scenario, *digits), scenario, columns_of(sweep_)) +
              csv_field(complaint(*found, *digits)) + '\n';
     }
     const Account account =
         finish(run_ups_.depart(scenario, monitor), scenario, sweep_.stop_on, monitor);
     if (account.early.interrupted) throw Interrupted();
-    return row + cells(to_json(account), columns_of(sweep_)) + '\n';
+    return row + cells(to_json(account), scenario, columns_of(sweep_)) + '\n';
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {

@@ -7,8 +7,10 @@
 
 namespace rotor {
 
-/// The columns that results can have: the plain keys of a summary.
+/// The columns that results have: the plain keys of a summary.
 const std::vector<std::string>& result_columns();
+/// The columns that can be asked for: what the laws say of a point, too.
+const std::vector<std::string>& columns_on_request();
 
 /// What stands above the rows: where they come from, and the names of their columns.
 std::string sweep_head(const Sweep& sweep);

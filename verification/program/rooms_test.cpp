@@ -33,7 +33,7 @@ const std::map<std::string, Names>& allowed() {
       {"model/simulation", {"model/mechanics", "model/integration", "model/phases"}},
       {"model/theory", {"model/mechanics"}},
       {"figures/data", {}},
-      {"figures/scenes", with(model, {"figures/data"})},
+      {"figures/scenes", with(model, {"figures/data", "model/theory"})},
       {"figures/sweep", scenes},
       {"figures/explore", with(scenes, {"figures/sweep"})},
       {"figures/maps", with(scenes, {"figures/sweep", "model/theory"})},

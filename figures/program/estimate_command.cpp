@@ -1,0 +1,45 @@
+#include <nlohmann/json.hpp>
+
+#include "figures/program/commands.hpp"
+#include "figures/program/summaries.hpp"
+#include "figures/scenes/laws.hpp"
+
+namespace rotor {
+
+Scene scene_of(const CaseOptions& options) {
+  if (options.scene.empty()) {
+    const Statement stated = options.equations_and_method.overridden_by(options.numbers);
+    return {.title = "",
+            .window = {},
+            .columns = {},
+            .runs = {{"run", scenario_of(stated), stated.states_equations(), stated.digits}}};
+  }
+  return read_scene(options.scene,
+                    {.of_parameters = {},
+                     .of_runs = options.equations_and_method.overridden_by(options.numbers),
+                     .run = options.run_name});
+}
+
+void estimate_rotor(const CaseOptions& options) {
+  CaseOptions stated = options;
+  auto& numbers = stated.numbers.numbers;
+  if (auto at_loss = numbers.extract("separation_speed_hz")) {  // which takes no run-up to reach
+    numbers.insert_or_assign("start_speed_hz", at_loss.mapped());
+    numbers.erase("separation_time");
+  }
+  auto runs = nlohmann::ordered_json::array();
+  for (const SceneRun& run : scene_of(stated).runs) {
+    nlohmann::ordered_json row;
+    if (!options.scene.empty()) row["run"] = run.name;
+    row.update(laws(run.scenario));
+    row["equations"] = name_of(run.scenario.equations);
+    runs.push_back(row);
+  }
+  if (options.json && runs.size() != 1) {
+    print_summaries(runs, true, stdout);
+  } else {
+    for (const auto& row : runs) print_summary(row, options.json, stdout);
+  }
+}
+
+}  // namespace rotor

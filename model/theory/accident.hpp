@@ -1,0 +1,105 @@
+/// The accident in closed forms: whether the rotor touches the ring after its mass loss, from which
+/// friction on it rolls, at what speed rolling begins, and how large the force becomes. README.md
+/// beside this file derives them and says what they neglect; its equations are numbered as here.
+#pragma once
+
+#include "model/theory/mass_loss_response.hpp"
+#include "model/theory/whirl.hpp"
+
+namespace rotor {
+
+/// How far an oscillator of damping ratio zeta > 0 swings after a blow, over v / w_0.
+inline double swing(double zeta) {
+  if (zeta == 1) return std::exp(-1);
+  const double root = std::sqrt(std::abs(1 - zeta * zeta));
+  return std::exp(-zeta / root * (zeta < 1 ? std::acos(zeta) : std::acosh(zeta)));
+}
+
+/// The largest of spring and dashpot together after that blow, over k v / w_0.
+inline double impact(double zeta) {
+  if (zeta >= 0.5) return 2 * zeta;
+  return std::exp(-zeta / std::sqrt(1 - zeta * zeta) * (3 * std::acos(zeta) - std::numbers::pi));
+}
+
+/// The friction with which the rebounds of a rotor that hits the ring with a normal velocity drive
+/// O to where backward whirl grows; (2).
+inline double whirling_friction(const Parameters& p, double mass, double velocity,
+                                double restitution) {
+  const double kicks = velocity * (1 + restitution) / (1 - restitution);
+  const double way = (p.stator_radius - p.rotor_radius) / kicks;
+  return std::sqrt(way * (way * p.support_stiffness + p.support_damping) / mass);
+}
+
+/// SI units; speeds and rates in rad/s. What does not happen is empty.
+struct Accident {
+  double contact_speed;  ///< at the loss, above which the rotor touches, roughly; (1)
+  double reach;          ///< |r_O| at most, were there no ring, m; exact at a constant speed
+  std::optional<double> contact_s;        ///< first contact after the loss
+  std::optional<double> impact_force;     ///< of that contact, N
+  std::optional<double> whirl_friction;   ///< above which rebounds end in backward whirl; (2)
+  double forward_friction;                ///< up to which forward rub can last
+  std::optional<double> rolling_speed;    ///< of the rotor when rolling begins; (3)
+  std::optional<double> whirl_rate;       ///< of O then
+  std::optional<double> rolling_force;    ///< largest normal force in rolling, N; (4)
+  std::optional<double> unbalance_share;  ///< kappa e_x1/(mu r), which (3) and (4) neglect
+
+  /// Of a rotor that loses its piece in steady response at a speed. Throws as MassLossResponse.
+  Accident(const Parameters& p, Equations equations, double speed)
+      : forward_friction(Whirl(p).synchronous_friction(speed)) {
+    const Body<double> body = MassLoss<double>(p).after;
+    const MassLossResponse response(p, equations, speed);
+    const Whirl whirl(p);
+    const Ring<double> ring(p);
+    const double m = body.mass, e_1 = body.eccentricity, r = ring.rotor_radius, c = ring.clearance;
+    const double natural = std::sqrt(p.support_stiffness / m), d = p.support_damping;
+    const double jumps = equations.velocity_jump == VelocityJump::twice ? 2 : 1;
+    contact_speed = natural * (c - e_1) /
+                    (jumps * (e_1 - p.eccentricity) * swing(d / (2 * m * natural)));  // (1)
+    reach = response.greatest();
+    contact_s = response.first_contact();
+    if (!contact_s) return;
+
+    using Complex = MassLossResponse::Complex;
+    const Complex outwards = response.position(*contact_s) / c, i(0, 1);
+    const Complex v_O = response.velocity(*contact_s) * std::conj(outwards);
+    const Complex v_C =
+        v_O + i * speed * e_1 * std::exp(i * speed * *contact_s) * std::conj(outwards);
+    const double contact_rate = std::sqrt(ring.stiffness / m);
+    const double zeta = ring.damping / (2 * m * contact_rate);
+    impact_force = ring.stiffness * v_O.real() / contact_rate * impact(zeta);
+    whirl_friction = whirling_friction(p, m, v_O.real(), swing(zeta) * swing(zeta));
+    if (!(ring.friction > 0)) return;
+
+    const double kappa = m * r * r / body.inertia, stiffness = ring.stiffness + p.support_stiffness;
+    const double least_rate = whirl.separatrix_rate(ring.friction);
+    const auto softness = [&](double rate) { return rate * std::sqrt(m / stiffness); };
+    const auto momentum = [&](double w) {
+      const double rate = whirl.rolling_rate(w), x = softness(rate);
+      const double drag = d * c / ring.friction * std::log(std::max(1., rate / least_rate));
+      return w / r * body.inertia * (1 + kappa * (2 - (1 - x * x) * std::atanh(x) / x)) + drag;
+    };
+    const double given = body.inertia * speed / r - m * v_C.imag();
+    double low = 0, high = given * r / body.inertia;
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = (low + high) / 2;
+      (momentum(middle) < given ? low : high) = middle;  // (3)
+    }
+    const double rate = whirl.rolling_rate(high), x = softness(rate), s = whirl.shrinking(rate);
+    if (!(rate > least_rate)) return;
+    rolling_speed = high;
+    whirl_rate = rate;
+    const double rho = r * high / rate, normal_force = ring.stiffness * (rho - c);
+    const double drift = s / (1 + 2 * s) * ring.friction * normal_force / (m * rate);
+    const double radial_rate = rate * std::sqrt(1 / (x * x) + 1 + 2 * kappa / (1 + kappa));
+    rolling_force = normal_force + ring.stiffness * drift / radial_rate *
+                                       swing(ring.damping / (2 * m * radial_rate));  // (4)
+    unbalance_share = kappa * e_1 / (ring.friction * r);
+  }
+
+  /// The larger of both.
+  std::optional<double> peak_force() const {
+    return rolling_force ? std::optional(std::max(*rolling_force, *impact_force)) : std::nullopt;
+  }
+};
+
+}  // namespace rotor

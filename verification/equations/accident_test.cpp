@@ -1,0 +1,133 @@
+/// The laws of the accident: at their limits, and against runs in which all that they assume holds.
+#include "model/theory/accident.hpp"
+
+#include <gtest/gtest.h>
+
+#include "figures/scenes/account.hpp"
+#include "verification/support/bare.hpp"
+#include "verification/support/law.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr double Hz = 2 * std::numbers::pi;
+
+Accident law_of(const Scenario& scenario) {
+  return {scenario.parameters, scenario.equations, Hz * scenario.start_speed_Hz};
+}
+
+Summary summary_of(const Scenario& scenario) {
+  Observer nobody;
+  return finish(Departure(scenario), scenario, StopOn::outcome, nobody).summary;
+}
+
+// The rotation is so much faster than the swing that O meets its end at the far side of C.
+TEST(Accident, BeginsAtItsContactSpeedFarAboveResonance) {
+  for (const auto equations : {Equations::published, Equations::consistent})
+    for (const double damping_ratio : {0., 0.3}) {
+      Parameters p;
+      p.support_stiffness = 1e-2;
+      p.eccentricity = 1e-3;
+      p.unbalance_factor = 1.001;
+      p.support_damping =
+          2 * damping_ratio * std::sqrt(p.support_stiffness * MassLoss<double>(p).after.mass);
+      p.stator_radius = p.rotor_radius + 3e-3;
+      const double speed = Accident(p, equations, 700).contact_speed;
+      const double clearance = p.stator_radius - p.rotor_radius;
+      // 1000 turns a swing and more; the steady response lags by the damping over that.
+      Law("reach of a rotor at its contact speed, over the clearance", 1e-5)
+          .expect_left(Accident(p, equations, speed).reach / clearance - 1);
+    }
+}
+
+/// A rotor that hits the ring along a radius and does not turn.
+struct Blow : testing::TestWithParam<double> {
+  Blow() { scenario.parameters.contact_damping = 2 * GetParam() * contact_rate() * mass(); }
+  double mass() const { return scenario.parameters.mass; }
+  double contact_rate() const { return std::sqrt(scenario.parameters.contact_stiffness / mass()); }
+  Scenario scenario = bare();
+};
+
+TEST_P(Blow, HasTheLargestForceAndTheReboundOfTheClosedForm) {
+  const Parameters& p = scenario.parameters;
+  const double speed = 0.7, unit = p.contact_stiffness * speed / contact_rate();
+  Instant at = at_rest(p);
+  at.state = {0, 0, 0, speed, 0, 0};
+  at.motor_on = false;
+  SummaryObserver summary(scenario);
+  const Instant last = follow(scenario, at, 8e-3, summary).last;
+  Law("largest force of a blow", 1e-9)
+      .expect_left(summary.summary().peak_normal_force_N.value() / (unit * impact(GetParam())) - 1);
+  Law("rebound of a blow", 1e-9)
+      .expect_left(-last.state[3] / speed - swing(GetParam()) * swing(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Blow, testing::Values(0.02, 0.3, 0.49, 0.6, 1.2),
+                         [](const auto& ratio) {
+                           return "DampingRatio" + std::to_string(std::lround(100 * ratio.param));
+                         });
+
+// Without unbalance and damping, from a blow along a radius: rebounds smaller and smaller, until
+// the rotor whirls for good or hardly moves along the ring.
+TEST(Accident, WhirlsAboveItsFrictionAndNotBelow) {
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  p.support_stiffness = Parameters{}.support_stiffness;
+  p.contact_stiffness = 1e10;  // a blow lasts for less than a thousandth of a swing
+  for (const double zeta : {0.05, 0.3}) {
+    p.contact_damping = 2 * zeta * std::sqrt(p.mass * p.contact_stiffness);
+    const double friction = whirling_friction(p, p.mass, 0.7, swing(zeta) * swing(zeta));
+    const auto rolls = [&](double share) {
+      p.friction = share * friction;
+      const auto clearance = p.stator_radius - p.rotor_radius;
+      const auto run =
+          follow_from_state(scenario, {clearance, 0, 0, 0.7, -900 * clearance, 900}, 6);
+      return std::ranges::any_of(
+          run.events(), [](const Instant& at) { return at.event == Event::rolling_onset; });
+    };
+    EXPECT_TRUE(rolls(1.03)) << zeta;
+    EXPECT_FALSE(rolls(0.97)) << zeta;
+  }
+}
+
+/// Where all assumptions hold together: unbalance and clearance are tiny beside the rotor, so that
+/// the blows of the unbalance turn it by nothing, and there is neither damping nor gravity.
+Scenario ideal(double friction, double softness, double kappa) {
+  Scenario scenario{.start_speed_Hz = 150, .until = 0.5};
+  Parameters& p = scenario.parameters;
+  p.torque = p.gravity = p.support_damping = p.separation_time = 0;
+  p.eccentricity = 1e-7;
+  p.stator_radius = p.rotor_radius + 1e-6;
+  p.friction = friction;
+  p.inertia = p.mass * p.rotor_radius * p.rotor_radius / kappa;
+  const double rate = Hz * 150 / (1 + kappa) * p.rotor_radius / 1e-6;  // of rigid rolling
+  p.contact_stiffness = p.mass * rate * rate / (softness * softness);
+  p.contact_damping = 0.1 * std::sqrt(p.mass * p.contact_stiffness);
+  return scenario;
+}
+
+TEST(Accident, RollsInARigidRingFromTheSpeedThatTheMomentumLeaves) {
+  const Scenario scenario = ideal(0.3, 0.01, 2);
+  const double rest = 1. / 3;
+  Law("speed at which rolling begins in a rigid ring", 3e-4)  // softness^2, m_u
+      .expect_left(summary_of(scenario).rolling_onset_speed_Hz.value() / (150 * rest) - 1);
+  EXPECT_NEAR(law_of(scenario).rolling_speed.value() / (Hz * 150 * rest), 1, 3e-4);
+}
+
+// The slower the growth beside the ring's own vibration, the closer: their ratio is mu * softness.
+TEST(Accident, RollsInASoftRingAsTheLawsSay) {
+  for (const double kappa : {2, 10})
+    for (const double softness : {0.2, 0.5})
+      for (const double friction : {0.1, 0.3}) {
+        const Scenario scenario = ideal(friction, softness, kappa);
+        const Accident law = law_of(scenario);
+        const Summary run = summary_of(scenario);
+        Law("speed at which rolling begins in a soft ring", 5e-3)
+            .expect_left(run.rolling_onset_speed_Hz.value() * Hz / law.rolling_speed.value() - 1);
+        Law("largest force in rolling, soft ring", 1e-2)
+            .expect_left(run.peak_normal_force_N.value() / law.rolling_force.value() - 1);
+      }
+}
+
+}  // namespace
+}  // namespace rotor

@@ -1,0 +1,45 @@
+#!/bin/sh
+# What the runs of laws.toml say of the laws, as reference-data/laws.csv: laws.sh SWEEP.csv
+set -e
+export LC_ALL=C
+cat <<'HEAD'
+# How good the laws of model/theory are on the random rotors of verification/paper/laws.toml, from `make laws`; not from the
+# paper. share: of the unbalance, kappa e_x1/(mu r), from and up to; rolling_speed, peak_force: the run's value over the
+# law's, of runs that roll; other quantities: whether the run ends as the law says; agree: share within 10 %, or that does.
+equations,quantity,share_from,share_to,runs,q05,q25,median,q75,q95,agree
+HEAD
+grep -v '^#' "$1" | awk -F, '
+  NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+  function of(name) { return $column[name] }
+  function row(quantity, from, to, ratio) { printf "%s,%s,%s,%s,%s\n", $1, quantity, from, to, ratio }
+  of("refusal") != "" { next }
+  {
+    touches = of("collisions") > 0
+    row("touches", "", "", touches == (of("law_contact_after_loss_s") != ""))
+    rolls = of("outcome") == "rolling"
+    if (of("law_outcome") == "rolling") row("rolls_above_both_frictions", "", "", rolls)
+    whirl = of("law_whirl_friction")
+    if (touches && whirl != "" && of("friction") < whirl/3) row("rolls_below_a_third_of_the_whirl_friction", "", "", rolls)
+    if (!rolls || of("law_rolling_speed_Hz") == "") next
+    share = of("law_unbalance_share")
+    from = share < 0.03 ? 0 : share < 0.1 ? 0.03 : share < 0.3 ? 0.1 : 0.3
+    to = share < 0.03 ? 0.03 : share < 0.1 ? 0.1 : share < 0.3 ? 0.3 : ""
+    speed = of("rolling_onset_speed_Hz")/of("law_rolling_speed_Hz")
+    force = of("peak_normal_force_N")/of("law_peak_force_N")
+    row("rolling_speed", from, to, speed); row("peak_force", from, to, force)
+    row("rolling_speed", 0, "", speed); row("peak_force", 0, "", force)
+  }' | sort -t, -k1,1 -k2,2 -k3,3g -k4,4 -k5,5g | awk -F, '
+  function quantile(share) { return sprintf("%.3f", ratio[1 + int(share*(n - 1) + 0.5)]) }
+  function print_row() {
+    if (!n) return
+    printf "%s,%d,", key, n
+    if (key ~ /,(rolling_speed|peak_force),/)
+      printf "%s,%s,%s,%s,%s,", quantile(0.05), quantile(0.25), quantile(0.5), quantile(0.75), quantile(0.95)
+    else
+      printf ",,,,,"
+    printf "%.4f\n", good/n
+  }
+  { of = $1 "," $2 "," $3 "," $4 }
+  of != key { print_row(); key = of; n = good = 0 }
+  { ratio[++n] = $5; good += $5 >= 0.9 && $5 <= 1.1 }
+  END { print_row() }'

@@ -1,0 +1,87 @@
+/// The laws of model/theory: that random rotors keep them as reference-data/laws.csv says, and that
+/// the program says what they say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "figures/data/csv.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+const std::string paper = ROTOR_SOURCES "/verification/paper/";
+
+struct Laws : CommandLine {
+  nlohmann::json json(const std::string& command) const {
+    return nlohmann::json::parse(rotor(command + " --json 2>/dev/null").output);
+  }
+};
+
+// A part of the rotors anew. The shares of quantiles scatter by half over the root of their number:
+// of 60 rotors each lies between its neighbours. Shares that agree: three standard errors.
+TEST_F(Laws, HoldOnRandomRotorsAsTheTableSays) {
+  std::ifstream file(paper + "laws.toml");
+  const std::string all((std::istreambuf_iterator<char>(file)), {});
+  write("few.toml", std::regex_replace(all, std::regex("count = 10000"), "count = 600"));
+  ASSERT_EQ(shell("$rotor sweep few.toml --out few.csv >/dev/null 2>&1 && " + paper +
+                  "laws.sh few.csv > anew.csv")
+                .status,
+            0);
+  const auto key = [](const CsvRow& row) {
+    return row["equations"] + row["quantity"] + row["share_from"] + "-" + row["share_to"];
+  };
+  std::map<std::string, CsvRow> table;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/laws.csv")) table.emplace(key(row), row);
+  int compared = 0;
+  for (const CsvRow& row : read_csv(folder_ / "anew.csv")) {
+    const CsvRow& stored = table.at(key(row));
+    const auto share = static_cast<double>(stored.number("agree"));
+    const auto runs = static_cast<double>(row.number("runs"));
+    EXPECT_NEAR(row.number("agree"), share, 3 * std::sqrt(share * (1 - share) / runs) + 1 / runs)
+        << key(row);
+    if (stored["median"].empty() || runs < 60) continue;
+    ++compared;
+    for (const auto& [below, quantile, above] :
+         {std::tuple("q05", "q25", "median"), {"q25", "median", "q75"}, {"median", "q75", "q95"}}) {
+      EXPECT_GE(row.number(quantile), stored.number(below)) << key(row);
+      EXPECT_LE(row.number(quantile), stored.number(above)) << key(row);
+    }
+  }
+  EXPECT_GT(compared, 10);
+}
+
+// Where the estimate trusts itself; 10 % is what the table is about.
+TEST_F(Laws, EstimateThePapersRotor) {
+  for (const char* options : {"--friction 0.3", "--separation-time 19.1", "--separation-time 14.15",
+                              "--equations consistent"}) {
+    const auto law = json(std::string("estimate ") + options),
+               run = json(std::string("run ") + options);
+    EXPECT_TRUE(law["law_trusted"]) << options;
+    EXPECT_EQ(law["law_outcome"], run["outcome"]) << options;
+    const auto near = [&](const char* of_law, const char* of_run, double allowed) {
+      EXPECT_NEAR(law[of_law].get<double>() / run[of_run].get<double>(), 1, allowed)
+          << options << ' ' << of_run;
+    };
+    near("law_speed_at_loss_Hz", "speed_at_separation_Hz", 2e-3);  // run-up without drag
+    near("law_rolling_speed_Hz", "rolling_onset_speed_Hz", 0.1);
+    near("law_peak_force_N", "peak_normal_force_N", 0.1);
+  }
+}
+
+TEST_F(Laws, AreColumnsOfASweepThatAsksForThem) {
+  write("s.toml",
+        "columns = [\"outcome\", \"law_peak_force_N\"]\n[[axis]]\nquantity = \"start_speed_hz\"\n"
+        "values = [40, 120]\n");
+  ASSERT_EQ(shell("$rotor sweep s.toml --out s.csv >/dev/null 2>&1").status, 0);
+  const auto rows = read_csv(folder_ / "s.csv");
+  EXPECT_EQ(rows[0]["law_peak_force_N"], "");
+  EXPECT_EQ(rows[1]["law_peak_force_N"],
+            json("estimate --separation-speed-hz 120")["law_peak_force_N"].dump());
+}
+
+}  // namespace
+}  // namespace rotor
