@@ -94,7 +94,7 @@ struct Left {
     return {std::forward<A>(a)};                                            \\
   }                                                                         \\
   template <int N, class A, class B>                                        \\
-    requires requires(A a, B b) { plain(a op b) = plain(a opposite b); }    \\
+    requires requires(A a, B b) { a op b, a opposite b; }                   \\
   auto operator op(Left<N, A> left, B&& b) {                                \\
     using T = decltype(plain(left.a op b));                                 \\
     return mutant(N) ? T(plain(left.a opposite b)) : plain(left.a op b);    \\

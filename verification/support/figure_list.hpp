@@ -1,6 +1,7 @@
 /// The paper's figures as their scene files state them.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <string>
