@@ -216,6 +216,8 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_flag("--estimate-error", options.estimate_error,
                 "estimate the relative error of the summary, by another run")
       ->excludes(digits);
+  command.add_flag("--json-schema", options.json_schema,
+                   "print the JSON schema of the summary instead: what each key means");
   command.add_flag(
       "--energy", options.energy,
       "say in the summary where the energy goes from the mass loss on, until rolling and "

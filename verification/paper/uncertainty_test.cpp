@@ -37,6 +37,15 @@ TEST(Uncertainty, IsRelativeToTheSimulatedValue) {
   EXPECT_TRUE(std::isnan(of("onset_at_peak").error));  // which has no number printed
 }
 
+// Two runs to different tolerances never agree to the bit.
+TEST(Uncertainty, OfTheMethodIsMoreThanNothingAndLessThanItsTolerance) {
+  const Uncertainty& peak = of("peak_force");
+  EXPECT_GT(peak.u_num, 0);
+  EXPECT_LT(peak.u_num, 1e-11);
+  EXPECT_EQ(peak.decided_by.at(0).input, "clearance");
+  EXPECT_EQ(peak.decided_by.at(1).input, "mass");
+}
+
 // A fixed part of what `make ranking` writes, without OpenTURNS.
 TEST(Ranking, HasWhatRunsGiveOneAtATime) {
   const auto ranges = read_input_ranges(ROTOR_REFERENCE_DATA "/printed-inputs.csv");
