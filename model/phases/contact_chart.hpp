@@ -14,11 +14,11 @@ template <class S>
 class ContactChart {
  public:
   /// Delta, which is known more sharply than rho (m); direction of O in the rotating axes and angle
-  /// of the rotor, both since the chart was centred (rad); Delta' and, whichever was less there,
-  /// the slip velocity v_Ktau or the tangential velocity of O (m/s); the speed (rad/s). These two
-  /// differ by the rim's velocity. As a small difference of large ones neither would be known well
-  /// enough: zeros of the slip are looked for, and rho, which may be 10^7 times less than the
-  /// rotor's radius, divides the velocity of O in the whirl.
+  /// of the rotor, both since the chart was centred (rad); Delta' and the slip velocity v_Ktau
+  /// (m/s); the speed (rad/s). Where the clearance is a very small part of the radius, the
+  /// tangential velocity of O is there instead of the slip as long as it is less: it differs from
+  /// that by the rim's velocity, in whose rounding it would be lost, and rho divides it in the
+  /// whirl. Zeros of the slip want the slip itself.
   using Unknowns = std::array<S, 6>;
 
   struct Kinematics {
@@ -29,7 +29,8 @@ class ContactChart {
       : eccentricity_(rotor.body.eccentricity),
         clearance_(rotor.ring.clearance),
         radius_(rotor.ring.rotor_radius),
-        gravity_(rotor.supports.gravity != 0) {
+        gravity_(rotor.supports.gravity != 0),
+        knows_slip_(is_wide()) {
     using std::atan2;
     centre(q[2], atan2(q[1], q[0]));
   }
@@ -114,7 +115,7 @@ class ContactChart {
     x[1] = x[2] = 0;
     const S slip = slip_velocity(x), tangential = tangential_velocity(x);
     const bool knew_slip = knows_slip_;
-    knows_slip_ = abs(slip) <= abs(tangential);
+    knows_slip_ = is_wide() || abs(slip) <= abs(tangential);
     x[4] = knows_slip_ ? slip : tangential;
     return knows_slip_ != knew_slip;
   }
@@ -129,14 +130,18 @@ class ContactChart {
     down_ = Vector<S>(cos(beta), -sin(beta));
   }
 
+  /// Whether rounding of the rim's velocity leaves that of O the digits that any tolerance asks for
+  /// but the smallest.
+  bool is_wide() const { return radius_ <= 100 * clearance_; }
+
   S displacement(const Unknowns& x) const { return clearance_ + x[0]; }
   S slip_velocity(const Unknowns& x) const { return knows_slip_ ? x[4] : x[4] + radius_ * x[5]; }
 
   S eccentricity_, clearance_, radius_;
   bool gravity_;
-  bool knows_slip_ = false;  ///< which of the two velocities is among the unknowns
-  S q3_, alpha_;             ///< where the chart is centred
-  Vector<S> arm_, down_;     ///< of C from O, and gravity's direction, in the basis there
+  bool knows_slip_;       ///< whether the slip is among the unknowns
+  S q3_, alpha_;          ///< where the chart is centred
+  Vector<S> arm_, down_;  ///< of C from O, and gravity's direction, in the basis there
 };
 
 }  // namespace rotor

@@ -48,6 +48,9 @@ class EventMethod {
   /// Before the run goes on: its first steps in flight and in contact are to be so much of what
   /// they are otherwise, whatever the tolerance.
   void shorten_first_steps(const S& share);
+  /// The same: at each touch-down the slip is to be off by such a share. It is rounded there, and
+  /// the velocity of O is the small difference that the rim's leaves of it.
+  void disturb_touch_downs(const S& share) { slip_disturbance_ = share; }
 
   const BasicInstant<S>& instant() const { return at_; }
   const Counters& counters() const { return counters_; }
@@ -81,6 +84,7 @@ class EventMethod {
   bool phase_is_new_ = true;            ///< whether only the unknowns are known there
   S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
   S first_steps_{1};                    ///< share of what they are otherwise
+  S slip_disturbance_{0};               ///< share of the slip at a touch-down
   Counters counters_;
   SwitchLimit<S> switch_limit_;
   bool stopped_ = false;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "model/phases/flight.hpp"
 #include "model/simulation/event_method.hpp"
@@ -97,6 +98,7 @@ Chart& EventMethod<S, Stepper>::chart() {
   if (!std::holds_alternative<Chart>(chart_)) {
     chart_.template emplace<Chart>(rotor_, at_.state);
     start_.x = std::get<Chart>(chart_).unknowns(at_.state);
+    if constexpr (std::is_same_v<Chart, ContactChart<S>>) start_.x[4] *= 1 + slip_disturbance_;
   }
   return std::get<Chart>(chart_);
 }

@@ -123,7 +123,7 @@ TEST(Costs, OfAContactAreThoseOfItsMotionAndNotOfRounding) {
     return end.counters.steps;
   };
   for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13})
-    for (const double radius : {1e-5, 1e-4, 1e-2, 1., 10.})
+    for (const double radius : {1e-4, 1e-2, 1., 10.})
       EXPECT_LE(steps(radius, tolerance), 40) << radius << ' ' << tolerance;
 }
 

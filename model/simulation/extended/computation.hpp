@@ -33,6 +33,7 @@ struct Disturbance {
       bits /= 2;
     }
   }
+  S at_touch_downs() const { return signs % 2 == 0 ? share : S(-share); }
 };
 
 /// How a run is computed.
@@ -106,6 +107,7 @@ Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
   settings.disturbance.disturb(rotor, start, loss);
   EventMethod<S, Stepper> method(rotor, settings.tolerance, start);
   method.shorten_first_steps(settings.first_steps);
+  method.disturb_touch_downs(settings.disturbance.at_touch_downs());
   observer.on_instant(start);
   finish(method, scenario, loss, observer);
   Computation<S> result = observer.course;
