@@ -36,8 +36,7 @@ void print_table(const Json& runs, std::FILE* to) {
                      "final_speed_Hz"};
   const auto cell = [](const Json& run, const char* key) {
     const Json& value = run.at(key);
-    return value.is_string() ? value.get<std::string>()
-                             : text_of(value, asked_digits(run));
+    return value.is_string() ? value.get<std::string>() : text_of(value, asked_digits(run));
   };
   std::size_t width = 20;  // that of names may be more
   for (const Json& run : runs) width = std::max(width, cell(run, "run").size());
