@@ -1,10 +1,12 @@
-/// Eq. (3) against Lagrange's equation, whose derivatives of the kinetic energy of Eq. (2) come
-/// from automatic differentiation instead of anybody's algebra.
+/// Eqs. (3), (4) and (15)-(25) against Lagrange's equation, whose derivatives of the kinetic energy
+/// of Eq. (2) come from automatic differentiation instead of anybody's algebra, and against
+/// Newton's laws, written out anew.
 #include <gtest/gtest.h>
 
 #include <boost/math/differentiation/autodiff.hpp>
 #include <random>
 
+#include "model/mechanics/contact.hpp"
 #include "model/mechanics/rotating_frame.hpp"
 
 namespace rotor {
@@ -109,14 +111,61 @@ TEST_F(RandomMotion, CarriesTheSupportForcesOfEq4) {
   }
 }
 
-TEST_F(RandomMotion, KeepsOnlyTheEccentricitysGravityMomentInTheConsistentEquations) {
-  const Parameters p;
-  const Supports<double> supports(p, Equations::consistent);
-  for (int trial = 0; trial < 100; ++trial) {
-    const auto motion = RotatingFrame<double>::motion(body_, next_state());
-    const double sine = -motion.down.y();
-    EXPECT_NEAR(supports.gravity_moment(body_, motion), -p.mass * p.gravity * p.eccentricity * sine,
-                1e-17);  // a product of four numbers of size 1e-2
+// Newton's laws in the stator's frame, written out anew: O at (x, y), mass centre C at distance e
+// in the direction of the angle, x downwards.
+TEST(NewtonsLaws, GiveTheSameAccelerationsInTheStatorsFrame) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  for (int n = 0; n < 1000; ++n) {
+    const Parameters p;
+    const Equations equations = n % 2 == 0 ? Equations::published : Equations::consistent;
+    const double w = 1000 * draw(random), angle = 10 * draw(random);
+    const State<double> q = {3.3e-3 * draw(random), 3.3e-3 * draw(random), angle,
+                             10 * draw(random),     10 * draw(random),     w};
+    const double c = std::cos(angle), s = std::sin(angle);
+
+    // Position and velocity of O in the stator's frame.
+    const double x = c * q[0] - s * q[1], y = s * q[0] + c * q[1];
+    const double vx = c * q[3] - s * q[4] - w * y, vy = s * q[3] + c * q[4] + w * x;
+    const double rho = std::hypot(x, y), delta = rho + p.rotor_radius - p.stator_radius;
+    const double nx = x / rho, ny = y / rho, rate = vx * nx + vy * ny;
+    const double slip = -vx * ny + vy * nx + p.rotor_radius * w;
+    double pressure = p.contact_stiffness * delta + p.contact_damping * rate;
+    if (delta <= 0 || pressure < 0) pressure = 0;
+    const double friction = (slip > 0 ? -1 : 1) * p.friction * pressure;
+
+    const double fx =
+        -p.support_stiffness * x - p.support_damping * vx - pressure * nx - friction * ny;
+    const double fy =
+        -p.support_stiffness * y - p.support_damping * vy - pressure * ny + friction * nx;
+    const double ex = p.eccentricity * c, ey = p.eccentricity * s;
+    // Moments about C: supports and F_n act at O, friction at K.
+    const double kx = p.rotor_radius * nx - ex, ky = p.rotor_radius * ny - ey;
+    double moment = p.torque;
+    const double sx = fx + friction * ny, sy = fy - friction * nx;  // all but friction
+    moment += -ex * sy + ey * sx + kx * friction * nx + ky * friction * ny;
+    // Gravity's moment about O_a: of the whole weight as printed, of C's offset if balanced.
+    moment += -p.mass * p.gravity * (equations == Equations::published ? y + ey : ey);
+    const double angular = moment / p.inertia;
+    // C's acceleration is that of O with the turn about it.
+    const double ox = fx / p.mass + angular * ey + w * w * ex;
+    const double oy = fy / p.mass - angular * ex + w * w * ey;
+
+    const Body<double> body = Body<double>::of(p);
+    const Supports<double> supports(p, equations);
+    const Ring<double> ring(p);
+    const auto m = RotatingFrame<double>::motion(body, q);
+    auto loads = supports.loads(body, m, true);
+    const auto k = ring.rim_point(m);
+    const double normal = ring.normal_force(k);
+    loads += ring.loads(k, {normal, ring.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1)});
+    const auto a = acceleration(body, m, loads);
+    const Vector<double> of_O = in_stator_frame(acceleration_of_centre(a, m), angle);
+    // Rounding of the largest term, and that of rho in the stiff spring: 8e8 N/m of 1e-18 m.
+    const double accuracy = 1e-12 * (1 + std::abs(ox) + std::abs(oy) + pressure / p.mass) + 5e-9;
+    EXPECT_NEAR(of_O.x(), ox, accuracy);
+    EXPECT_NEAR(of_O.y(), oy, accuracy);
+    EXPECT_NEAR(a.angular, angular, 1e-12 * std::abs(angular) + 100 * accuracy);
   }
 }
 

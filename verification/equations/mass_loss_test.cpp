@@ -1,7 +1,11 @@
-/// The mass loss, Eqs. (5)-(14), at single instants.
+/// The mass loss, Eqs. (5)-(14): of any piece of the rim, and of that opposite to the unbalance.
 #include "model/mechanics/mass_loss.hpp"
 
 #include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
 namespace {
@@ -13,16 +17,6 @@ TEST(MassLoss, GivesTheMassInertiaAndVelocitiesOfTheText) {
   EXPECT_NEAR(loss.after.inertia, 8.91e-3, 0.005e-3);     // I_C1
   EXPECT_NEAR(loss.piece_velocity(speed), 56.7, 0.05);    // v_DC
   EXPECT_NEAR(loss.velocity_jump(speed), 0.283, 0.0005);  // Delta_vy
-}
-
-TEST(MassLoss, LeavesRotorAndPieceTogetherTheirMassCentreAndInertia) {
-  const MassLoss<double> loss{Parameters{}};
-  const auto& [m, I_C, e] = loss.before;
-  const auto& [m_1, I_C1, e_1] = loss.after;
-  const double shift = e_1 - e, distance = loss.piece_distance;
-  EXPECT_NEAR(m_1 + loss.lost_mass, m, 1e-15);
-  EXPECT_NEAR(m_1 * shift, loss.lost_mass * distance, 1e-17);
-  EXPECT_NEAR(I_C1 + m_1 * shift * shift + loss.lost_mass * distance * distance, I_C, 1e-17);
 }
 
 TEST(MassLoss, RaisesTheMassCentresVelocityByDeltaVyThroughEq1Alone) {
@@ -39,6 +33,77 @@ TEST(MassLoss, RaisesTheMassCentresVelocityByDeltaVyThroughEq1Alone) {
     EXPECT_NEAR((consistent - before).y(), jump, 1e-15);
     EXPECT_NEAR((published - before).y(), 2 * jump, 1e-15);
   }
+}
+
+constexpr double pi = std::numbers::pi;
+
+Instant moving() {
+  Instant at = at_rest({});
+  at.state = {-0.15e-3, 2e-5, 0.7, 0.02, -0.01, 942};
+  return at;
+}
+
+TEST(PlaceOfLoss, OppositeToTheUnbalanceIsTheTexts) {
+  const PlaceOfLoss place({}, 0);
+  const MassLoss<double> loss{Parameters{}};
+  EXPECT_EQ(place.after().mass, loss.after.mass);
+  const double rounding = 1e-15;
+  EXPECT_NEAR(place.after().eccentricity / loss.after.eccentricity, 1, rounding);
+  EXPECT_NEAR(place.after().inertia / loss.after.inertia, 1, rounding);
+  for (const Equations equations : {Equations::published, Equations::consistent}) {
+    const State<double> found = place.separate(moving(), equations).state;
+    const State<double> expected = loss.separate(moving().state, equations);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(found[i], expected[i], rounding) << i;
+  }
+}
+
+TEST(PlaceOfLoss, KeepsEnergyMomentumAndAngularMomentumInTheConsistentEquationsWhereverItIs) {
+  for (double angle = 0; angle < 2 * pi; angle += 0.3) {
+    const PlaceOfLoss place({}, angle);
+    const Instant at = moving(), left = place.separate(at, Equations::consistent);
+    const Motion<double> before = at.motion(), after = left.motion();
+    const double m_u = place.lost_mass(), turn = at.state[2], turn_after = left.state[2];
+    // In the stator's axes, about O_a.
+    const Vector<double> piece = in_stator_frame(before.displacement + place.piece(), turn);
+    const Vector<double> piece_velocity =
+        in_stator_frame(before.velocity + before.speed * quarter_turn(place.piece()), turn);
+    const auto momentum = [](const Body<double>& body, const Motion<double>& m, double angle_now) {
+      return Vector<double>(body.mass * in_stator_frame(m.mass_centre_velocity(), angle_now));
+    };
+    const auto angular = [](const Body<double>& body, const Motion<double>& m) {
+      return body.inertia * m.speed + body.mass * cross(m.mass_centre(), m.mass_centre_velocity());
+    };
+    const Vector<double> gain = momentum(left.body, after, turn_after) + m_u * piece_velocity -
+                                momentum(at.body, before, turn);
+    EXPECT_LT(gain.norm(), 1e-14) << angle;  // of 1.4 N s
+    EXPECT_NEAR(angular(left.body, after) + m_u * cross(piece, piece_velocity),
+                angular(at.body, before), 1e-14)  // of 8.5 N m s
+        << angle;
+    EXPECT_NEAR(kinetic_energy(left.body, after) + m_u * piece_velocity.squaredNorm() / 2,
+                kinetic_energy(at.body, before), 1e-11)  // of 4000 J
+        << angle;
+  }
+}
+
+// The text's two sentences on the location. How far C moves hardly depends on it, so that whether
+// the ring is touched does not; how far C then lies from O does.
+TEST(PlaceOfLoss, MovesTheMassCentreAlikeButUnbalancesMostOpposite) {
+  const Parameters p;
+  const double m_u = MassLoss<double>(p).lost_mass, most = p.unbalance_factor * p.eccentricity;
+  const double opposite = m_u * (p.rotor_radius + p.eccentricity) / (p.mass - m_u);
+  double last = most;
+  for (int n = 0; n <= 16; ++n) {
+    const double from_opposite = n * pi / 16;
+    const Instant at = PlaceOfLoss(p, -from_opposite).separate(moving(), Equations::consistent);
+    EXPECT_LE(at.body.eccentricity, last * (1 + 1e-15));  // falls all the way round
+    last = at.body.eccentricity;
+    // C from where it was: |C_1 - C|, C_1 at the angle of the new axis.
+    const double turn = at.state[2] - moving().state[2];
+    const double shift = std::hypot(at.body.eccentricity * std::cos(turn) - p.eccentricity,
+                                    at.body.eccentricity * std::sin(turn));
+    EXPECT_NEAR(shift / opposite, 1, 2 * p.eccentricity / p.rotor_radius);
+  }
+  EXPECT_LT(last, p.eccentricity);  // on the side of the unbalance, the loss reduces it
 }
 
 }  // namespace

@@ -78,29 +78,9 @@ TEST_F(Symmetry, WithoutDissipationTimeCanBeReversedThroughContacts) {
                Law("time reversed through contacts without dissipation", after_rub));
 }
 
-TEST_F(Symmetry, AChangeOfUnitsChangesNothing) {
-  class Maxima : public Observer {
-   public:
-    double threshold(Extreme /*of*/, const double& /*from_s*/,
-                     const double& /*until_s*/) const override {
-      return 0;
-    }
-    void on_maximum(const Maximum& maximum) override { states.push_back(maximum.at.state); }
-    std::vector<State<double>> states;
-  } maxima, same;
-  const Instant from = separated();
-  const Instant last = follow(scenario_, from, rub_s, maxima).last;
-  scenario_.parameters = in_other_units(scenario_.parameters);
-  Instant other = separated();
-  other.state = in_other_units(from.state);
-  EXPECT_EQ(follow(scenario_, other, rub_s * second, same).last.state, in_other_units(last.state));
-  EXPECT_GT(maxima.states.size(), 10U);
-  for (State<double>& state : maxima.states) state = in_other_units(state);
-  EXPECT_EQ(same.states, maxima.states);
-}
-
-// Nor where a slip that friction cannot hold leaves zero, from rolling or through it, in the sense
-// of the motor's torque or in that of the springs' moment about C, on either side.
+// A slip that friction cannot hold leaves zero, from rolling or through it, in the sense of the
+// motor's torque or in that of the springs' moment about C, on either side, whatever the units
+// (numerics/units_test.cpp has whole runs in other units).
 TEST_F(Symmetry, AChangeOfUnitsChangesNoSlip) {
   struct Start {
     double torque, friction, slip;

@@ -1,17 +1,12 @@
-/// Observed orders of convergence: of each stepper where the motion is smooth, and of both methods
-/// across contacts.
+/// Observed orders of convergence, of both methods, where the motion is smooth and across contacts.
 #include <gtest/gtest.h>
 
-#include "model/phases/flight.hpp"
 #include "model/simulation/published_method.hpp"
 #include "model/simulation/summary.hpp"
 #include "verification/support/follow_with.hpp"
 
 namespace rotor {
 namespace {
-
-/// As MFEM's tests have it: one-sided, as a method may do better than its order.
-void expect_order(double observed, double nominal) { EXPECT_GT(observed + 0.1, nominal); }
 
 double distance(const State<double>& a, const State<double>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
@@ -43,7 +38,7 @@ TEST(Convergence, ThePublishedMethodIsOfFourthOrderInFreeFlight) {
   const State<double> reference = exact(from, until_s);
   const double coarse = distance(by_fixed_steps(from, until_s, 4e-4), reference);
   const double fine = distance(by_fixed_steps(from, until_s, 1e-4), reference);
-  expect_order(std::log2(coarse / fine) / 2, 4);
+  EXPECT_GT(std::log2(coarse / fine) / 2 + 0.1, 4);  // it may do better
 }
 
 TEST(Convergence, ThePublishedMethodFallsToFirstOrderAtAContact) {
@@ -61,33 +56,6 @@ TEST(Convergence, ThePublishedMethodFallsToFirstOrderAtAContact) {
   const double order = std::log2(mean_error(5e-6) / mean_error(5e-6 / 64)) / 6;
   EXPECT_GT(order, 0.7);
   EXPECT_LT(order, 1.6);
-}
-
-TEST(Convergence, VernersPairIsOfEighthOrderInFlightAndInRolling) {
-  using S = long double;
-  const Parameters p;
-  RotorSystem<S> rotor(p, Equations::published);
-  rotor.body = MassLoss<S>(p).after;
-  rotor.motor_on = false;
-  const auto observed = [&](const auto& phase, const State<S>& q, S duration, int steps) {
-    const auto at_end = [&](int n) {
-      Verner87<std::array<S, 6>, S> stepper;
-      auto x = phase.chart.unknowns(q);
-      for (int i = 0; i < n; ++i) stepper.do_step(std::cref(phase), x, S(0), duration / n);
-      return x;
-    };
-    const auto reference = at_end(16 * steps), coarse = at_end(steps), fine = at_end(2 * steps);
-    S error_coarse = 0, error_fine = 0;
-    for (std::size_t i = 0; i < 6; ++i) {
-      error_coarse = std::max(error_coarse, std::abs(coarse[i] - reference[i]));
-      error_fine = std::max(error_fine, std::abs(fine[i] - reference[i]));
-    }
-    return static_cast<double>(std::log2(error_coarse / error_fine));
-  };
-  const State<S> flying = {1e-3L, 0, 0, 0.1L, 0.5L, 900};
-  expect_order(observed(FreeFlight<S>(rotor, FlightChart<S>(rotor, flying)), flying, 0.02L, 16), 8);
-  const State<S> rolling = {3.5e-3L, 0, 0, 0.1L, -0.06L * 280 - 280 * 3.5e-3L, 280};
-  expect_order(observed(Rolling<S>(rotor, ContactChart<S>(rotor, rolling)), rolling, 1e-3L, 16), 8);
 }
 
 TEST(Convergence, TheEventMethodKeepsAHighOrderAcrossSevenContactsAndTheOnsetOfRolling) {

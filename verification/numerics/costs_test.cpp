@@ -48,14 +48,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 25839, 19876, 121, 52650},
                     Cost{"no contact", 0.3, 9.4, 10.4, 5563, 0, 0, 5648}));
 
-TEST(Counters, AreCountedFromWhereTheyWere) {
-  const Counters before{1, 2, 3, 4}, after{11, 22, 33, 44}, between = after - before;
-  EXPECT_EQ(between.steps, 10);
-  EXPECT_EQ(between.right_hand_sides, 20);
-  EXPECT_EQ(between.contact_evaluations, 30);
-  EXPECT_EQ(between.located_events, 40);
-}
-
 // 13,600 rad of rotation: steps that followed it took 55,000 and 130,000.
 TEST(Costs, OfARunUpFollowItsSlowMotionAlone) {
   for (const Equations equations : {Equations::published, Equations::consistent})

@@ -114,19 +114,6 @@ void write(const std::string& file) {
   files.commit();
 }
 
-/// The largest relative error of a summary, in truth.
-double true_error(const Summary& summary, const Parameters& p, const KnownValues& known) {
-  double largest = 0;
-  for (const NamedValue<double>& value : values_of(summary, p)) {
-    const auto exact = known.find(std::string(value.name));
-    if (value.value.has_value() != (exact != known.end())) return 1;
-    if (value.value && *value.value != exact->second)
-      largest = std::max(largest, std::abs(*value.value - exact->second) /
-                                      std::max(std::abs(exact->second), value.size));
-  }
-  return std::min(1., largest);
-}
-
 /// A run to 3, 6, 9 and 12 digits against quadruple precision, as a row of a table.
 std::string row_of(long n, const Scenario& scenario) {
   constexpr std::chrono::seconds patience(10);

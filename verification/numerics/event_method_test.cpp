@@ -3,38 +3,12 @@
 
 #include <map>
 
+#include "figures/scenes/names.hpp"
 #include "figures/scenes/recorder.hpp"
-#include "figures/scenes/scene.hpp"
-#include "model/simulation/summary.hpp"
 #include "verification/support/follow.hpp"
 
 namespace rotor {
 namespace {
-
-TEST(EventMethod, RollsWithoutSlip) {
-  const Scenario scenario{};
-  struct Slip : Observer {
-    explicit Slip(const Parameters& p) : ring(p) {}
-    void on_instant(const Instant& at) override {
-      if (at.contact != ContactState::rolling) return;
-      first = std::min(first, at.time_s);
-      last = at.time_s;
-      largest = std::max(largest, std::abs(ring.rim_point(at.motion()).slip_velocity));
-    }
-    void on_step(const DenseOutput& motion) override {
-      for (int i = 0; i < 4; ++i)
-        on_instant(motion.at(motion.from_s + (motion.until_s - motion.from_s) * i / 4));
-    }
-    bool wants_dense_output(const double&, const double&) const override { return true; }
-
-    Ring<double> ring;
-    double first = 1e9, last = 0, largest = 0;
-  } slip(scenario.parameters);
-  run(scenario, slip);
-  EXPECT_GT(slip.last - slip.first, 0.2);
-  EXPECT_GT(slip.largest, 0);
-  EXPECT_LT(slip.largest, 1e-9);
-}
 
 TEST(EventMethod, GivesTheSameBitsWhoeverWatches) {
   const Scenario scenario{};
@@ -47,19 +21,26 @@ TEST(EventMethod, GivesTheSameBitsWhoeverWatches) {
   EXPECT_GT(recorder.rows(), 1000);
 }
 
-TEST(EventMethod, GivesTheSameBitsWhereverTheRunWasInterrupted) {
-  const Scenario scenario{};
-  Observer null_observer;
-  Simulation simulation(scenario);
-  for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, null_observer);
-  simulation.pass_mass_loss(null_observer);
-  for (const double stop : {29.1066, 29.12, 29.2}) {
-    simulation.approach(stop, null_observer);
-    EXPECT_LE(simulation.instant().time_s, stop);
-    EXPECT_NEAR(simulation.instant().time_s, stop, 1e-2);  // by whole steps
+TEST(BothMethods, GiveTheSameBitsWhereverTheRunWasInterrupted) {
+  for (const auto& [method, whole_steps_s] :
+       {std::pair(Method::event, 1e-2), {Method::rk4, 1e-5}}) {
+    const Scenario scenario{.method = method};
+    Observer null_observer;
+    Simulation simulation(scenario);
+    for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, null_observer);
+    simulation.pass_mass_loss(null_observer);
+    for (const double stop : {29.1066, 29.12, 29.2}) {
+      simulation.approach(stop, null_observer);
+      EXPECT_LE(simulation.instant().time_s, stop);
+      EXPECT_NEAR(simulation.instant().time_s, stop, whole_steps_s);
+    }
+    simulation.finish(null_observer);
+    const RunEnd whole = run(scenario, null_observer);
+    EXPECT_EQ(simulation.instant().state, whole.last.state);
+    if (method == Method::event) continue;
+    EXPECT_EQ(whole.counters.steps, 291000 + 50000);
+    EXPECT_EQ(whole.counters.right_hand_sides, 4 * whole.counters.steps);
   }
-  simulation.finish(null_observer);
-  EXPECT_EQ(simulation.instant().state, run(scenario, null_observer).last.state);
 }
 
 TEST(EventMethod, ShowsBothSidesOfEveryEventAndNoEventTwice) {
@@ -83,37 +64,6 @@ TEST(EventMethod, ShowsBothSidesOfEveryEventAndNoEventTwice) {
   // Each contact is begun once and released once before the next one; the 41st lasts.
   EXPECT_EQ(recorder.count(Event::touch_down), 41);
   EXPECT_EQ(recorder.count(Event::ring_clear), 40);
-}
-
-TEST(EventMethod, LocatesThePeakForceAsAZeroOfItsRate) {
-  const Scenario scenario{};
-  SummaryObserver observer(scenario);
-  run(scenario, observer);
-  // The greatest of densely taken samples stays below, by no more than their distance allows.
-  struct Force : Observer {
-    explicit Force(const Parameters& p) : ring(p) {}
-    void on_step(const DenseOutput& motion) override {
-      for (int i = 0; i <= 200; ++i) {
-        const Instant at = motion.at(motion.from_s + (motion.until_s - motion.from_s) * i / 200);
-        if (at.contact == ContactState::rolling || at.contact == ContactState::sliding)
-          largest = std::max(largest, -ring.normal_force(ring.rim_point(at.motion())));
-      }
-    }
-    bool wants_dense_output(const double& from_s, const double&) const override {
-      return from_s > 29.1;
-    }
-    Ring<double> ring;
-    double largest = 0;
-  } force(scenario.parameters);
-  run(scenario, force);
-  EXPECT_LE(force.largest, *observer.summary().peak_normal_force_N * (1 + 1e-9));
-  EXPECT_NEAR(force.largest / *observer.summary().peak_normal_force_N, 1, 1e-5);
-}
-
-TEST(EventMethod, EvaluatesNoContactLawWhileTheRotorStaysClearOfTheRing) {
-  Observer null_observer;
-  const RunEnd end = run({.parameters = {.separation_time = 9.4}, .until = 9.8}, null_observer);
-  EXPECT_EQ(end.counters.contact_evaluations, 0);
 }
 
 TEST(EventMethod, SaysWhereAMotionThatIsNotFiniteEndsIt) {

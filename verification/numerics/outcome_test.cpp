@@ -1,4 +1,4 @@
-/// How runs end, in a word, and how far a free rotor reaches.
+/// How runs end, in a word; how far a free rotor reaches; and where runs stop or are at a speed.
 #include "model/simulation/outcome.hpp"
 
 #include <gtest/gtest.h>
@@ -11,31 +11,12 @@
 #include "figures/scenes/names.hpp"
 #include "figures/scenes/run_ups.hpp"
 #include "model/simulation/start.hpp"
+#include "model/simulation/time_at_speed.hpp"
+#include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"
 
 namespace rotor {
 namespace {
-
-TEST(Outcome, IsOneOfSeven) {
-  const auto outcome = [](double until_s, const auto& change) {
-    Scenario scenario;
-    change(scenario.parameters);
-    return name_of(summary_until(until_s, scenario).outcome);
-  };
-  EXPECT_EQ(outcome(29.35, [](Parameters&) {}), "rolling");
-  EXPECT_EQ(outcome(29.1005, [](Parameters&) {}), "undecided");  // on its way to the ring
-  EXPECT_EQ(outcome(29.11, [](Parameters&) {}), "bouncing");
-  EXPECT_EQ(outcome(9.65, [](Parameters& p) { p.separation_time = 9.4; }), "no_contact");
-  EXPECT_EQ(outcome(30, [](Parameters& p) { p.separation_time = 1; }), "stalled");  // at 11 Hz
-  EXPECT_EQ(outcome(6, [](Parameters& p) { p.separation_time = 2; }), "stalled");   // bouncing
-  EXPECT_EQ(outcome(29.35, [](Parameters& p) { p.friction = 0.08; }), "sliding");
-  EXPECT_EQ(outcome(29.35,
-                    [](Parameters& p) {
-                      p.friction = 0.08;
-                      p.contact_damping = 1.2e4;
-                    }),
-            "freed");
-}
 
 // By either method, and wherever the run-up ends that runs share.
 TEST(Outcome, OfARotorThatHangsAtItsCriticalSpeedIsAStallByEitherMethod) {
@@ -47,6 +28,7 @@ TEST(Outcome, OfARotorThatHangsAtItsCriticalSpeedIsAStallByEitherMethod) {
       if (loss_s > 29.2) scenario.parameters.support_stiffness = 1.2e5;
       const Outcome outcome = summary_until(until_s, scenario).outcome;
       EXPECT_EQ(outcome == Outcome::stalled, stalls) << loss_s << ' ' << name_of(method);
+      if (method == Method::rk4) continue;
       RunUps run_ups;
       Observer nobody;
       EXPECT_EQ(
@@ -55,30 +37,26 @@ TEST(Outcome, OfARotorThatHangsAtItsCriticalSpeedIsAStallByEitherMethod) {
     }
 }
 
-// A contact lasts once it is longer than a vibration on the ring.
+// A contact lasts once it is longer than a vibration on the ring; a new one begins anew, though the
+// ring may not be back.
 TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
   Scenario scenario;
   const Parameters& p = scenario.parameters;
   OutcomeWatch watch(scenario);
   Instant at = at_rest<double>(p);
   at.state[0] = p.stator_radius - p.rotor_radius;
-  at.contact = ContactState::sliding;
   const double period = 2 * std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness);
-  for (const auto& [periods, outcome] :
-       {std::pair(0.0, Outcome::bouncing), {0.99, Outcome::bouncing}, {1.01, Outcome::sliding}}) {
-    at.time_s = periods * period;
-    watch.note(at);
-    EXPECT_EQ(watch.outcome(), outcome) << periods;
-  }
-  for (const ContactState between : {ContactState::free, ContactState::indented}) {
-    at.contact = between;  // a new contact begins anew, though the ring may not be back
+  for (const ContactState before : {ContactState::free, ContactState::indented}) {
+    at.contact = before;
     watch.note(at);
     at.contact = ContactState::sliding;
-    watch.note(at);
-    EXPECT_EQ(watch.outcome(), Outcome::bouncing);
-    at.time_s += 2 * period;
-    watch.note(at);
-    EXPECT_EQ(watch.outcome(), Outcome::sliding);
+    const double begin_s = at.time_s;
+    for (const auto& [periods, outcome] :
+         {std::pair(0.0, Outcome::bouncing), {0.99, Outcome::bouncing}, {1.01, Outcome::sliding}}) {
+      at.time_s = begin_s + periods * period;
+      watch.note(at);
+      EXPECT_EQ(watch.outcome(), outcome) << periods;
+    }
   }
 }
 
@@ -195,6 +173,61 @@ TEST(Outcome, CountsTheContactsThatTheSummaryCounts) {
   const Summary summary = summary_of(scenario);
   EXPECT_EQ(summary.collisions, 1);
   EXPECT_EQ(summary.outcome, Outcome::freed);
+}
+
+// A method with fixed steps stops where the force begins to fall.
+TEST(StopOnRolling, EndsAtTheFirstMaximumOfTheForceByEitherMethod) {
+  double last_s = 0;
+  for (const Method method : {Method::event, Method::rk4}) {
+    Scenario scenario{.method = method, .start_speed_Hz = 150, .until = 0.25};
+    scenario.parameters.separation_time = 0;
+    for (const StopOn stop_on : {StopOn::rolling, StopOn::outcome}) {
+      StopObserver stop(stop_on, scenario);
+      const double end_s = run(scenario, stop).last.time_s;
+      EXPECT_TRUE(stop.is_reached());
+      EXPECT_LT(end_s, 0.03);
+      EXPECT_NEAR(end_s, last_s > 0 ? last_s : end_s, 2e-4);
+      last_s = end_s;
+    }
+  }
+}
+
+// The speed ripples as the rotor turns; the first time is wanted of several. Gravity may have
+// brought it there before the last step of a run-up without it begins.
+TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
+  Scenario rippling{.equations = Equations::consistent, .start_speed_Hz = 55};
+  Parameters& p = rippling.parameters;
+  p.eccentricity = 3e-3;
+  p.stator_radius = p.rotor_radius + 20e-3;
+  p.torque = 0.02;
+  p.support_damping = 1;
+  p.unbalance_factor = 1.1;
+  Scenario from_rest{.equations = Equations::consistent}, slow = from_rest;
+  from_rest.parameters.stator_radius = slow.parameters.stator_radius = p.rotor_radius + 0.1;
+  slow.parameters.torque = 0.036;
+  slow.tolerance = 1e-14;
+  for (auto [scenario, speed_Hz] : {std::pair(rippling, 56.),
+                                    {rippling, 56.37},
+                                    {rippling, 57.1},
+                                    {from_rest, 20.32162},
+                                    {from_rest, 20.84116},
+                                    {from_rest, 24.37898},
+                                    {slow, 30.16081}}) {
+    Observer nobody;
+    const SpeedReached found =
+        time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, nobody);
+    ASSERT_TRUE(found.time_s) << speed_Hz;
+    scenario.parameters.separates = false;
+    scenario.until = *found.time_s;
+    double greatest = 0;  // before
+    MotionObserver look(0, *found.time_s - 1e-6, [&](const DenseOutput& motion) {
+      const double until_s = std::min(motion.until_s, *found.time_s - 1e-6);
+      for (double t = std::max(motion.from_s, until_s - 0.05); t < until_s; t += 1e-4)
+        greatest = std::max(greatest, in_Hz(motion.at(t).state[5]));
+    });
+    EXPECT_NEAR(in_Hz(run(scenario, look).last.state[5]) / speed_Hz, 1, 1e-9);
+    EXPECT_LT(greatest, speed_Hz);
+  }
 }
 
 }  // namespace

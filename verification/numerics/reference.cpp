@@ -4,17 +4,131 @@
 /// few values of each figure's curves, in reference-data/figure-values.csv.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
+
+#include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
 #include "figures/scenes/scene.hpp"
 #include "model/integration/fehlberg.hpp"
 #include "model/simulation/event_method.ipp"
 #include "model/simulation/extended/quad.hpp"
 #include "model/simulation/stages.hpp"
-#include "verification/numerics/figure_values.hpp"
+#include "verification/support/observers.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
 namespace {
+
+using QuadInstant = BasicInstant<Quad>;
+
+/// A time at which a figure's curves are looked at.
+struct Probe {
+  int figure;
+  std::string run;
+  std::vector<std::string> columns;
+  bool from_rolling_onset;  ///< whether the time is counted from there, until it is known
+  Quad time_s;
+  QuadInstant at{};
+  bool seen = false;
+
+  bool is_between(const Quad& from_s, const Quad& until_s) const {
+    return !from_rolling_onset && !seen && time_s >= from_s && time_s <= until_s;
+  }
+};
+
+/// Whoever copies a run means the same probes.
+using Probes = std::vector<std::shared_ptr<Probe>>;
+
+/// At times spread over the window of a scene.
+void add_probes(Probes& probes, int figure, const std::string& run, const Scene& scene) {
+  constexpr int times = 7;
+  std::vector<std::string> columns;
+  for (const Column* column : scene.columns)
+    if (column->name != "time_s" && column->name != "contact_state")
+      columns.emplace_back(column->name);
+  const Window& window = scene.window;
+  for (int n = 0; n < times; ++n) {
+    const double from = window.from_rolling_onset ? 0 : window.from_s,
+                 time_s = from + (n + 0.5) / times * window.length_s;
+    probes.push_back(
+        std::make_shared<Probe>(Probe{figure, run, columns, window.from_rolling_onset, time_s}));
+  }
+}
+
+/// Keeps what it is shown, and looks at the probes.
+struct ProbedRun : BasicEventRecorder<Quad> {
+  explicit ProbedRun(Probes all) : probes(std::move(all)) {}
+  void on_instant(const QuadInstant& at) override {
+    BasicEventRecorder<Quad>::on_instant(at);
+    if (at.contact != ContactState::rolling) return;
+    for (const auto& probe : probes)
+      if (std::exchange(probe->from_rolling_onset, false)) probe->time_s += at.time_s;
+  }
+  bool wants_dense_output(const Quad& from_s, const Quad& until_s) const override {
+    return std::ranges::any_of(
+        probes, [&](const auto& probe) { return probe->is_between(from_s, until_s); });
+  }
+  void on_step(const BasicDenseOutput<Quad>& step) override {
+    for (const auto& probe : probes)
+      if (probe->is_between(step.from_s, step.until_s)) {
+        probe->at = step.at(probe->time_s);
+        probe->seen = true;
+      }
+  }
+  Probes probes;
+};
+
+/// Written out here, for the figures must not depend on one line of code alone.
+Quad value(const std::string& column, const QuadInstant& instant, const Scenario& scenario) {
+  const Parameters& p = scenario.parameters;
+  const auto& q = instant.state;
+  const Quad rho = sqrt(q[0] * q[0] + q[1] * q[1]);
+  // Of O, along the rotating axes.
+  const Quad v_1 = q[3] - q[5] * q[1], v_2 = q[4] + q[5] * q[0];
+  if (column == "q1_m") return q[0];
+  if (column == "q2_m") return q[1];
+  if (column == "rho_m") return rho;
+  if (column == "x_a_m") return q[0] * cos(q[2]) - q[1] * sin(q[2]);
+  if (column == "y_a_m") return q[0] * sin(q[2]) + q[1] * cos(q[2]);
+  if (column == "speed_Hz") return q[5] / (8 * atan(Quad(1)));
+  if (column == "slip_velocity_m_per_s")
+    return (q[0] * v_2 - q[1] * v_1) / rho + Quad(p.rotor_radius) * q[5];
+  if (column == "normal_force_N") {
+    if (!instant.touches()) return 0;
+    const Quad indentation = rho - (Quad(p.stator_radius) - Quad(p.rotor_radius));
+    return -Quad(p.contact_stiffness) * indentation -
+           Quad(p.contact_damping) * (q[0] * q[3] + q[1] * q[4]) / rho;
+  }
+  if (column == "kinetic_energy_J") {
+    Quad e = p.eccentricity, m = p.mass, inertia = p.inertia;
+    if (instant.separated) {
+      const Quad e_1 = Quad(p.unbalance_factor) * e, r = p.rotor_radius;
+      const Quad lost = m * (e_1 - e) / (r + e_1);
+      m -= lost;
+      inertia -= lost * (r + e) * (r + e) + m * (e_1 - e) * (e_1 - e);
+      e = e_1;
+    }
+    const Quad v_C = v_2 + q[5] * e;
+    return (m * (v_1 * v_1 + v_C * v_C) + inertia * q[5] * q[5]) / 2;
+  }
+  throw std::runtime_error(fmt::format("{}: there is no formula for it here", column));
+}
+
+/// The rows of a run's probes.
+std::string figure_values(const Probes& probes, const Scenario& scenario) {
+  std::string rows;
+  for (const auto& probe : probes) {
+    if (!probe->seen)
+      throw std::runtime_error(fmt::format("figure {}: nothing of {} at {} s", probe->figure,
+                                           probe->run, static_cast<double>(probe->time_s)));
+    for (const std::string& column : probe->columns)
+      rows += fmt::format("{},{},{},{},{}\n", probe->figure, csv_field(probe->run),
+                          probe->time_s.str(18, std::ios_base::scientific), column,
+                          value(column, probe->at, scenario).str(18, std::ios_base::scientific));
+  }
+  return rows;
+}
 
 using Unknowns = std::array<Quad, 6>;
 using Verner = Verner87<Unknowns, Quad>;
@@ -63,7 +177,7 @@ std::vector<NamedRun> landmarks(std::vector<NamedRun> runs, const Quad& toleranc
     fmt::print(stderr, "{}: {}\n", what, run.name);
     trunk.run_up(Quad(run.scenario.run_up_end()), on_the_way);
     ProbedRun own = on_the_way;
-    own.look_at(run.probes);
+    own.probes = run.probes;
     auto branch = trunk.with(run.scenario);
     finish(branch, run.scenario, MassLoss<Quad>(run.scenario.parameters), own);
     run.landmarks = own.events();

@@ -15,21 +15,6 @@
 namespace rotor {
 namespace {
 
-// Koenig's theorem, from the state alone: O moves with the rotating axes, C turns about O.
-TEST(Summary, EndsWithTheEnergyOfTranslationAndRotation) {
-  Scenario scenario{.until = 29.2};
-  SummaryObserver summary(scenario);
-  Simulation simulation(scenario);
-  simulation.pass_mass_loss(summary);
-  simulation.finish(summary);
-  const Instant last = simulation.instant();
-  const auto& [q1, q2, q3, v1, v2, w] = last.state;
-  const double u = v1 - w * q2, v = v2 + w * q1 + w * last.body.eccentricity;
-  const double energy = last.body.mass * (u * u + v * v) / 2 + last.body.inertia * w * w / 2;
-  EXPECT_GT(last.body.mass * (u * u + v * v) / 2, energy / 20);  // which is to be seen
-  EXPECT_NEAR(summary.summary().final_kinetic_energy_J, energy, 1e-12 * energy);  // rounding
-}
-
 // Nothing holds it: the mass centre stays where it is, and O circles about it.
 TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
   Scenario scenario{.until = 1.5};
@@ -42,49 +27,6 @@ TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
               1e-3 * p.eccentricity);
   p.stator_radius = p.rotor_radius + 3.999e-3;
   EXPECT_GT(summary_until(1.5, scenario).collisions, 0);
-}
-
-// What the supports carry is largest where the velocity is as well, far from the displacement's
-// maxima if they damp strongly; in flight as in contact.
-TEST(Summary, HasTheLargestBearingForceWhereverItOccurs) {
-  struct Samples : Observer {
-    explicit Samples(const Scenario& scenario)
-        : supports(scenario.parameters, scenario.equations) {}
-    bool wants_dense_output(const double& /*from_s*/, const double& until_s) const override {
-      return until_s > 29.09;
-    }
-    void on_step(const DenseOutput& step) override {
-      for (int n = 0; n <= 64; ++n) {
-        const Instant at = step.at(step.from_s + (step.until_s - step.from_s) * n / 64);
-        const Motion<double> m = at.motion();
-        const Vector<double> force =
-            supports.stiffness * m.displacement + supports.damping * m.velocity;
-        (at.touches() ? in_contact : in_flight) =
-            std::max(at.touches() ? in_contact : in_flight, force.norm());
-      }
-    }
-    Supports<double> supports;
-    double in_contact = 0, in_flight = 0;
-  };
-  int clear = 0;
-  for (const double damping : {25., 300., 3000.}) {
-    for (const double stator_radius : {0.062, 0.09}) {
-      Scenario scenario{.start_speed_Hz = 100};
-      scenario.parameters.support_damping = damping;
-      scenario.parameters.stator_radius = stator_radius;
-      Samples samples(scenario);
-      SummaryObserver summary(scenario);
-      Audience audience;
-      audience.add(summary);
-      audience.add(samples);
-      run(scenario, audience);
-      const double sampled = std::max(samples.in_contact, samples.in_flight);
-      clear += samples.in_contact == 0;
-      EXPECT_GE(summary.summary().peak_bearing_force_N, sampled * (1 - 1e-9)) << damping;
-      EXPECT_LE(summary.summary().peak_bearing_force_N, sampled * (1 + 1e-3)) << damping;
-    }
-  }
-  EXPECT_EQ(clear, 4);
 }
 
 TEST(Summary, CountsContactsBeforeAndAfterTheMassLossApart) {
@@ -204,21 +146,6 @@ TEST(Summary, HasTheEndOfTheLastRollingAlone) {
   EXPECT_EQ(show(0.3, ContactState::sliding), 0.2);
   EXPECT_EQ(show(0.4, ContactState::rolling), std::nullopt);
   EXPECT_EQ(show(0.5, ContactState::free), 0.5);
-}
-
-// Rolling may begin with a step that ends where it has begun.
-TEST(Summary, HasNoFrequencyOfAWhirlOverNoTime) {
-  const Scenario scenario;
-  SummaryObserver observer(scenario);
-  observer.on_instant({.time_s = 0.1,
-                       .state = {3.01e-3, 0, 0, 0, 0, 300},
-                       .body = Body<double>::of(scenario.parameters),
-                       .contact = ContactState::rolling});
-  observer.goes_on({0.1, 300, 0});
-  observer.goes_on({0.1, 300, 0});
-  EXPECT_FALSE(observer.summary().whirl_frequency_Hz.has_value());
-  observer.goes_on({0.2, 300, -2 * std::numbers::pi});
-  EXPECT_NEAR(observer.summary().whirl_frequency_Hz.value_or(0), -10, 1e-12);
 }
 
 }  // namespace

@@ -120,70 +120,12 @@ TEST_P(Run, LeavesNothingThatTurnsAboveTheTolerance) {
   }
 }
 
-// The bounds on which contact is told by hold whatever the angle, and are no wider than they must:
-// at some angle the harmonics of a vector add up, those of a ripple, which is a part of one,
-// nearly.
-TEST_P(Run, StaysWithinItsAmplitudes) {
-  for (const auto& [speed, faster] : {std::pair(S(150), S(0)), {300, 0}, {900, 0}, {300, 2}}) {
-    const FlightChart<S> chart = this->chart(speed);
-    S displacement = 0, velocity = 0, ripple = 0;
-    const auto bound = chart.synchronous_amplitudes({0, 0, 0, 0, 0, faster});
-    for (int k = 0; k < 64; ++k) {
-      const std::array<S, 6> x = {0, 0, 2 * std::numbers::pi_v<S> * k / 64, 0, 0, faster};
-      const Motion<S> m = RotatingFrame<S>::motion(rotor.body, chart.state(x));
-      displacement = std::max(displacement, m.mass_centre().norm());
-      velocity = std::max(velocity, m.mass_centre_velocity().norm());
-      ripple = std::max(ripple, std::abs(m.speed - chart.speed(x)));
-    }
-    for (const auto& [greatest, limit, excess] :
-         {std::tuple(displacement, bound.displacement, 1e-9L),
-          {velocity, bound.velocity, 1e-9L},
-          {ripple, bound.speed_ripple, 1e-2L}}) {
-      EXPECT_LE(greatest, limit * (1 + 1e-12L)) << speed;
-      EXPECT_GE(greatest, limit * (1 - excess)) << speed;
-    }
-  }
-}
-
-// Without the lag, the change of speed leaves a thousand times more than the tolerance.
-TEST_P(Run, LagsBehindTheSpeed) {
-  const FlightChart<S> laid(rotor, {-1.5e-4L, 0, 0, 0, 0, 600}), renewed = chart(600);
-  const auto left = [&](const FlightChart<S>& chart) {
-    const FreeFlight<S> phase(rotor, chart);
-    return harmonic(1, [&](const S& angle) {
-      std::array<S, 6> rates;
-      phase({0, 0, angle, 0, 0, 0}, rates, 0);
-      return rates[3];
-    });
-  };
-  EXPECT_GT(left(laid), 1e6 * left(renewed));
-}
-
 INSTANTIATE_TEST_SUITE_P(UpInSpeed, Run,
                          testing::Values(Equations::published, Equations::consistent),
                          [](const auto& equations) {
                            return equations.param == Equations::published ? "Published"
                                                                           : "Consistent";
                          });
-
-// A rotor that is light for its weight's moment: its speed W ripples by m g e / (I W^2) of itself.
-// Whether that is too much must not hang on the angle at which it is looked at.
-TEST(LightRotor, HasNoSynchronousMotionToSubtractWhereItsSpeedRipplesByMoreThanAHundredth) {
-  for (const double share : {0.003, 0.03, 0.1}) {
-    Parameters p;
-    const double speed = 200;
-    p.torque = 0;
-    p.inertia = p.mass * p.gravity * p.eccentricity / (speed * speed * share);
-    const RotorSystem<double> rotor(p, Equations::consistent);
-    for (double angle = 0; angle < 6; angle += 0.1) {
-      FlightChart<double> chart(rotor, {-1.5e-4, 0, angle, 0, 0, speed});
-      std::array<double, 6> turned_far = {0, 0, 40, 0, 0, 0};
-      chart.recentre(turned_far);
-      EXPECT_EQ(chart.synchronous_amplitudes(turned_far).displacement > 0, share < 0.01)
-          << share << ' ' << angle;
-    }
-  }
-}
 
 /// As far as the steps of the published method tell, which are of fourth order without contact.
 void expect_end_of_fixed_steps(Scenario scenario) {

@@ -57,6 +57,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"bouncing", Outcome::bouncing, [](Scenario& s) { s.until = 0.01; }},
                     Case{"sliding", Outcome::sliding,
                          [](Scenario& s) { s.parameters.friction = 0.08, s.until = 0.25; }},
+                    Case{"freed", Outcome::freed,
+                         [](Scenario& s) {
+                           s.parameters.friction = 0.08, s.parameters.contact_damping = 1.2e4;
+                         }},
+                    Case{"undecided", Outcome::undecided, [](Scenario& s) { s.until = 1.5e-3; }},
                     Case{"stalled", Outcome::stalled,
                          [](Scenario& s) {
                            s.start_speed_Hz = 0, s.parameters.separation_time = 1, s.until = 12;

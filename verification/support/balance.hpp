@@ -7,6 +7,7 @@
 
 #include "model/simulation/observer.hpp"
 #include "model/simulation/scenario.hpp"
+#include "verification/support/follow.hpp"
 
 namespace rotor {
 
@@ -115,6 +116,29 @@ class BalanceObserver : public Observer {
   Ring<double> ring_;
   bool begun_ = false;
   Contents expected_, largest_, residual_;
+};
+
+/// A run from an instant to a time, its events and its balances.
+class BalancedRun : public BalanceObserver {
+ public:
+  BalancedRun(const Scenario& scenario, const Instant& from, double until_s)
+      : BalanceObserver(scenario) {
+    counters_ = follow(scenario, from, until_s, *this).counters;
+  }
+
+  void on_instant(const Instant& at) override {
+    BalanceObserver::on_instant(at);
+    events_.on_instant(at);
+  }
+
+  long count(Event kind) const { return events_.count(kind); }
+  const Instant& first(Event kind) const { return events_.first(kind); }
+  const Instant& last() const { return events_.last(); }
+  const Counters& counters() const { return counters_; }
+
+ private:
+  EventRecorder events_;
+  Counters counters_;
 };
 
 }  // namespace rotor

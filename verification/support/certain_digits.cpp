@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "figures/scenes/certain_account.hpp"
+#include "model/simulation/extended/values.hpp"
 
 namespace rotor {
 
@@ -43,6 +44,18 @@ std::string falsehood(const Comparison& found, int digits, const KnownValues& kn
     if (!is_true) text += fmt::format("{} is printed as {}; ", name, printed);
   });
   return text;
+}
+
+double true_error(const Summary& summary, const Parameters& p, const KnownValues& known) {
+  double largest = 0;
+  for (const NamedValue<double>& value : values_of(summary, p)) {
+    const auto exact = known.find(std::string(value.name));
+    if (value.value.has_value() != (exact != known.end())) return 1;
+    if (value.value && *value.value != exact->second)
+      largest = std::max(largest, std::abs(*value.value - exact->second) /
+                                      std::max(std::abs(exact->second), value.size));
+  }
+  return std::min(1., largest);
 }
 
 }  // namespace rotor

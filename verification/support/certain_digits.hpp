@@ -16,6 +16,9 @@ using KnownValues = std::map<std::string, double>;
 /// claimed one.
 std::string falsehood(const Comparison& found, int digits, const KnownValues& known, double& worst);
 
+/// The largest relative error of a summary, in truth; 1 where it lacks a value or has one too many.
+double true_error(const Summary& summary, const Parameters& p, const KnownValues& known);
+
 /// The values of a summary, of each event, and of the end, with names of their own.
 template <class Action>
 void for_each_named(const Comparison& found, const Action& action) {

@@ -28,4 +28,15 @@ Instant separated_at_speed(const Scenario& scenario, double speed) {
   return at;
 }
 
+Instant pressed_by_whirl(const Scenario& scenario, double speed, double slip) {
+  const Parameters& p = scenario.parameters;
+  const double clearance = p.stator_radius - p.rotor_radius;
+  const double tangential = slip - p.rotor_radius * speed;
+  const double rho = clearance + p.mass * tangential * tangential / clearance / p.contact_stiffness;
+  Instant at = at_rest(p);
+  at.contact = slip == 0 ? ContactState::rolling : ContactState::sliding;
+  at.state = {rho, 0, 0, 0, tangential - speed * rho, speed};
+  return at;
+}
+
 }  // namespace rotor
