@@ -41,7 +41,8 @@ TEST_F(Laws, HoldOnRandomRotorsAsTheTableSays) {
     const CsvRow& stored = table.at(key(row));
     const auto share = static_cast<double>(stored.number("agree"));
     const auto runs = static_cast<double>(row.number("runs"));
-    EXPECT_NEAR(row.number("agree"), share, 3 * std::sqrt(share * (1 - share) / runs) + 1 / runs)
+    EXPECT_NEAR(static_cast<double>(row.number("agree")), share,
+                3 * std::sqrt(share * (1 - share) / runs) + 1 / runs)
         << key(row);
     if (stored["median"].empty() || runs < 60) continue;
     ++compared;
