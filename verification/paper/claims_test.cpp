@@ -47,7 +47,7 @@ TEST(Claims, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquationsGive) {
   int changed = 0;
   for (Number number : judged()) {
     if (verdict_of(number, published).says == "reproduced") continue;
-    number.printed = fmt::format("{:.3g}", number.readings.front().in[published].converged.value());
+    number.printed = fmt::format("{:.3g}", number.readings.front().in[published].a.spread.median);
     number.rule = "digits";
     EXPECT_EQ(verdict_of(number, published).says, "reproduced") << number.id;
     ++changed;

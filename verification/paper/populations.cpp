@@ -13,19 +13,32 @@
 namespace rotor {
 namespace {
 
-/// Where the inputs can lie of which the text prints arithmetic: a little more than what follows
-/// for each from the intervals of the printed numbers. A test sees that no draw comes near an end.
-/// (r + e_x) is v_DC over the speed; m follows from Delta_vy, e_x from 75 g cm, k_u from 223.9 g
-/// cm, I_C from I_C1.
+/// Where the inputs are proposed of which the text prints arithmetic: each as it would be if those
+/// before it and the speed were as printed. m follows from Delta_vy, e_x from 75 g cm, k_u from
+/// 223.9 g cm, r from v_DC, I_C from I_C1, all a little more widely than the digits of these allow.
+/// A test sees that no draw comes near an end.
 const std::vector<InputRange>& proposals() {
   static const std::vector<InputRange> box = {
       {"mass", 4.968, 5.020},
-      {"eccentricity", 0.1483e-3, 0.1520e-3},
-      {"rotor_radius", 0.05987, 0.06012},
-      {"unbalance_factor", 2.975, 3.025},
+      {"eccentricity", 0.1489e-3, 0.1511e-3},
+      {"unbalance_factor", 2.9985, 3.0020},
+      {"rotor_radius", 0.05994, 0.06008},
       {"inertia", 8.9935e-3, 9.0065e-3},
   };
   return box;
+}
+
+/// From a proposal to the inputs: e_x less as m is more, k_u as both are, r as the speed is. The
+/// map is linear and keeps volumes, so that what is uniform stays so.
+void put_in_place(std::map<std::string, double, std::less<>>& numbers) {
+  const Parameters p;
+  const auto more = [&](const char* input, double printed) {
+    return numbers.at(input) / printed - 1;
+  };
+  numbers.at("eccentricity") -= p.eccentricity * more("mass", p.mass);
+  numbers.at("unbalance_factor") -=
+      p.unbalance_factor * (more("mass", p.mass) + more("eccentricity", p.eccentricity));
+  numbers.at("rotor_radius") -= p.rotor_radius * more("motor_off_hz", p.motor_off_Hz);
 }
 
 /// Draws of the run-up, by which the torque and an instant are found.
@@ -122,6 +135,7 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
       throw std::runtime_error("population (b): hardly a proposal prints the paper's numbers");
     PaperInputs inputs;
     inputs.statement = propose(tried).statement;
+    put_in_place(inputs.statement.numbers);
     const Parameters p = scenario_of(inputs.statement).parameters;
     if (std::ranges::all_of(conditions.arithmetic, [&](const Condition& condition) {
           return condition.allowed.holds(condition.value(inputs, p));
@@ -161,6 +175,7 @@ PaperInputs PopulationDraws::operator()(long n, const Equations& equations) cons
     for (const auto& [input, value] : drawn) inputs.set(input, value);
     return inputs;
   }
+  put_in_place(drawn);
   const double off_s = taken(motor_off_s), speed_Hz = taken(speed_at_50);
   for (const auto& [input, value] : drawn) inputs.set(input, value);
   inputs.set("torque", torque_for(inputs, off_s));
