@@ -212,6 +212,8 @@ void add_options(CLI::App& command, RunOptions& options) {
                 "estimate the relative error of the summary, by another run")
       ->excludes(digits);
   command.add_flag("--json", options.json, "print the summary as JSON");
+  command.add_flag("--json-schema", options.json_schema,
+                   "print the JSON schema of the summary instead: what each key means");
   command.add_flag(
       "--energy", options.energy,
       "say in the summary where the energy goes from the mass loss on, until rolling and "

@@ -40,7 +40,7 @@ struct RunOptions : CommonOptions {
   std::optional<double> every_s;  ///< equal distances; adaptive if neither is stated
   std::optional<long> rows;
   std::optional<StopOn> stop_on;
-  bool json = false;
+  bool json = false, json_schema = false;
   static constexpr double usual_budget_s = 300;
   std::optional<double> budget_s;  ///< of each run whose digits are asked for
   bool estimate_error = false;

@@ -246,6 +246,7 @@ void run_rotor(const RunOptions& options) {
       fmt::print("{:<24} {}\n", column.name, column.meaning);
     return;
   }
+  if (options.json_schema) return print_summary(summary_schema(), true, stdout);
   if (!options.columns.empty() && options.trace.empty())
     throw InputError("--columns requires --trace, or is help");
   const Scene scene = requested_scene(options);

@@ -3,18 +3,118 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "figures/scenes/audience.hpp"
 #include "figures/scenes/names.hpp"
-#include "model/mechanics/mass_loss.hpp"
 
 namespace rotor {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int schema = 2;  // 1 had neither outcome nor parameters
 
-double critical_speed_Hz(const Parameters& p) {
-  return in_Hz(std::sqrt(p.support_stiffness / p.mass));
+Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+Json json_of(const std::optional<double>& value) { return value ? json_of(*value) : Json(); }
+Json json_of(Outcome outcome) { return name_of(outcome); }
+Json json_of(long count) { return count; }
+Json json_of(bool whether) { return whether; }
+
+/// What is said of a run beside its results.
+struct Circumstance {
+  std::string_view key, meaning;
+  Json allowed;  ///< as a schema says it
+  Json (*value)(const Account&);
+};
+
+Json type(const char* name) { return {{"type", name}}; }
+Json number_or_null() { return {{"type", {"number", "null"}}}; }
+template <class Names>
+Json one_of(const Names& names) {
+  return {{"type", "string"}, {"enum", names}};
+}
+
+Json remarks_of(const Account& account) {
+  Json sentences = Json::array();
+  for (const Remark& remark : remarks(account)) sentences.push_back(remark.sentence);
+  return sentences;
+}
+
+Json inputs_of(const Account& account) {
+  Json inputs;
+  for (const Quantity& quantity : quantities())
+    inputs[std::string(quantity.name)] = quantity.of(account.scenario);
+  inputs["no_separation"] = !account.scenario.parameters.separates;
+  return inputs;
+}
+
+const std::vector<Circumstance>& circumstances() {
+  using A = Account;
+  const auto with = [](Json names, const Json& more) {
+    names.push_back(more);
+    return names;
+  };
+  static const std::vector<Circumstance> all = {
+      {"stop_on",
+       "At what the run was to stop early",
+       {{"enum", with(all_names<StopOn>(), nullptr)}},
+       [](const A& a) { return a.early.stop_on ? Json(name_of(*a.early.stop_on)) : Json(); }},
+      {"stop_reached", "Whether it did", type("boolean"),
+       [](const A& a) { return Json(a.early.stop_reached); }},
+      {"remarks",
+       "What a reader has to know beside the numbers",
+       {{"type", "array"}, {"items", type("string")}},
+       remarks_of},
+      {"right_hand_sides", "Cost: evaluations of the equations of motion", type("integer"),
+       [](const A& a) { return Json(a.end.counters.right_hand_sides); }},
+      {"contact_evaluations", "Cost: of these, and of guards, those of the loads in contact",
+       type("integer"), [](const A& a) { return Json(a.end.counters.contact_evaluations); }},
+      {"steps", "Cost: steps that were kept", type("integer"),
+       [](const A& a) { return Json(a.end.counters.steps); }},
+      {"located_events", "Events", type("integer"),
+       [](const A& a) { return Json(a.end.counters.located_events); }},
+      {"equations",
+       "published (velocity jump twice, gravity moment whole), consistent (once, balanced) or "
+       "mixed",
+       one_of(with(all_names<Equations>(), "mixed")),
+       [](const A& a) { return Json(name_of(a.scenario.equations)); }},
+      {"velocity_jump", "How often the mass loss adds Delta_vy to the velocity of C",
+       one_of(all_names<VelocityJump>()),
+       [](const A& a) { return Json(name_of(a.scenario.equations.velocity_jump)); }},
+      {"gravity_moment", "balanced by the springs but for the part of the eccentricity, or whole",
+       one_of(all_names<GravityMoment>()),
+       [](const A& a) { return Json(name_of(a.scenario.equations.gravity_moment)); }},
+      {"method", "How the run was computed", one_of(all_names<Method>()),
+       [](const A& a) { return Json(name_of(a.scenario.method)); }},
+      {"tolerance", "Of event: error allowed in a step; null for rk4", number_or_null(),
+       [](const A& a) {
+         return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
+       }},
+      {"estimated_relative_error",
+       "With --estimate-error: the largest relative error of the real results, as another run "
+       "tells it; 1 if that takes another course. With --digits: the largest of all errors",
+       number_or_null(), [](const A& a) { return json_of(a.estimated_relative_error); }},
+      {"inputs", "All numbers of the scenario, in SI units but for speeds in Hz", type("object"),
+       inputs_of},
+      {"version", "Of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
+      {"schema",
+       "Of this summary; 1 had neither outcome nor inputs",
+       {{"const", schema}},
+       [](const A&) { return Json(schema); }}};
+  return all;
+}
+
+/// What the schema says of a result by its type.
+template <class T>
+Json allowed(T Summary::*) {
+  if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
+  if constexpr (std::is_same_v<T, long>) return type("integer");
+  if constexpr (std::is_same_v<T, bool>) return type("boolean");
+  Json types = {"number", "object"};  // with digits
+  if constexpr (std::is_same_v<T, std::optional<double>>) types.push_back("null");
+  return {{"type", types}, {"$ref", "#/$defs/estimate"}};
 }
 
 }  // namespace
@@ -29,88 +129,78 @@ Account finish(Departure way, const Scenario& scenario, std::optional<StopOn> st
   if (stop_on) audience.add(stop.emplace(*stop_on, scenario));
   audience.on_instant(simulation.instant());
   audience.add(summary);  // which has seen it
-  if (!simulation.stopped()) simulation.finish(audience);
+  if (!simulation.stopped())
+    simulation.finish(audience);
+  else
+    summary.on_instant(simulation.instant());
   const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
   const bool stop_reached = stop && stop->is_reached();
   return {scenario, summary.summary(), end, {stop_on, stop_reached, end.stopped && !stop_reached}};
 }
 
-nlohmann::ordered_json to_json(const Account& account) {
-  const auto& [scenario, summary, end, early, estimated_error] = account;
-  const Parameters& p = scenario.parameters;
-  nlohmann::ordered_json json;
-  const auto put = [&json](const char* key, const std::optional<double>& value) {
-    if (value && std::isfinite(*value))
-      json[key] = *value;
-    else
-      json[key] = nullptr;
-  };
-  json["outcome"] = name_of(summary.outcome);
-  put("first_contact_s", summary.first_contact_s);
-  json["collisions"] = summary.collisions;
-  put("rolling_onset_s", summary.rolling_onset_s);
-  put("rolling_onset_speed_Hz", summary.rolling_onset_speed_Hz);
-  put("rolling_onset_force_N", summary.rolling_onset_force_N);
-  put("rolling_until_s", summary.rolling_until_s);
-  put("peak_normal_force_N", summary.peak_normal_force_N);
-  put("peak_time_s", summary.peak_time_s);
-  put("max_displacement_m", summary.max_displacement_m);
-  json["collisions_before_loss"] = summary.collisions_before_loss;
-  put("peak_normal_force_before_loss_N", summary.peak_normal_force_before_loss_N);
-  put("max_displacement_before_loss_m", summary.max_displacement_before_loss_m);
-  put("contact_time_s", summary.contact_time_s);
-  put("peak_bearing_force_N", summary.peak_bearing_force_N);
-  put("whirl_frequency_Hz", summary.whirl_frequency_Hz);
-  put("whirl_from_s", summary.whirl_from_s);
-  put("whirl_until_s", summary.whirl_until_s);
-  put("motor_off_s", summary.motor_off_s);
-  put("speed_at_separation_Hz", summary.speed_at_separation_Hz);
-  const double critical = critical_speed_Hz(p);
-  put("speed_ratio_at_separation", summary.speed_at_separation_Hz
-                                       ? std::optional(*summary.speed_at_separation_Hz / critical)
-                                       : std::nullopt);
-  put("final_time_s", end.last.time_s);
-  put("final_speed_Hz", summary.final_speed_Hz);
-  put("final_kinetic_energy_J", summary.final_kinetic_energy_J);
-  put("final_q1_m", summary.final_q1_m);
-  put("final_q2_m", summary.final_q2_m);
-  put("critical_speed_Hz", critical);
-  const MassLoss<double> loss(p);
-  put("lost_mass_kg", p.separates ? std::optional(loss.lost_mass) : std::nullopt);
-  put("inertia_after_loss_kg_m2", p.separates ? std::optional(loss.after.inertia) : std::nullopt);
-  json["mass_loss_reached"] = end.last.separated;
-  json["motor_off_reached"] = !end.last.motor_on;
-  if (early.stop_on)
-    json["stop_on"] = name_of(*early.stop_on);
-  else
-    json["stop_on"] = nullptr;
-  json["stop_reached"] = early.stop_reached;
-  json["remarks"] = nlohmann::ordered_json::array();
-  for (const Remark& remark : remarks(account)) json["remarks"].push_back(remark.sentence);
-  json["right_hand_sides"] = end.counters.right_hand_sides;
-  json["contact_evaluations"] = end.counters.contact_evaluations;
-  json["steps"] = end.counters.steps;
-  json["located_events"] = end.counters.located_events;
-  json["equations"] = name_of(scenario.equations);
-  json["velocity_jump"] = name_of(scenario.equations.velocity_jump);
-  json["gravity_moment"] = name_of(scenario.equations.gravity_moment);
-  json["method"] = name_of(scenario.method);
-  put("tolerance",
-      scenario.method == Method::event ? std::optional(scenario.tolerance) : std::nullopt);
-  put("estimated_relative_error", estimated_error);
-  nlohmann::ordered_json inputs;
-  for (const Quantity& quantity : quantities())
-    inputs[std::string(quantity.name)] = quantity.of(scenario);
-  inputs["no_separation"] = !p.separates;
-  json["inputs"] = inputs;
-  json["version"] = ROTOR_VERSION;
-  json["schema"] = schema;
-  if (early.interrupted) json["cut_short_at_s"] = end.last.time_s;
+Json to_json(const Account& account) {
+  Json json;
+  for (const auto& field : summary_fields<double>)
+    std::visit(
+        [&](auto member) { json[std::string(field.key)] = json_of(account.summary.*member); },
+        field.value);
+  for (const Circumstance& said : circumstances())
+    json[std::string(said.key)] = said.value(account);
+  if (account.early.interrupted) json["cut_short_at_s"] = account.summary.final_time_s;
   return json;
 }
 
-nlohmann::ordered_json to_json(const EnergyObserver& energy) {
-  const auto of = [](const EnergyBalance& b) -> nlohmann::ordered_json {
+Json summary_schema() {
+  Json properties, required;
+  const auto describe = [&](std::string_view key, std::string_view meaning, Json allowed) {
+    allowed["description"] = meaning;
+    properties[std::string(key)] = std::move(allowed);
+  };
+  describe("run", "Name of the run, if there are several", type("string"));
+  for (const auto& field : summary_fields<double>) {
+    describe(field.key, field.meaning,
+             std::visit([](auto member) { return allowed(member); }, field.value));
+    required.push_back(field.key);
+  }
+  for (const Circumstance& said : circumstances()) {
+    describe(said.key, said.meaning, said.allowed);
+    required.push_back(said.key);
+  }
+  describe("cut_short_at_s", "When the run was interrupted; only then", type("number"));
+  describe("digits",
+           "Only with --digits: how many were asked for; which values have fewer, and how many; "
+           "whether counts and outcome are those of exact arithmetic (if not, nothing is known of "
+           "values that hang on them); the precision of the numbers in the end; and by how much a "
+           "disturbance is multiplied from the first contact to the end, or as far as computations "
+           "agree",
+           type("object"));
+  describe("events", "Only with --digits: name, time and state of each event, and of the end",
+           type("array"));
+  describe("energy_J",
+           "Only with --energy, from just before the mass loss on: works of all causes, negative "
+           "where the rotor loses, and what is there at the end of each span; residual is what "
+           "does not add up",
+           type("object"));
+  const Json estimate = {
+      {"description",
+       "With --digits, instead of a number: how far it may be from the truth, null if nothing is "
+       "known of it"},
+      {"required", {"value", "error"}},
+      {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
+      {"additionalProperties", false}};
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"title", "Summary of a run, as `rotor run --json` prints it"},
+          {"description",
+           "Of a scene with several runs it prints {\"runs\": [...]}, each of them like this"},
+          {"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false},
+          {"$defs", {{"estimate", estimate}}}};
+}
+
+Json to_json(const EnergyObserver& energy) {
+  const auto of = [](const EnergyBalance& b) -> Json {
     return {{"initial", b.initial},
             {"motor", b.motor},
             {"gravity", b.gravity},
@@ -123,7 +213,7 @@ nlohmann::ordered_json to_json(const EnergyObserver& energy) {
             {"contact_spring", b.contact_spring},
             {"residual", b.residual()}};
   };
-  nlohmann::ordered_json json;
+  Json json;
   json["until_rolling"] = nullptr;
   if (energy.until_rolling()) json["until_rolling"] = of(*energy.until_rolling());
   json["until_end"] = nullptr;
@@ -133,16 +223,17 @@ nlohmann::ordered_json to_json(const EnergyObserver& energy) {
 
 std::vector<Remark> remarks(const Account& account) {
   constexpr bool missed = true;
-  const auto& [scenario, summary, end, early, estimated_error] = account;
-  const Parameters& p = scenario.parameters;
+  const Summary& summary = account.summary;
+  const EarlyEnd& early = account.early;
+  const Parameters& p = account.scenario.parameters;
   std::vector<Remark> all;
-  if (p.separates && !end.last.separated)
+  if (p.separates && !summary.mass_loss_reached)
     all.push_back({fmt::format("the mass loss at {} s was not reached; the run ends at {} s",
-                               p.separation_time, end.last.time_s),
+                               p.separation_time, summary.final_time_s),
                    missed});
   if (early.stop_on && !early.stop_reached)
     all.push_back({fmt::format("{}, at which the run was to stop, was not reached until {} s",
-                               name_of(*early.stop_on), end.last.time_s),
+                               name_of(*early.stop_on), summary.final_time_s),
                    missed});
   if (summary.collisions_before_loss > 0 && p.separates)
     all.push_back({fmt::format("the rotor touched the ring {} times before the mass loss",

@@ -1,4 +1,4 @@
-/// What a run says of itself. As JSON its keys are those of program/summary.schema.json.
+/// What a run says of itself.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -37,6 +37,9 @@ Account finish(Departure way, const Scenario& scenario, std::optional<StopOn> st
 /// What has not happened is null.
 nlohmann::ordered_json to_json(const Account& account);
 nlohmann::ordered_json to_json(const EnergyObserver& energy);
+
+/// The JSON schema of what `rotor run --json` prints: each key, what it means, and its values.
+nlohmann::ordered_json summary_schema();
 
 /// What a reader has to know of a run beside its numbers.
 struct Remark {

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "model/phases/transition.hpp"
 #include "model/simulation/stop_on.hpp"
@@ -18,13 +19,15 @@ Equations parse_equations(std::string_view name);           ///< throws InputErr
 Method parse_method(std::string_view name);                 ///< throws InputError
 VelocityJump parse_velocity_jump(std::string_view name);    ///< throws InputError
 GravityMoment parse_gravity_moment(std::string_view name);  ///< throws InputError
-std::string_view name_of(Equations equations);  ///< "mixed" if they have no name of their own
-std::string_view name_of(VelocityJump velocity_jump);
-std::string_view name_of(GravityMoment gravity_moment);
-std::string_view name_of(Method method);
-std::string_view name_of(Event event);
-std::string_view name_of(Outcome outcome);
-StopOn parse_stop_on(std::string_view name);  ///< throws InputError
-std::string_view name_of(StopOn stop_on);
+StopOn parse_stop_on(std::string_view name);                ///< throws InputError
+
+/// "mixed" for equations that have no name of their own. Of: Equations, VelocityJump,
+/// GravityMoment, Method, Event, Outcome, StopOn.
+template <class Kind>
+std::string_view name_of(Kind kind);
+
+/// All of a kind.
+template <class Kind>
+std::vector<std::string_view> all_names();
 
 }  // namespace rotor

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/mechanics/mass_loss.hpp"
 #include "model/simulation/outcome.ipp"
 #include "model/simulation/summary.hpp"
 
@@ -14,10 +15,29 @@ void raise(std::optional<S>& greatest, const S& value) {
 }
 
 template <class S>
+BasicSummaryObserver<S>::BasicSummaryObserver(const Scenario& scenario)
+    : ring_(scenario.parameters),
+      supports_(scenario.parameters, scenario.equations),
+      watch_(scenario) {
+  note_parameters(scenario.parameters);
+}
+
+template <class S>
+void BasicSummaryObserver<S>::note_parameters(const Parameters& p) {
+  using std::sqrt;
+  summary_.critical_speed_Hz = in_Hz(S(sqrt(S(p.support_stiffness) / S(p.mass))));
+  if (!p.separates) return;
+  const MassLoss<S> loss(p);
+  summary_.lost_mass_kg = loss.lost_mass;
+  summary_.inertia_after_loss_kg_m2 = loss.after.inertia;
+}
+
+template <class S>
 BasicSummaryObserver<S> BasicSummaryObserver<S>::with(const Scenario& scenario) const {
   BasicSummaryObserver branch = *this;
   branch.ring_ = Ring<S>(scenario.parameters);
   branch.watch_ = BasicOutcomeWatch<S>(scenario);
+  branch.note_parameters(scenario.parameters);
   return branch;
 }
 
@@ -25,8 +45,11 @@ template <class S>
 void BasicSummaryObserver<S>::on_instant(const BasicInstant<S>& at) {
   const Motion<S> motion = at.motion();
   if (!at.motor_on && !summary_.motor_off_s) summary_.motor_off_s = at.time_s;
-  if (at.separated && !summary_.speed_at_separation_Hz)
+  if (at.separated && !summary_.speed_at_separation_Hz) {
     summary_.speed_at_separation_Hz = in_Hz(motion.speed);
+    summary_.speed_ratio_at_separation =
+        *summary_.speed_at_separation_Hz / summary_.critical_speed_Hz;
+  }
   note_extremes(at, motion);
   note_contact(at, motion);
   watch_.note(at);
@@ -34,6 +57,9 @@ void BasicSummaryObserver<S>::on_instant(const BasicInstant<S>& at) {
   begun_ = true;
 
   summary_.outcome = watch_.outcome();
+  summary_.mass_loss_reached = at.separated;
+  summary_.motor_off_reached = !at.motor_on;
+  summary_.final_time_s = at.time_s;
   summary_.final_speed_Hz = in_Hz(motion.speed);
   summary_.final_kinetic_energy_J = kinetic_energy(at.body, motion);
   summary_.final_q1_m = at.state[0];

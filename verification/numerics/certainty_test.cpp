@@ -211,7 +211,7 @@ TEST(SizesOfValues, AreThoseOfWhatTheyAreMadeOf) {
   run.summary.whirl_frequency_Hz = -700;
   run.summary.whirl_from_s = 0.01;
   run.summary.whirl_until_s = 0.0101;
-  const auto all = values_of(run, scenario);
+  const auto all = values_of(run.summary, scenario.parameters);
   const auto named = [&](std::string_view name) {
     return *std::ranges::find(all, name, &NamedValue<double>::name);
   };

@@ -41,7 +41,7 @@ Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
     for (const NamedValue<Quad>& value : values)
       if (value.value) all.emplace_back(where + std::string(value.name), *value.value);
   };
-  add("", values_of(computed, scenario));
+  add("", values_of(computed.summary, scenario.parameters));
   for (std::size_t i = 0; i < computed.events.size(); ++i)
     add(fmt::format("event{}.", i), values_of(computed.events[i], Quad(1)));
   add("end.", values_of(computed.end, Quad(1)));

@@ -172,8 +172,8 @@ std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
   result.events.push_back({Event::none, estimates_of([&](const Computation<S>& run) {
                              return values_of(run.end, clearance);
                            })});
-  result.summary =
-      estimates_of([&](const Computation<S>& run) { return values_of(run, scenario); });
+  result.summary = estimates_of(
+      [&](const Computation<S>& run) { return values_of(run.summary, scenario.parameters); });
   if (result.same_course)
     result.margins =
         estimates_of([&](const Computation<S>& run) { return margins_of(run, scenario); });

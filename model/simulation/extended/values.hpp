@@ -6,9 +6,10 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
-#include "model/mechanics/mass_loss.hpp"
 #include "model/phases/flight.hpp"
 #include "model/simulation/extended/computation.hpp"
 
@@ -20,79 +21,34 @@ struct NamedValue {
   std::optional<S> value;
   S size{0};              ///< of which its digits are counted at least
   bool is_exact = false;  ///< stated, not computed
+  bool follows = false;   ///< from another value or from what is stated: it has no error of its own
   S made_of{0};           ///< of what it is a small difference or component: that is rounded
 };
-
-/// All real numbers of a summary, by their names there.
-template <class AnySummary, class Action>
-void for_each_value(AnySummary& s, const Action& action) {
-  action("first_contact_s", s.first_contact_s);
-  action("rolling_onset_s", s.rolling_onset_s);
-  action("rolling_onset_speed_Hz", s.rolling_onset_speed_Hz);
-  action("rolling_onset_force_N", s.rolling_onset_force_N);
-  action("rolling_until_s", s.rolling_until_s);
-  action("peak_normal_force_N", s.peak_normal_force_N);
-  action("peak_time_s", s.peak_time_s);
-  action("max_displacement_m", s.max_displacement_m);
-  action("peak_normal_force_before_loss_N", s.peak_normal_force_before_loss_N);
-  action("max_displacement_before_loss_m", s.max_displacement_before_loss_m);
-  action("contact_time_s", s.contact_time_s);
-  action("peak_bearing_force_N", s.peak_bearing_force_N);
-  action("whirl_frequency_Hz", s.whirl_frequency_Hz);
-  action("whirl_from_s", s.whirl_from_s);
-  action("whirl_until_s", s.whirl_until_s);
-  action("motor_off_s", s.motor_off_s);
-  action("speed_at_separation_Hz", s.speed_at_separation_Hz);
-  action("final_speed_Hz", s.final_speed_Hz);
-  action("final_kinetic_energy_J", s.final_kinetic_energy_J);
-  action("final_q1_m", s.final_q1_m);
-  action("final_q2_m", s.final_q2_m);
-}
 
 /// What is so many times less than the clearance, or than a radian, is as good as nothing: its own
 /// digits are not asked for.
 constexpr long negligible = 1'000'000;
 
-/// Of a summary.
+/// The real numbers of a summary.
 template <class S>
 std::vector<NamedValue<S>> values_of(const BasicSummary<S>& summary, const Parameters& p) {
   const S length = Ring<S>(p).clearance / negligible, force = S(p.support_stiffness) * length;
   std::vector<NamedValue<S>> all;
-  for_each_value(summary, [&](std::string_view name, const std::optional<S>& value) {
-    const bool is_vibration = name == "peak_bearing_force_N";
-    all.push_back({name, value, is_vibration ? force : name.ends_with("_m") ? length : S(0)});
-  });
-  return all;
-}
-
-/// The same, and what follows from them and from the parameters.
-template <class S>
-std::vector<NamedValue<S>> values_of(const Computation<S>& run, const Scenario& scenario) {
-  using std::abs, std::sqrt;
-  const Parameters& p = scenario.parameters;
-  std::vector<NamedValue<S>> all = values_of(run.summary, p);
-  const S critical_Hz = in_Hz(S(sqrt(S(p.support_stiffness) / S(p.mass))));
-  const BasicSummary<S>& summary = run.summary;
-  const auto made_of = [&](std::string_view name) -> S& {
-    return std::find_if(all.begin(), all.end(), [&](const auto& v) { return v.name == name; })
-        ->made_of;
-  };
-  made_of("final_q1_m") = made_of("final_q2_m") = run.end.motion().displacement.norm();
-  if (summary.contact_time_s > 0) made_of("contact_time_s") = run.end.time_s;
-  if (summary.whirl_frequency_Hz) {
-    const S until = *summary.whirl_until_s;
-    made_of("whirl_frequency_Hz") =
-        abs(*summary.whirl_frequency_Hz) * until / (until - *summary.whirl_from_s);
-  }
-  const auto& at_loss_Hz = summary.speed_at_separation_Hz;
-  all.push_back({"speed_ratio_at_separation",
-                 at_loss_Hz ? std::optional(S(*at_loss_Hz / critical_Hz)) : std::nullopt});
-  all.push_back({"final_time_s", run.end.time_s, S(0), true});
-  all.push_back({"critical_speed_Hz", critical_Hz});
-  if (p.separates) {
-    const MassLoss<S> loss(p);
-    all.push_back({"lost_mass_kg", loss.lost_mass});
-    all.push_back({"inertia_after_loss_kg_m2", loss.after.inertia});
+  for (const SummaryField<S>& field : summary_fields<S>) {
+    const auto add = [&](const std::optional<S>& value) {
+      all.push_back({.name = field.key,
+                     .value = value,
+                     .size = field.scale == ErrorScale::length  ? length
+                             : field.scale == ErrorScale::force ? force
+                                                                : S(0),
+                     .is_exact = field.scale == ErrorScale::exact,
+                     .follows = field.scale == ErrorScale::of_another,
+                     .made_of = field.made_of ? field.made_of(summary) : S(0)});
+    };
+    if (const auto* always = std::get_if<S BasicSummary<S>::*>(&field.value))
+      add(summary.**always);
+    else if (const auto* perhaps = std::get_if<std::optional<S> BasicSummary<S>::*>(&field.value))
+      add(summary.**perhaps);
   }
   return all;
 }
@@ -193,19 +149,24 @@ Instant in_double(const BasicInstant<S>& at) {
 
 template <class S>
 Summary in_double(const BasicSummary<S>& summary) {
+  const auto convert = [](const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, S>)
+      return static_cast<double>(value);
+    else if constexpr (std::is_same_v<Value, std::optional<S>>)
+      return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
+    else
+      return value;
+  };
   Summary result;
-  result.outcome = summary.outcome;
-  result.collisions = summary.collisions;
-  result.collisions_before_loss = summary.collisions_before_loss;
-  std::vector<std::optional<double>> values;
-  for_each_value(summary, [&](std::string_view /*name*/, const std::optional<S>& value) {
-    values.push_back(value ? std::optional(static_cast<double>(*value)) : std::nullopt);
-  });
-  auto next = values.begin();
-  for_each_value(result, [&](std::string_view /*name*/, auto& value) {
-    if (*next) value = **next;
-    ++next;
-  });
+  for (std::size_t i = 0; i < summary_fields<S>.size(); ++i)
+    std::visit(
+        [&](auto from, auto to) {
+          const auto value = convert(summary.*from);
+          if constexpr (std::is_same_v<decltype(value), const std::decay_t<decltype(result.*to)>>)
+            result.*to = value;
+        },
+        summary_fields<S>[i].value, summary_fields<double>[i].value);
   return result;
 }
 
