@@ -14,7 +14,12 @@ verification/tests.sh "$build" || failed=1
 echo
 echo "This report: $report/report.txt"
 # And the reviewer's page, where its pictures have been drawn.
-if [ -e "$build/figures/fig17.svg" ] && [ -e "$build/figures/consistent/fig17.svg" ]; then
+drawn=1
+for scene in figures/paper/fig[0-9][0-9].toml; do
+  figure=$(basename "$scene" .toml).svg
+  [ -e "$build/figures/$figure" ] && [ -e "$build/figures/consistent/$figure" ] || drawn=0
+done
+if [ $drawn = 1 ]; then
   verification/report/report.sh "$build" || failed=1
 fi
 exit $failed

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "figures/data/files.hpp"
@@ -16,24 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene files of a folder, by the number of the figure.
-std::map<int, fs::path> scene_files(const fs::path& folder) {
-  if (!fs::is_directory(folder))
-    throw InputError(fmt::format("--scenes {}: there is no such folder", shown(folder.string())));
-  std::map<int, fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename();
-    int number = 0;
-    std::from_chars(name.data() + std::min(name.size(), std::size_t{3}), name.data() + name.size(),
-                    number);
-    if (name == fmt::format("fig{:02}.toml", number)) files[number] = entry.path();
-  }
-  return files;
-}
-
 /// Those that are asked for. A scene may state equations and methods of its own.
 std::map<int, Scene> read_scenes(const FigureOptions& options) {
-  const std::map<int, fs::path> files = scene_files(options.scenes);
+  if (!fs::is_directory(options.scenes))
+    throw InputError(fmt::format("--scenes {}: there is no such folder", shown(options.scenes)));
+  const std::map<int, fs::path> files = figure_files(options.scenes);
   if (files.empty())
     throw InputError(
         fmt::format("--scenes {}: there is no figNN.toml in this folder", shown(options.scenes)));

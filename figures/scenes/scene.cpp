@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -124,6 +125,18 @@ class SceneReader : TomlFile {
 };
 
 }  // namespace
+
+std::map<int, std::filesystem::path> figure_files(const std::filesystem::path& folder) {
+  std::map<int, std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    const std::size_t digits = std::min(name.size(), std::string_view("fig").size());
+    int number = 0;
+    std::from_chars(name.data() + digits, name.data() + name.size(), number);
+    if (name == fmt::format("fig{:02}.toml", number)) files[number] = entry.path();
+  }
+  return files;
+}
 
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
   return SceneReader(file, overrides).read();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ struct Overrides {
 
 /// Reads a TOML scene file. Throws InputError.
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
+
+/// The scenes of a folder's figures, figNN.toml, by their numbers.
+std::map<int, std::filesystem::path> figure_files(const std::filesystem::path& folder);
 
 /// From the time that the option --from states, to the end of a run. Throws InputError.
 Window window_from(double from_s, const Scenario& scenario);

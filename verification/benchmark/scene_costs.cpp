@@ -66,18 +66,15 @@ int main(const Arguments& arguments) {
   if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER with figNN.toml");
   fmt::print("{:<22} {:>4} {:>4} {:>9} {:>9} {:>9} {:>6} {:>9} {:>8} {:>7} {:>7}\n", "data of",
              "ups", "runs", "steps", "rhs", "contact", "events", "pairs", "samples", "kept", "ms");
-  std::vector<Scene> scenes;
-  for (int number = 2; number <= 17; ++number)
-    scenes.push_back(
-        read_scene(std::filesystem::path(arguments[0]) / fmt::format("fig{:02}.toml", number)));
+  std::map<int, Scene> scenes;
+  for (const auto& [number, file] : figure_files(arguments[0])) scenes[number] = read_scene(file);
   std::vector<const Scene*> all, located;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    print(fmt::format("Fig. {}", i + 2), cost({&scenes[i]}));
-    all.push_back(&scenes[i]);
-    if (std::ranges::all_of(scenes[i].runs, [](const SceneRun& run) {
-          return run.scenario.method == Method::event;
-        }))
-      located.push_back(&scenes[i]);
+  for (const auto& [number, scene] : scenes) {
+    print(fmt::format("Fig. {}", number), cost({&scene}));
+    all.push_back(&scene);
+    if (std::ranges::all_of(
+            scene.runs, [](const SceneRun& run) { return run.scenario.method == Method::event; }))
+      located.push_back(&scene);
   }
   print("all in one", cost(all));
   print("all but the published", cost(located));

@@ -12,16 +12,14 @@
 namespace rotor {
 namespace {
 
-class Figure : public testing::TestWithParam<int> {};
+class Figure : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(Figure, BalancesEnergyAndAngularMomentumInBothSetsOfEquations) {
   // Five times the worst seen, 1.8e-12: the sum of 40,000 steps, each good to 1e-14 or so.
   const double accuracy = 1e-11;
   Law energy("balance of energy along each figure's runs, of the greatest energy", accuracy);
   Law momentum("balance of angular momentum along each figure's runs, of the greatest", accuracy);
-  char name[16];
-  std::snprintf(name, sizeof name, "fig%02d.toml", GetParam());
-  for (SceneRun scene_run : read_scene(std::filesystem::path(ROTOR_SCENES) / name).runs) {
+  for (SceneRun scene_run : read_scene(GetParam()).runs) {
     if (scene_run.scenario.method != Method::event) continue;
     for (const Equations equations : {Equations::published, Equations::consistent}) {
       Scenario& scenario = scene_run.scenario;
@@ -35,8 +33,13 @@ TEST_P(Figure, BalancesEnergyAndAngularMomentumInBothSetsOfEquations) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Figure, testing::Range(2, 18),
-                         [](const auto& figure) { return "Fig" + std::to_string(figure.param); });
+std::vector<std::filesystem::path> scenes() {
+  std::vector<std::filesystem::path> all;
+  for (const auto& [number, scene] : figure_files(ROTOR_SCENES)) all.push_back(scene);
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, Figure, testing::ValuesIn(scenes()),
+                         [](const auto& scene) { return scene.param.stem().string(); });
 
 }  // namespace
 }  // namespace rotor

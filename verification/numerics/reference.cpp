@@ -30,7 +30,7 @@ struct NamedRun {
 /// The runs of all figures, each once, in the order in which they leave the run-up.
 std::vector<NamedRun> all_runs() {
   std::vector<NamedRun> runs;
-  for (int number = 2; number <= 17; ++number) {
+  for (const auto& [number, scene_file] : figure_files(ROTOR_SCENES)) {
     const auto file = std::filesystem::path(ROTOR_SCENES) / fmt::format("fig{:02}.toml", number);
     const Scene scene = read_scene(file);
     for (const SceneRun& scene_run : scene.runs) {

@@ -7,6 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "figures/scenes/scene.hpp"
+
 namespace rotor {
 namespace {
 
@@ -60,7 +62,7 @@ std::vector<int> figures_without_claim(const std::vector<Number>& numbers) {
   for (const Number& number : numbers)
     for (const int figure : figures_of(number)) claimed.insert(figure);
   std::vector<int> without;
-  for (int figure = 2; figure <= 17; ++figure)
+  for (const auto& [figure, scene] : figure_files(ROTOR_SOURCES "/figures/paper"))
     if (!claimed.contains(figure)) without.push_back(figure);
   return without;
 }

@@ -9,7 +9,7 @@ namespace rotor {
 /// number below that; last, what came out, and the figures about which nothing is claimed.
 std::string claims_table(const std::vector<Number>& numbers);
 
-/// Of Figs. 2-17.
+/// Of those that have a scene.
 std::vector<int> figures_without_claim(const std::vector<Number>& numbers);
 
 }  // namespace rotor

@@ -104,7 +104,8 @@ Json document(const Sources& sources) {
               {"assumptions", register_json(sources.reference_data / "assumptions.csv")},
               {"provenance", provenance_json(sources)}};
   for (Json& figure : all["figures"])
-    figure["caption"] = words.at("captions").at(figure.at("number").get<std::string>());
+    figure["caption"] =
+        words.at("captions").value(figure.at("number").get<std::string>(), figure.at("title"));
   all["words"].erase("captions");
   if (sources.of_this_machine) all["machine"] = machine_json();
   return all;

@@ -69,7 +69,7 @@ Json runs_json(const Scene& scene) {
 
 Json figures_json(const Sources& sources, const Json& claims) {
   Json all = Json::array();
-  for (int number = 2; number <= 17; ++number) {
+  for (const auto& [number, scene_file] : figure_files(sources.scenes)) {
     const std::string name = fmt::format("fig{:02}", number);
     const auto file = sources.scenes / (name + ".toml");
     const Scene scene = read_scene(file);
