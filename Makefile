@@ -203,9 +203,9 @@ check-report: report ## look at the page in a browser, at its links, and at its 
 site: verify report ## page, pictures, data and maps for a static host, and as an archive
 	@verification/report/site.sh $(BUILD)
 
-approve: build ## write the approved transcripts in verification/approved anew; read the change before you commit it
+approve: build ## write verification/approved and the marked numbers in Markdown anew; read the change before you commit it
 	$(call build-target,verification)
-	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat verification/approved
+	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
 
 lint: need-deps ## check the code's format, and look for mistakes with clang-tidy
 	@verification/lint.sh $(BUILD)

@@ -13,7 +13,6 @@
 #include "figures/scenes/statement.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "model/theory/whirl.hpp"
-#include "verification/support/readme.hpp"
 
 namespace rotor {
 namespace {
@@ -167,38 +166,6 @@ double rolling_share(Equations equations, double friction, double contact_dampin
     rolling += account.summary.outcome == rotor::Outcome::rolling ? 1 : 0;
   }
   return static_cast<double>(rolling) / speeds;
-}
-
-/// The share of draws over the printed digits of the other inputs in which a loss at 150 Hz leads
-/// to rolling, in percent.
-double share_of_draws(Equations equations, double friction) {
-  Sweep sweep = read_sweep(ROTOR_SOURCES "/figures/maps/rounding.toml");
-  sweep.axes.clear();
-  sweep.sample.count = 400;
-  const SweepPoints points(sweep);
-  double rolling = 0;
-  for (long n = 0; n < sweep.points(); ++n) {
-    Statement statement = points(n).statement;
-    statement.equations = equations;
-    statement.numbers["friction"] = friction;
-    statement.numbers["start_speed_hz"] = 150;
-    Observer nobody;
-    const Scenario scenario = scenario_of(statement);
-    const Account account = finish(Departure(scenario), scenario, StopOn::outcome, nobody);
-    rolling += account.summary.outcome == rotor::Outcome::rolling ? 1 : 0;
-  }
-  return 100 * rolling / static_cast<double>(sweep.points());
-}
-
-TEST_F(Readme, SaysHowWideTheBorderOfFrictionIsOverThePrintedDigits) {
-  const auto at = [](double friction) {
-    return fmt::format("{:.0f} and {:.0f} %", share_of_draws(Equations::published, friction),
-                       share_of_draws(Equations::consistent, friction));
-  };
-  expect_said(fmt::format(
-      "Over the rounding of the other inputs that border is a wide one: at 150 Hz {} of 400 draws "
-      "roll at 0.08, as published and put right, and {} at 0.1.",
-      at(0.08), at(0.1)));
 }
 
 // Below the limit of forward rub it is the rebound that decides which way the rotor is dragged.

@@ -1,11 +1,9 @@
 /// What the method, the paper's steps and the printed digits leave open, and which input decides.
 #include "verification/paper/uncertainty.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "verification/paper/judged.hpp"
 
@@ -52,19 +50,13 @@ TEST(Uncertainty, IsRelativeToTheSimulatedValue) {
   EXPECT_TRUE(std::isnan(of("onset_at_peak").error));  // which has no number printed
 }
 
-TEST(Uncertainty, IsSaidInTheReadme) {
-  std::ifstream file(ROTOR_SOURCES "/README.md");
-  std::string readme;
-  for (std::string word; file >> word;) readme += word + ' ';
+// Two runs to different tolerances never agree to the bit.
+TEST(Uncertainty, OfTheMethodIsMoreThanNothingAndLessThanItsTolerance) {
   const Uncertainty& peak = of("peak_force");
-  ASSERT_EQ(peak.decided_by.at(0).input, "clearance");
-  ASSERT_EQ(peak.decided_by.at(1).input, "mass");
-  const std::string sentence = fmt::format(
-      "The printed digits leave the largest force open by {:.0f} %, those of clearance and mass "
-      "before all, the paper's steps by {:.1f} %, ours by less than 1e-9 %.",
-      100 * peak.u_input, 100 * peak.u_num_own);
-  EXPECT_NE(readme.find(sentence), std::string::npos) << sentence;
+  EXPECT_GT(peak.u_num, 0);
   EXPECT_LT(peak.u_num, 1e-11);
+  EXPECT_EQ(peak.decided_by.at(0).input, "clearance");
+  EXPECT_EQ(peak.decided_by.at(1).input, "mass");
 }
 
 // A fixed part of what `make ranking` writes, without OpenTURNS.

@@ -73,11 +73,6 @@ TEST(ReportTexts, NameTestsThatExist) {
   }
 }
 
-TEST(ReportTexts, HaveACaptionForEachFigure) {
-  for (int number = 2; number <= 17; ++number)
-    EXPECT_TRUE(texts().at("captions").contains(std::to_string(number))) << number;
-}
-
 TEST(WithNumbers, PutsInWhatAPlaceAsksFor) {
   const Json values = {{"peak", {{"kN", 454.836}}}, {"drop", -1.25}, {"printed", "455"}};
   EXPECT_EQ(with_numbers(Json("{{peak.kN.f1}} kN, {{peak.kN.s2}}"), values), "454.8 kN, 4.5e+02");
@@ -155,24 +150,6 @@ TEST(VerdictOfAFigure, FollowsFromItsClaims) {
   EXPECT_EQ(says({"reproduced", "within rounding"}), "holds within rounding");
   EXPECT_EQ(says({"reproduced", "within rounding", "refuted"}), "holds in part");
   EXPECT_EQ(says({"refuted"}), "refuted");
-}
-
-TEST(VerdictOfAFigure, IsTheOneInTheReadme) {
-  const Json claims = claims_json(judged());
-  const std::string readme = content_of(ROTOR_SOURCES "/README.md");
-  for (int number = 2; number <= 17; ++number) {
-    std::vector<const Json*> its;
-    for (const Json& claim : claims)
-      for (const Json& figure : claim.at("figures"))
-        if (figure == number) its.push_back(&claim);
-    const Json verdict = verdict_json(its);
-    std::string says = verdict.at("says").get<std::string>();
-    if (!its.empty())
-      says += fmt::format(", {} of {}", verdict.at("reproduced").get<int>(), its.size());
-    EXPECT_TRUE(std::regex_search(
-        readme, std::regex(fmt::format("\\n\\| {} \\| [^|]* \\| {} \\|", number, says))))
-        << number << ": " << says;
-  }
 }
 
 class Accident : public CommandLine {};

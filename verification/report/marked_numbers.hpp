@@ -1,0 +1,16 @@
+/// Numbers in Markdown that are computed: between a comment that names one and an empty comment, as
+/// in `<!--published.mu_03.peak_kN.f1-->454.8<!---->`. Names and forms are those of `with_numbers`.
+#pragma once
+
+#include "verification/report/document.hpp"
+
+namespace rotor {
+
+/// The same text with the numbers as they are. Throws std::invalid_argument for an unknown name.
+std::string with_marked_numbers(const std::string& markdown, const Json& values);
+
+/// What can be named: `values_json`, and beside it claims, figures.3, corrections, whirl, reasons.
+Json markable_values(const std::vector<Number>& judged,
+                     const std::filesystem::path& reference_data);
+
+}  // namespace rotor
