@@ -133,6 +133,14 @@ TEST_P(MassLossResponseOf, ARotorWithoutDampingIsWatchedForThousandsOfPeriods) {
   EXPECT_FALSE(beating(1e-5, 0.99 * too_late.bound()).first_contact());
 }
 
+// The first look is no peak of a parabola: before it there is nothing.
+TEST_P(MassLossResponseOf, ARotorThatLosesNothingIsNeverFurtherThanBefore) {
+  Scenario scenario = lost_at(60, GetParam());
+  scenario.parameters.unbalance_factor = 1;
+  const MassLossResponse same = closed_form(scenario);
+  EXPECT_NEAR(same.greatest() / same.steady(), 1, 1e-9);
+}
+
 TEST_P(MassLossResponseOf, ARotorThatStaysClearSaysSo) {
   EXPECT_FALSE(closed_form(lost_at(40, GetParam())).first_contact());
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What `make check-report` does: the page in a browser, then the spelling of page and README.
+# What `make check-report` does: the page in a browser, the numbers that its script and the explorer's
+# tell, then the spelling of page and README.
 set -uo pipefail
 build=$1
 page=$build/report/index.html
@@ -11,6 +12,8 @@ else
   echo "check-report: there is no Chromium, or nothing that drives it: make deps-report installs both" >&2
   failed=1
 fi
+
+told=$(node --test verification/program/pages.test.mjs) || { echo "$told" >&2; failed=1; }
 
 # Beside the page stand the data of the equations that their folder names.
 for set in published consistent; do

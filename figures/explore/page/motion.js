@@ -20,3 +20,8 @@ export function stateAt(motion, time_s) {
   return Object.fromEntries(Object.entries(motion).map(([name, column]) =>
     [name, column[row] + share * (column[next] - column[row])]));
 }
+
+const contact_states = ["free", "sliding", "rolling", "free, ring indented"];
+
+export const inWords = (now) => `t = ${now.time_s.toFixed(5)} s, ${contact_states[Math.round(now.contact_state)]}, ` +
+  `f = ${now.speed_Hz.toFixed(1)} Hz, F_n = ${(now.normal_force_N / 1e3).toFixed(0)} kN`;

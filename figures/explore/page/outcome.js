@@ -43,17 +43,21 @@ const rows = [
   ["speed at the end", (s) => s.final_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
 ];
 
+/// Each number's name and text.
+export const numbersOf = (summary) => rows.map(([name, of, shown = String]) =>
+  [name, of(summary) === null ? "–" : shown(of(summary))]);
+
 /// Fills a table's body: a row a number, a column a run.
 export function showNumbers(body, summaries) {
-  body.replaceChildren(...rows.map(([name, of, shown = String]) => {
+  const columns = summaries.map(numbersOf);
+  body.replaceChildren(...rows.map(([name], i) => {
     const row = document.createElement("tr");
     const head = document.createElement("th");
     head.scope = "row";
     head.textContent = name;
-    row.append(head, ...summaries.map((summary) => {
+    row.append(head, ...columns.map((column) => {
       const cell = document.createElement("td");
-      const value = of(summary);
-      cell.textContent = value === null ? "–" : shown(value);
+      cell.textContent = column[i][1];
       return cell;
     }));
     return row;
@@ -67,12 +71,14 @@ const names = {
 };
 export const nameOfEvent = (event) => names[event];
 
+/// Time, name, force as a magnitude, slip.
+export const textsOf = (at) => [inSeconds(at.time_s), nameOfEvent(at.event), inKilonewton(-at.normal_force_N),
+  at.slip_velocity_m_per_s === null ? "–" : `${at.slip_velocity_m_per_s.toFixed(2)} m/s`];
+
 export function showEvents(body, events) {
   body.replaceChildren(...events.map((at) => {
     const row = document.createElement("tr");
-    for (const text of [inSeconds(at.time_s), nameOfEvent(at.event),
-      inKilonewton(-at.normal_force_N),
-      at.slip_velocity_m_per_s === null ? "–" : `${at.slip_velocity_m_per_s.toFixed(2)} m/s`]) {
+    for (const text of textsOf(at)) {
       const cell = document.createElement("td");
       cell.textContent = text;
       row.append(cell);

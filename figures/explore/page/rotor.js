@@ -1,9 +1,8 @@
 // The rotor in its ring, moved by the data of a run, in slow motion.
 import { colour } from "./colours.js";
-import { stateAt } from "./motion.js";
+import { inWords, stateAt } from "./motion.js";
 
 const gap = 0.16; // how wide the clearance is drawn, in parts of the ring's radius
-const contact_states = ["free", "sliding", "rolling", "free, ring indented"];
 
 export class RotorView {
   #canvas;
@@ -83,9 +82,7 @@ export class RotorView {
       paintContact(ctx, Math.atan2(now.x_a_m, now.y_a_m), ring, -now.normal_force_N / peak);
     }
     const enlarged = ((this.#ring.radius_m + this.#ring.clearance_m) * gap) / this.#ring.clearance_m;
-    const row_state = contact_states[Math.round(now.contact_state)];
-    this.#told.textContent = `t = ${this.#time_s.toFixed(5)} s, ${row_state}, f = ${now.speed_Hz.toFixed(1)} Hz, ` +
-      `F_n = ${(now.normal_force_N / 1e3).toFixed(0)} kN; ${this.#slowness} times slower than real, ` +
+    this.#told.textContent = `${inWords(now)}; ${this.#slowness} times slower than real, ` +
       `the clearance enlarged ${enlarged.toFixed(1)} times`;
   }
 }
