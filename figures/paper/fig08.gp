@@ -17,7 +17,8 @@ set xrange [-4:4]
 set yrange [4:-4]
 set xlabel "y_a, mm"
 set ylabel "x_a (down), mm"
-set key below
+set key at screen 0.5,screen 0.03 center center horizontal
+set bmargin at screen 0.15
 set object 1 circle at 0,0 size clearance_of("run") fillstyle empty border linecolor rgb black linewidth 1.2 dashtype (1,5)
 plot data using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype 1 linewidth 1 notitle, \
   data using (column("time_s") == window_min ? mm("y_a_m") : NaN):(mm("x_a_m")) with points linestyle first_place title sprintf("%g s", window_min), \

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <string>
@@ -76,12 +77,13 @@ struct DrawnCurve {
 };
 
 /// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
-/// panel before its curves. All panels have the x axis of the last one.
+/// panel before its curves. All panels have the x axis of the last one; of panels side by side, which
+/// have not, there are no curves, and none of insets.
 struct DrawnPicture {
   explicit DrawnPicture(const std::string& svg) {
     Tics y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
-    bool in_curve = false, y_is_old = false;
+    bool in_curve = false, in_inset = false, y_is_old = false, side_by_side = false;
     std::string group;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
@@ -95,8 +97,11 @@ struct DrawnPicture {
       if (tag.starts_with("<g transform=\"translate(")) {
         group = between(at, "<g ", ">");
       } else if (tag.starts_with("<g id=\"gnuplot_plot_")) {
-        in_curve = y_is_old = true;
-        curves.push_back({{}, y_axis});
+        const bool is_first = tag.substr(20).starts_with("1\"");
+        if (is_first) in_inset = y_is_old && !curves.empty();  // which has no grid of its own
+        in_curve = !in_inset;
+        y_is_old = true;
+        if (in_curve) curves.push_back({{}, y_axis});
       } else if (tag.starts_with("<path")) {
         const bool is_grid =
             svg.substr(at, svg.find(" d='", at) - at).find("gridline") != std::string::npos;
@@ -116,11 +121,15 @@ struct DrawnPicture {
           const double value = number_of(texts.back());
           const bool upright = line.front().first == line.back().first;
           if (!upright && std::exchange(y_is_old, false)) y_axis.clear();
-          (upright ? x : y_axis)[value] = upright ? line[0].first : line[0].second;
+          const double at_pixel = upright ? line[0].first : line[0].second;
+          const auto known = x.find(value);
+          side_by_side |= upright && known != x.end() && std::abs(known->second - at_pixel) > 1;
+          (upright ? x : y_axis)[value] = at_pixel;
         }
         line.clear();
       }
     }
+    if (side_by_side) curves.clear();
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
   }
 
