@@ -22,7 +22,7 @@ Summary summary_of(const Scenario& scenario) {
 }
 
 // The rotation is so much faster than the swing that O meets its end at the far side of C.
-TEST(Accident, BeginsAtItsContactSpeedFarAboveResonance) {
+TEST(AccidentLaws, BeginsAtItsContactSpeedFarAboveResonance) {
   for (const auto equations : {Equations::published, Equations::consistent})
     for (const double damping_ratio : {0., 0.3}) {
       Parameters p;
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Blow, testing::Values(0.02, 0.3, 0.49, 0.6, 1.2),
 
 // Without unbalance and damping, from a blow along a radius: rebounds smaller and smaller, until
 // the rotor whirls for good or hardly moves along the ring.
-TEST(Accident, WhirlsAboveItsFrictionAndNotBelow) {
+TEST(AccidentLaws, WhirlsAboveItsFrictionAndNotBelow) {
   Scenario scenario = bare();
   Parameters& p = scenario.parameters;
   p.support_stiffness = Parameters{}.support_stiffness;
@@ -106,7 +106,7 @@ Scenario ideal(double friction, double softness, double kappa) {
   return scenario;
 }
 
-TEST(Accident, RollsInARigidRingFromTheSpeedThatTheMomentumLeaves) {
+TEST(AccidentLaws, RollsInARigidRingFromTheSpeedThatTheMomentumLeaves) {
   const Scenario scenario = ideal(0.3, 0.01, 2);
   const double rest = 1. / 3;
   Law("speed at which rolling begins in a rigid ring", 3e-4)  // softness^2, m_u
@@ -115,7 +115,7 @@ TEST(Accident, RollsInARigidRingFromTheSpeedThatTheMomentumLeaves) {
 }
 
 // The slower the growth beside the ring's own vibration, the closer: their ratio is mu * softness.
-TEST(Accident, RollsInASoftRingAsTheLawsSay) {
+TEST(AccidentLaws, RollsInASoftRingAsTheLawsSay) {
   for (const double kappa : {2, 10})
     for (const double softness : {0.2, 0.5})
       for (const double friction : {0.1, 0.3}) {

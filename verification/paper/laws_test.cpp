@@ -15,7 +15,7 @@ namespace {
 
 const std::string paper = ROTOR_SOURCES "/verification/paper/";
 
-struct Laws : CommandLine {
+struct LawsOfTheAccident : CommandLine {
   nlohmann::json json(const std::string& command) const {
     return nlohmann::json::parse(rotor(command + " --json 2>/dev/null").output);
   }
@@ -23,7 +23,7 @@ struct Laws : CommandLine {
 
 // A part of the rotors anew. The shares of quantiles scatter by half over the root of their number:
 // of 60 rotors each lies between its neighbours. Shares that agree: three standard errors.
-TEST_F(Laws, HoldOnRandomRotorsAsTheTableSays) {
+TEST_F(LawsOfTheAccident, HoldOnRandomRotorsAsTheTableSays) {
   std::ifstream file(paper + "laws.toml");
   const std::string all((std::istreambuf_iterator<char>(file)), {});
   write("few.toml", std::regex_replace(all, std::regex("count = 10000"), "count = 600"));
@@ -56,7 +56,7 @@ TEST_F(Laws, HoldOnRandomRotorsAsTheTableSays) {
 }
 
 // Where the estimate trusts itself; 10 % is what the table is about.
-TEST_F(Laws, EstimateThePapersRotor) {
+TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
   for (const char* options : {"--friction 0.3", "--separation-time 19.1", "--separation-time 14.15",
                               "--equations consistent"}) {
     const auto law = json(std::string("estimate ") + options),
@@ -73,7 +73,7 @@ TEST_F(Laws, EstimateThePapersRotor) {
   }
 }
 
-TEST_F(Laws, AreColumnsOfASweepThatAsksForThem) {
+TEST_F(LawsOfTheAccident, AreColumnsOfASweepThatAsksForThem) {
   write("s.toml",
         "columns = [\"outcome\", \"law_peak_force_N\"]\n[[axis]]\nquantity = \"start_speed_hz\"\n"
         "values = [40, 120]\n");

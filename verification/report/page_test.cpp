@@ -153,9 +153,9 @@ TEST(MarksOfAFigure, CountItsClaimsInEachSetOfEquations) {
             "1 reproduced, 1 within rounding: rounding; 1 within rounding, 1 refuted: partly; ");
 }
 
-class PictureOfTheAccident : public CommandLine {};
+class Accident : public CommandLine {};
 
-TEST_F(PictureOfTheAccident, IsThePictureInTheReadme) {
+TEST_F(Accident, IsThePictureInTheReadme) {
   const std::string run = "run --scene " + (room / "accident.toml").string() + " --from 29.095 ";
   EXPECT_EQ(rotor(run + "--rows 1201 --trace accident.csv").status, 0);
   EXPECT_EQ(rotor(run + "--trace accident-moments.csv").status, 0);
@@ -197,7 +197,7 @@ TEST(CurveInWords, SaysWhereItBeginsWhatItReachesAndWhereItEnds) {
             "0.5 turns with the rotation and 0.2 against it");
 }
 
-TEST(LawsOfTests, FailWhereMoreIsLeftThanAllowed) {
+TEST(Laws, FailWhereMoreIsLeftThanAllowed) {
   EXPECT_NONFATAL_FAILURE(Law("a law", 1e-3).expect_left(-2e-3), "a law");
   EXPECT_NONFATAL_FAILURE(Law("a law", 1e-3).expect_left(std::nan("")), "a law");
   Law("a law that holds", 1e-3).expect_left(1e-3);
