@@ -51,6 +51,7 @@ data for_texts(const Json& value) {
   if (value.is_number()) return forms_of(value.get<double>());
   if (value.is_string()) return value.get<std::string>();
   object all;
+  if (!value.is_object()) return all;  // no text asks for it
   for (const auto& [key, item] : value.items())
     if (!item.is_null()) all[key] = for_texts(item);
   return all;
