@@ -34,7 +34,7 @@ class Pictures : public CommandLine,
     EXPECT_EQ(status, 0);
     EXPECT_EQ(output, "");
     DrawnPicture picture(content("a.svg"));
-    if (picture.x.size() < 2) picture.curves.clear();  // a scheme
+    if (picture.x.size() < 2 || picture.side_by_side) picture.curves.clear();  // a scheme, or panels
     return picture;
   }
 

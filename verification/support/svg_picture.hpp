@@ -77,13 +77,13 @@ struct DrawnCurve {
 };
 
 /// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
-/// panel before its curves. All panels have the x axis of the last one; of panels side by side, which
-/// have not, there are no curves, and none of insets.
+/// panel before its curves. The x axis is that of the last one. Curves of insets, which have no
+/// grid, are left out.
 struct DrawnPicture {
   explicit DrawnPicture(const std::string& svg) {
     Tics y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
-    bool in_curve = false, in_inset = false, y_is_old = false, side_by_side = false;
+    bool in_curve = false, in_inset = false, y_is_old = false;
     std::string group;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
@@ -129,12 +129,12 @@ struct DrawnPicture {
         line.clear();
       }
     }
-    if (side_by_side) curves.clear();
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
   }
 
   Tics x;
   std::vector<DrawnCurve> curves;
+  bool side_by_side = false;  ///< panels with x axes of their own, of which only the last is known
   Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
