@@ -73,14 +73,39 @@ class SynchronousMotion {
   /// kappa and eta (rad/s) are the real parts.
   enum Function { displacement, velocity, angle_ripple, speed_ripple, functions };
 
-  /// All four of them.
+  /// All four of them, in arrays whose loops a compiler packs into registers.
   struct Vectors {
-    Eigen::Array<S, functions, 1> x, y;
+    std::array<S, functions> x{}, y{};
 
     Vector<S> operator()(Function f) const { return {x[f], y[f]}; }
     S real(Function f) const { return x[f]; }
-    friend Vectors quarter_turn(const Vectors& a) { return {-a.y, a.x}; }
-    friend Vectors operator+(const Vectors& a, const Vectors& b) { return {a.x + b.x, a.y + b.y}; }
+    friend Vectors quarter_turn(const Vectors& a) {
+      Vectors turned{.y = a.x};
+      for (std::size_t f = 0; f < functions; ++f) turned.x[f] = -a.y[f];
+      return turned;
+    }
+    friend Vectors operator+(Vectors a, const Vectors& b) {
+      for (std::size_t f = 0; f < functions; ++f) {
+        a.x[f] += b.x[f];
+        a.y[f] += b.y[f];
+      }
+      return a;
+    }
+    /// At a speed that is x away, by one more term of a polynomial.
+    void add_term(const S& x_away, const Vectors& term) {
+      for (std::size_t f = 0; f < functions; ++f) {
+        x[f] = term.x[f] + x_away * x[f];
+        y[f] = term.y[f] + x_away * y[f];
+      }
+    }
+    friend Vectors product(const Vectors& a, const Vector<S>& b) {
+      Vectors all;
+      for (std::size_t f = 0; f < functions; ++f) {
+        all.x[f] = b.x() * a.x[f] - b.y() * a.y[f];
+        all.y[f] = b.y() * a.x[f] + b.x() * a.y[f];
+      }
+      return all;
+    }
   };
   struct Value {
     Vectors value, by_angle, by_speed;
@@ -116,8 +141,6 @@ class SynchronousMotion {
   template <std::size_t Degree>
   class Harmonic {
    public:
-    Harmonic() { terms_.fill({Components::Zero(), Components::Zero()}); }
-
     void lay(Function f, const Series& series) {
       for (std::size_t n = 0; n <= Degree; ++n) {
         terms_[n].x[f] = series[n].x();
@@ -135,8 +158,7 @@ class SynchronousMotion {
     /// At a speed that is x away from the centre.
     Vectors coefficients(const S& x) const {
       Vectors value = terms_[Degree];
-      for (std::size_t n = Degree; n-- > 0;)
-        value = {terms_[n].x + x * value.x, terms_[n].y + x * value.y};
+      for (std::size_t n = Degree; n-- > 0;) value.add_term(x, terms_[n]);
       return value;
     }
 
@@ -144,21 +166,16 @@ class SynchronousMotion {
       Vectors value, slope;
     };
     ValueAndSlope at(const S& x, const Vector<S>& direction) const {
-      Vectors value = terms_[Degree], slope{Components::Zero(), Components::Zero()};
+      Vectors value = terms_[Degree], slope;
       for (std::size_t n = Degree; n-- > 0;) {
-        slope = {value.x + x * slope.x, value.y + x * slope.y};
-        value = {terms_[n].x + x * value.x, terms_[n].y + x * value.y};
+        slope.add_term(x, value);
+        value.add_term(x, terms_[n]);
       }
       return {product(value, direction), product(slope, direction)};
     }
 
    private:
-    using Components = Eigen::Array<S, functions, 1>;
-    static Vectors product(const Vectors& a, const Vector<S>& b) {
-      return {b.x() * a.x - b.y() * a.y, b.y() * a.x + b.x() * a.y};
-    }
-
-    std::array<Vectors, Degree + 1> terms_;
+    std::array<Vectors, Degree + 1> terms_{};
   };
 
   static S ahead(const S& speed) {
