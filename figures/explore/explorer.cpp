@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "figures/data/interruption.hpp"
-#include "figures/scenes/account.hpp"
-#include "figures/scenes/audience.hpp"
-#include "figures/scenes/event_log.hpp"
-#include "figures/scenes/provenance.hpp"
-#include "figures/scenes/recorder.hpp"
+#include "figures/record/recorder.hpp"
+#include "figures/results/event_log.hpp"
+#include "figures/results/provenance.hpp"
+#include "figures/results/run_result.hpp"
+#include "figures/runs/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -78,7 +78,7 @@ const std::vector<const Column*>& columns_of_draw() {
 /// Where the trace begins. Throws InputError.
 double beginning(const Settings& settings, const Scenario& scenario) {
   if (settings.from_s) return window_from(*settings.from_s, scenario).from_s;
-  const double loss_s = scenario.parameters.separation_time;
+  const double loss_s = scenario.parameters.mass_loss_time;
   return scenario.loses_mass() ? std::max(0., loss_s - shown_before_loss_s) : 0;
 }
 
@@ -109,17 +109,17 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
   EnergyObserver energy(scenario);
   WorkLog work_log(energy, shot.from_s);
   const bool knows_energy = scenario.method == Method::event;  // the motion between its steps
-  Audience audience;
-  audience.add(monitor);
-  audience.add(motion);
-  audience.add(events);
+  ObserverGroup observers;
+  observers.add(monitor);
+  observers.add(motion);
+  observers.add(events);
   if (knows_energy) {
-    audience.add(energy);
-    audience.add(work_log);
+    observers.add(energy);
+    observers.add(work_log);
   }
 
-  const Account account =
-      finish(run_ups_.depart(scenario, monitor, shot.from_s), scenario, std::nullopt, audience);
+  const RunResult account = finish(run_ups_.checkpoint_before(scenario, monitor, shot.from_s),
+                                   scenario, std::nullopt, observers);
   if (account.early.interrupted) throw Interrupted();
   picture.works = work_log.table;
   picture.told["summary"] = to_json(account);
@@ -127,8 +127,8 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
   picture.told["events"] = happened;
   picture.told["from_s"] = shot.from_s;
   picture.told["until_s"] = scenario.until;
-  picture.told["separation_s"] = nullptr;
-  if (scenario.loses_mass()) picture.told["separation_s"] = scenario.parameters.separation_time;
+  picture.told["mass_loss_s"] = nullptr;
+  if (scenario.loses_mass()) picture.told["mass_loss_s"] = scenario.parameters.mass_loss_time;
   picture.told["motion"] = names_of(shot.columns);
   picture.told["works"] = works;
   return picture;
@@ -136,22 +136,22 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
 
 Picture Explorer::run(const Options& options, Observer& monitor) {
   const Settings settings = settings_of(options);
-  const Scenario scenario = scenario_of(settings.statement, run_ups_);
+  const Scenario scenario = scenario_of(settings.spec, run_ups_);
   return picture({scenario, beginning(settings, scenario), closeness, columns_of_picture()},
                  monitor);
 }
 
 Picture Explorer::draw(const Options& options, long n, long count, Observer& monitor) {
   const Settings settings = settings_of(options);
-  const Scenario stated = scenario_of(settings.statement, run_ups_);
-  const Sweep sweep = over_printed_digits(settings.statement, printed_inputs_, count);
-  Statement drawn = SweepPoints(sweep)(n).statement;
+  const Scenario stated = scenario_of(settings.spec, run_ups_);
+  const Sweep sweep = over_printed_digits(settings.spec, printed_inputs_, count);
+  ScenarioSpec drawn = SweepPoints(sweep)(n).spec;
   drawn.numbers.emplace("tolerance", tolerance_of_draws);
   Scenario scenario = scenario_of(drawn, run_ups_);
   // The same part of the run, seen from its own mass loss.
-  const double later_s =
-      stated.loses_mass() ? scenario.parameters.separation_time - stated.parameters.separation_time
-                          : 0;
+  const double later_s = stated.loses_mass()
+                             ? scenario.parameters.mass_loss_time - stated.parameters.mass_loss_time
+                             : 0;
   scenario.until = stated.until + later_s;
   const double from_s = std::max(0., beginning(settings, stated) + later_s);
   Picture result = picture({scenario, from_s, closeness_of_draws, columns_of_draw()}, monitor);
@@ -163,7 +163,7 @@ Picture Explorer::draw(const Options& options, long n, long count, Observer& mon
 
 std::string Explorer::trace(const Options& options, Observer& monitor) {
   const Settings settings = settings_of(options);
-  const Scenario scenario = scenario_of(settings.statement, run_ups_);
+  const Scenario scenario = scenario_of(settings.spec, run_ups_);
   const std::string name = "run";
   const Scene scene{.title = "",
                     .window = {.from_s = beginning(settings, scenario)},
@@ -175,18 +175,19 @@ std::string Explorer::trace(const Options& options, Observer& monitor) {
     require_room(rows++);
     csv += csv_row(name, row);
   });
-  Audience audience;
-  audience.add(monitor);
-  audience.add(recorder);
-  const Account account = finish(run_ups_.depart(scenario, monitor, scene.window.from_s), scenario,
-                                 std::nullopt, audience);
+  ObserverGroup observers;
+  observers.add(monitor);
+  observers.add(recorder);
+  const RunResult account =
+      finish(run_ups_.checkpoint_before(scenario, monitor, scene.window.from_s), scenario,
+             std::nullopt, observers);
   if (account.early.interrupted) throw Interrupted();
   return csv;
 }
 
 nlohmann::ordered_json Explorer::describe_numbers() const {
   auto all = nlohmann::ordered_json::array();
-  for (const auto& [quantity, instead_of] : statables()) {
+  for (const auto& [quantity, instead_of] : input_quantities()) {
     nlohmann::ordered_json& entry = all.emplace_back();
     entry["name"] = quantity.name;
     entry["symbol"] = quantity.symbol;

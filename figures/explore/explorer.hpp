@@ -8,8 +8,8 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/table.hpp"
 #include "figures/explore/settings.hpp"
-#include "figures/scenes/columns.hpp"
-#include "figures/scenes/run_ups.hpp"
+#include "figures/record/columns.hpp"
+#include "figures/runs/run_ups.hpp"
 
 namespace rotor {
 

@@ -11,16 +11,17 @@ namespace rotor {
 namespace {
 
 std::vector<std::string> option_names() {
-  std::vector<std::string> names = {"--no-separation", "--from"};
-  for (const Statable& statable : statables()) names.push_back(option_of(statable.quantity.name));
-  for (const std::string_view name : named_statables()) names.push_back(option_of(name));
+  std::vector<std::string> names = {"--no-mass-loss", "--from"};
+  for (const InputQuantity& input_quantity : input_quantities())
+    names.push_back(option_of(input_quantity.quantity.name));
+  for (const std::string_view name : named_inputs()) names.push_back(option_of(name));
   return names;
 }
 
 void set(Settings& settings, const std::string& option, const std::string& text) {
   const auto is_called = [&](std::string_view name) { return option == option_of(name); };
-  if (option == "--no-separation") {
-    settings.statement.loses_mass = false;
+  if (option == "--no-mass-loss") {
+    settings.spec.loses_mass = false;
     return;
   }
   if (option == "--from") {
@@ -28,12 +29,12 @@ void set(Settings& settings, const std::string& option, const std::string& text)
     if (!settings.from_s) throw InputError(fmt::format("{}: {}", option, unless_number(text)));
     return;
   }
-  for (const Statable& statable : statables())
-    if (is_called(statable.quantity.name))
-      return state_number(settings.statement, statable.quantity, text);
-  for (const std::string_view name : named_statables())
+  for (const InputQuantity& input_quantity : input_quantities())
+    if (is_called(input_quantity.quantity.name))
+      return state_number(settings.spec, input_quantity.quantity, text);
+  for (const std::string_view name : named_inputs())
     if (is_called(name)) try {
-        return state(settings.statement, name, text);
+        return state(settings.spec, name, text);
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", option, error.what()));
       }
@@ -44,25 +45,25 @@ void set(Settings& settings, const std::string& option, const std::string& text)
 /// The quantity of a printed input. Of those that differ from scene to scene there are several.
 std::string_view quantity_of(std::string_view input) {
   if (input.starts_with("mu_")) return "friction";
-  if (input.starts_with("t_")) return "separation_time";
+  if (input.starts_with("t_")) return "mass_loss_time";
   return input;
 }
 
-/// What a statable determines: itself, or what it stands for.
-std::string_view determined_by(const Statable& statable) {
-  return statable.instead_of.empty() ? statable.quantity.name : statable.instead_of;
+/// What a input_quantity determines: itself, or what it stands for.
+std::string_view determined_by(const InputQuantity& input_quantity) {
+  return input_quantity.instead_of.empty() ? input_quantity.quantity.name
+                                           : input_quantity.instead_of;
 }
 
 /// Whether the printed value is the one in effect; of what follows from other numbers, whether it
 /// is within the printed digits.
-bool is_in_effect(std::string_view quantity, const CsvRow& row, const Statement& statement,
+bool is_in_effect(std::string_view quantity, const CsvRow& row, const ScenarioSpec& spec,
                   const Scenario& scenario) {
-  const Statable& drawn = *find_statable(quantity);
+  const InputQuantity& drawn = *find_input_quantity(quantity);
   const auto printed = static_cast<double>(row.number("printed"));
-  if (determined_by(drawn) == "separation_time" && !statement.loses_mass.value_or(true))
-    return false;
-  for (const auto& [name, value] : statement.numbers)
-    if (determined_by(*find_statable(name)) == determined_by(drawn))
+  if (determined_by(drawn) == "mass_loss_time" && !spec.loses_mass.value_or(true)) return false;
+  for (const auto& [name, value] : spec.numbers)
+    if (determined_by(*find_input_quantity(name)) == determined_by(drawn))
       return name == quantity && value == printed;
   if (drawn.quantity.in) return drawn.quantity.of(scenario) == printed;
   const Parameters& p = scenario.parameters;
@@ -79,15 +80,15 @@ Settings settings_of(const Options& options) {
   return settings;
 }
 
-Sweep over_printed_digits(const Statement& statement, const std::vector<CsvRow>& printed_inputs,
+Sweep over_printed_digits(const ScenarioSpec& spec, const std::vector<CsvRow>& printed_inputs,
                           long count) {
-  Sweep sweep{.title = {}, .text = {}, .base = statement, .axes = {}, .sample = {}};
+  Sweep sweep{.title = {}, .text = {}, .base = spec, .axes = {}, .sample = {}};
   sweep.sample.count = count;
   sweep.sample.seed = 1;
-  const Scenario scenario = scenario_of(statement);
+  const Scenario scenario = scenario_of(spec);
   for (const CsvRow& row : printed_inputs) {
     const std::string_view quantity = quantity_of(row["input"]);
-    if (is_in_effect(quantity, row, statement, scenario))
+    if (is_in_effect(quantity, row, spec, scenario))
       sweep.sample.over.push_back({std::string(quantity), Distribution::uniform,
                                    static_cast<double>(row.number("least")),
                                    static_cast<double>(row.number("greatest"))});

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {
@@ -18,7 +18,7 @@ namespace rotor {
 using Options = std::map<std::string, std::string>;
 
 struct Settings {
-  Statement statement;
+  ScenarioSpec spec;
   std::optional<double> from_s;  ///< where the trace begins
 };
 
@@ -28,7 +28,7 @@ Settings settings_of(const Options& options);
 /// The same settings with their printed inputs drawn from what the printed digits allow: the rows
 /// of reference-data/printed-inputs.csv whose printed value is the one in effect. What somebody has
 /// set to another value is meant as it stands.
-Sweep over_printed_digits(const Statement& statement, const std::vector<CsvRow>& printed_inputs,
+Sweep over_printed_digits(const ScenarioSpec& spec, const std::vector<CsvRow>& printed_inputs,
                           long count);
 
 }  // namespace rotor

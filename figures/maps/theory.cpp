@@ -52,11 +52,11 @@ std::array<double, names.size()> closed_forms(const Scenario& scenario) {
 }
 
 /// Empty cells where the rotor would touch before the loss.
-std::string cells(const Statement& statement) {
+std::string cells(const ScenarioSpec& spec) {
   std::array<double, names.size()> values;
   values.fill(std::numeric_limits<double>::quiet_NaN());
   try {
-    values = closed_forms(scenario_of(statement));
+    values = closed_forms(scenario_of(spec));
   } catch (const std::exception&) {  // which the sweep says in its own row
   }
   std::string row;
@@ -77,7 +77,7 @@ void print(const char* file) {
   for (long n = 0; n < sweep.points(); ++n) {
     const SweepPoint point = points(n);
     if (n % scan == 0) fmt::print("\n");
-    fmt::print("{}{}", fmt::join(point.values, ","), cells(point.statement));
+    fmt::print("{}{}", fmt::join(point.values, ","), cells(point.spec));
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error(

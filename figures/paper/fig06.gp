@@ -6,7 +6,7 @@ set format x "%.3f"
 T = "kinetic_energy_J"
 stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
 stats data using (column("contact_state") > 0 ? column("time_s") : NaN) name "contact" nooutput
-onset = rolling_min; t_1 = number("run", "separation_time")
+onset = rolling_min; t_1 = number("run", "mass_loss_time")
 # The text's energies count continuous contact from the sixth touch-down.
 touch_downs = 0; touching = 0; continuous = NaN
 watch(t, state) = (state > 0 && !touching ? (touch_downs = touch_downs + 1, \

@@ -1,7 +1,7 @@
 # The trajectory of O in the stator's frame, gravity downwards, in four intervals, one after the other.
 eval "set terminal ".square
 stats data using "time_s" name "window" nooutput
-t_1 = number("event", "separation_time")
+t_1 = number("event", "mass_loss_time")
 array from[5] = [window_min, t_1 + 0.06, t_1 + 0.1, t_1 + 0.15, window_max]
 # The mass loss, and an arrow in each interval.
 array arrows[4]

@@ -1,7 +1,7 @@
 # The beginning of Fig. 14.
 stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
 stats data using "speed_Hz" name "f" nooutput
-t_1 = number("run", "separation_time")
+t_1 = number("run", "mass_loss_time")
 stats data using (follow(column("time_s"), column("speed_Hz"), t_1)) nooutput
 set title caption(15, "Displacement ρ of O, beginning of Fig. 14: ".loss("run").sprintf(", f = %.1f Hz", crossing), \
   motor("run", f_max)."; ".dotted("run"))

@@ -3,7 +3,7 @@ eval "set terminal ".square
 stats data using "time_s" name "window" nooutput
 set title caption(16, "Trajectory of O in the stator's frame O_ax_ay_a", \
   sprintf("%g–%g s, ", window_min, window_max).loss("run")."; ".dotted("run"))
-t_1 = number("run", "separation_time")
+t_1 = number("run", "mass_loss_time")
 mm(c) = column(c)*1e3
 eval place_at("run", t_1, 0)
 set label at y_1,x_1 point linestyle lost front

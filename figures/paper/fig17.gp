@@ -1,7 +1,7 @@
 # rho near the critical speed, with and without mass loss.
 set title caption(17, "Displacement ρ of O near the critical speed", \
   "a: ".loss("a")."; b: ".loss("b")."; ".dotted("a"))
-t_1 = number("a", "separation_time")
+t_1 = number("a", "mass_loss_time")
 stats data using (follow(of_run("a", "time_s"), of_run("a", "speed_Hz"), t_1)) nooutput
 loss_Hz = crossing
 paper_Hz = 11.8                                    # and when the run passes it

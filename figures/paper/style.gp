@@ -106,7 +106,7 @@ set style arrow 5 head filled size screen 0.022,18,90 fixed linecolor rgb black 
 friction(run) = sprintf("μ = %g", number(run, "friction"))
 stiffness(run) = sprintf("k_t = %s N/m", power_of_ten(number(run, "contact_stiffness")))
 loss(run) = said(run, ".*\\(no mass loss\\)") eq "" ? \
-  sprintf("mass loss at t_1 = %g s", number(run, "separation_time")) : "no mass loss"
+  sprintf("mass loss at t_1 = %g s", number(run, "mass_loss_time")) : "no mass loss"
 clearance_of(run) = 1e3*(number(run, "stator_radius") - number(run, "rotor_radius"))    # mm
 dotted(run) = sprintf("dotted: clearance r_a − r = %g mm", clearance_of(run))
 motor(run, f) = f < number(run, "motor_off_hz") ? "motor still driving" : "motor off"

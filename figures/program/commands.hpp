@@ -2,8 +2,8 @@
 /// right; then nothing is written.
 #pragma once
 
+#include "figures/input/scene.hpp"
 #include "figures/program/options.hpp"
-#include "figures/scenes/scene.hpp"
 
 namespace rotor {
 

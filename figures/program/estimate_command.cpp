@@ -2,13 +2,13 @@
 
 #include "figures/program/commands.hpp"
 #include "figures/program/summaries.hpp"
-#include "figures/scenes/laws.hpp"
+#include "figures/results/laws.hpp"
 
 namespace rotor {
 
 Scene scene_of(const CaseOptions& options) {
   if (options.scene.empty()) {
-    const Statement stated = options.equations_and_method.overridden_by(options.numbers);
+    const ScenarioSpec stated = options.equations_and_method.overridden_by(options.numbers);
     return {.title = "",
             .window = {},
             .columns = {},
@@ -23,9 +23,9 @@ Scene scene_of(const CaseOptions& options) {
 void estimate_rotor(const CaseOptions& options) {
   CaseOptions stated = options;
   auto& numbers = stated.numbers.numbers;
-  if (auto at_loss = numbers.extract("separation_speed_hz")) {  // which takes no run-up to reach
+  if (auto at_loss = numbers.extract("mass_loss_speed_hz")) {  // which takes no run-up to reach
     numbers.insert_or_assign("start_speed_hz", at_loss.mapped());
-    numbers.erase("separation_time");
+    numbers.erase("mass_loss_time");
   }
   auto runs = nlohmann::ordered_json::array();
   for (const SceneRun& run : scene_of(stated).runs) {

@@ -7,7 +7,7 @@
 #include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/scene_tables.hpp"
-#include "figures/scenes/provenance.hpp"
+#include "figures/results/provenance.hpp"
 
 namespace rotor {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "figures/data/interruption.hpp"
 #include "figures/data/text.hpp"
+#include "figures/input/scene.hpp"
 #include "figures/program/commands.hpp"
-#include "figures/scenes/scene.hpp"
 
 namespace rotor {
 namespace {
@@ -64,7 +64,7 @@ void add_named(CLI::App& command, const char* option, std::optional<Kind>& into,
 }
 
 void add_options(CLI::App& command, CommonOptions& options) {
-  Statement& stated = options.equations_and_method;
+  ScenarioSpec& stated = options.equations_and_method;
   const Scenario standard;
   add_named(command, "--equations", stated.equations, parse_equations, standard.equations,
             "published (as printed: twice, whole) or consistent (once, balanced)");
@@ -131,12 +131,13 @@ void add_options(CLI::App& command, CaseOptions& options) {
   command.add_option("--run", options.run_name, "which [[run]] of the scene, if it has several")
       ->check(not_empty("a run"))
       ->needs(scene);
-  for (const Statable& statable : statables()) {
-    const Quantity& quantity = statable.quantity;
+  for (const InputQuantity& input_quantity : input_quantities()) {
+    const Quantity& quantity = input_quantity.quantity;
     const std::string option = option_of(quantity.name);
     const std::string meaning = fmt::format(
         "{}{}{}{}", quantity.meaning, quantity.symbol.empty() ? "" : ", ", quantity.symbol,
-        statable.instead_of.empty() ? "" : ", instead of " + option_of(statable.instead_of));
+        input_quantity.instead_of.empty() ? ""
+                                          : ", instead of " + option_of(input_quantity.instead_of));
     CLI::Option* const added = command.add_option_function<std::string>(
         option,
         [&options, &quantity](const std::string& text) {
@@ -146,13 +147,13 @@ void add_options(CLI::App& command, CaseOptions& options) {
     added->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit));
     if (quantity.name == "until")
       added->default_str("0.25 s after the mass loss");
-    else if (quantity.name == "separation_time")
+    else if (quantity.name == "mass_loss_time")
       added->default_str(fmt::format("{}, or 0 with --start-speed-hz", quantity.of(Scenario{})));
     else if (quantity.in)
       added->default_str(fmt::format("{}", quantity.of(Scenario{})));
   }
   command.add_flag_callback(
-      "--no-separation", [&options] { options.numbers.loses_mass = false; }, "no mass is lost");
+      "--no-mass-loss", [&options] { options.numbers.loses_mass = false; }, "no mass is lost");
   add_options(command, static_cast<CommonOptions&>(options));
   command.add_flag("--json", options.json, "print the results as JSON");
 }

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
 
 namespace rotor {
 
 /// Options that every command has.
 struct CommonOptions {
-  Statement equations_and_method;
+  ScenarioSpec equations_and_method;
 };
 
 struct FigureOptions : CommonOptions {
@@ -34,7 +34,7 @@ struct SweepOptions {
 /// What is run, or estimated.
 struct CaseOptions : CommonOptions {
   std::string scene, run_name;
-  Statement numbers;  ///< and whether mass is lost
+  ScenarioSpec numbers;  ///< and whether mass is lost
   bool json = false;
 };
 

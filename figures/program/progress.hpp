@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "figures/scenes/interruptible.hpp"
+#include "figures/runs/interruptible.hpp"
 
 namespace rotor {
 

@@ -10,20 +10,20 @@
 #include "figures/data/files.hpp"
 #include "figures/data/interruption.hpp"
 #include "figures/data/text.hpp"
+#include "figures/input/scene.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
 #include "figures/program/summaries.hpp"
-#include "figures/scenes/account.hpp"
-#include "figures/scenes/audience.hpp"
-#include "figures/scenes/certain_account.hpp"
-#include "figures/scenes/event_log.hpp"
-#include "figures/scenes/provenance.hpp"
-#include "figures/scenes/recorder.hpp"
-#include "figures/scenes/run_ups.hpp"
-#include "figures/scenes/sampler.hpp"
-#include "figures/scenes/scene.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/stop_on.hpp"
+#include "figures/record/recorder.hpp"
+#include "figures/record/sampler.hpp"
+#include "figures/results/certified_result.hpp"
+#include "figures/results/event_log.hpp"
+#include "figures/results/provenance.hpp"
+#include "figures/results/run_result.hpp"
+#include "figures/runs/observer_group.hpp"
+#include "figures/runs/run_ups.hpp"
+#include "model/results/stop_on.hpp"
+#include "model/run/simulation.hpp"
 
 namespace rotor {
 namespace {
@@ -109,7 +109,7 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
 /// Of a rotor that is not the paper's nobody can know which equations are meant.
 bool leaves_equations_open(const SceneRun& run) {
   Parameters parameters = run.scenario.parameters;
-  parameters.separates = true;
+  parameters.loses_mass = true;
   return !(run.states_equations || parameters == Parameters{});
 }
 
@@ -146,7 +146,7 @@ Printed certain_run(const RunOptions& options, const SceneRun& run) {
     throw std::runtime_error(
         fmt::format("--budget {} s: is not enough for a first estimate", budget_s));
   Printed printed{to_json(*found, run.scenario, *run.digits),
-                  remarks(account_of(*found, run.scenario))};
+                  remarks(result_of(*found, run.scenario))};
   if (const std::string why = complaint(*found, *run.digits); !why.empty())
     printed.short_of_digits =
         fmt::format("{}: {}",
@@ -172,10 +172,10 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   // What is written goes out as it is computed: a long trace takes no memory.
   FileTransaction files;
   RunProgress progress(scenario.until);
-  Audience audience;
-  audience.add(progress);
+  ObserverGroup observers;
+  observers.add(progress);
   std::optional<EnergyObserver> energy;
-  if (options.energy) audience.add(energy.emplace(scenario));
+  if (options.energy) observers.add(energy.emplace(scenario));
   std::optional<Recorder> trace;
   std::optional<Sampler> samples;
   if (!options.trace.empty()) {
@@ -183,10 +183,10 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     file.write(csv_head(provenance("Trace" + of_run, scene), headings("run", scene.columns)));
     const RowSink sink = [&](auto row) { file.write(csv_row(name, row)); };
     if (const auto every_s = distance(options, scene))
-      audience.add(samples.emplace(scene.window.from_s, end_of(scene), *every_s, scene.columns,
-                                   scenario, sink));
+      observers.add(samples.emplace(scene.window.from_s, end_of(scene), *every_s, scene.columns,
+                                    scenario, sink));
     else
-      audience.add(trace.emplace(scene.window, scene.columns, scenario, sampling, sink));
+      observers.add(trace.emplace(scene.window, scene.columns, scenario, sampling, sink));
   }
   std::optional<EventLog> events;
   if (!options.events.empty()) {
@@ -196,13 +196,13 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     file.write(csv_head(provenance("Events" + of_run, log), headings("event", log.columns)));
     events.emplace(scenario,
                    [&](std::string_view event, auto row) { file.write(csv_row(event, row)); });
-    audience.add(*events);
+    observers.add(*events);
   }
 
   // Who writes sees the whole way.
-  Account account =
-      finish(outputs.empty() ? run_ups.depart(scenario, progress) : Departure(scenario), scenario,
-             options.stop_on, audience);
+  RunResult account = finish(
+      outputs.empty() ? run_ups.checkpoint_before(scenario, progress) : RunUpCheckpoint(scenario),
+      scenario, options.stop_on, observers);
   if (account.early.interrupted) {
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
                                    account.end.last.time_s, scenario.until));

@@ -7,7 +7,7 @@
 #include "figures/data/interruption.hpp"
 #include "figures/data/thinning.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/scenes/recorder.hpp"
+#include "figures/record/recorder.hpp"
 
 namespace rotor {
 namespace {

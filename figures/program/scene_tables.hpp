@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/production.hpp"
-#include "figures/scenes/scene.hpp"
+#include "figures/input/scene.hpp"
+#include "figures/runs/production.hpp"
 
 namespace rotor {
 

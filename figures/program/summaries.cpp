@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "figures/scenes/certain_account.hpp"
+#include "figures/results/certified_result.hpp"
 
 namespace rotor {
 namespace {
@@ -29,7 +29,7 @@ void print_values(const Json& object, int digits, const std::string& indent, std
 void print_table(const Json& runs, std::FILE* to) {
   const auto keys = {"run",
                      "outcome",
-                     "collisions",
+                     "touch_downs",
                      "first_contact_s",
                      "rolling_onset_s",
                      "peak_normal_force_N",

@@ -15,7 +15,7 @@
 #include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/block_scheduler.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/ranks.hpp"
 #include "figures/sweep/sweep_row.hpp"
@@ -64,20 +64,20 @@ class Writer {
 
   void run(int threads, const std::function<Work()>& make_worker, Ranks& ranks) {
     SweepProgress progress(written_, points_);
-    Dealer dealer(written_, points_, [&](std::string_view rows, long until) {
+    BlockScheduler scheduler(written_, points_, [&](std::string_view rows, long until) {
       journal_.write(rows);
       written_ = until;
     });
     std::exception_ptr reason;
     try {
-      work(dealer, threads, make_worker, [&] {
-        ranks.serve(dealer);
+      work(scheduler, threads, make_worker, [&] {
+        ranks.serve(scheduler);
         progress.report(written_);
       });
     } catch (...) {
       reason = std::current_exception();
     }
-    ranks.dismiss(dealer);
+    ranks.shut_down_workers(scheduler);
     if (is_interrupted())
       throw Interrupted(
           fmt::format("interrupted; {} of {} points are in {}, and the same command goes on there",
@@ -118,10 +118,10 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
     FileTransaction().open(options.out);  // what cannot take its place is said before any work
     writer.emplace(sweep, options.out);
   } catch (...) {
-    ranks.told_by_first(false);
+    ranks.broadcast(false);
     throw;
   }
-  ranks.told_by_first(true);
+  ranks.broadcast(true);
   const int threads = ranks.count() > 1 ? 1 : options.jobs > 0 ? options.jobs : cores();
   writer->run(threads, workers(sweep), ranks);
   fmt::print("{}\n", one_line(options.out));
@@ -144,7 +144,7 @@ void run_sweep(const SweepOptions& options) {
     if (ranks.is_first()) estimate(*sweep, options.jobs > 0 ? options.jobs : cores());
   } else if (ranks.is_first()) {
     lead(options, *sweep, ranks);
-  } else if (ranks.told_by_first(true)) {
+  } else if (ranks.broadcast(true)) {
     work_for_first(workers(*sweep)());
   }
 }

@@ -74,49 +74,49 @@ Ranks::Ranks() {
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &threads);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &count_);
-  dismissals_ = ahead * (count_ - 1);
+  shutdowns_ = ahead * (count_ - 1);
 }
 
 Ranks::~Ranks() {
   if (is_launched()) MPI_Finalize();
 }
 
-bool Ranks::told_by_first(bool word) const {
+bool Ranks::broadcast(bool word) const {
   int number = word;
   if (count_ > 1) MPI_Bcast(&number, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return number != 0;
 }
 
-void Ranks::answer(Dealer& dealer, int rank) {
-  const auto block = dealer.next_if_due();
-  if (!block && !dealer.is_dealt_out()) return waiting_.push_back(rank);
-  if (!block) --dismissals_;
+void Ranks::answer(BlockScheduler& scheduler, int rank) {
+  const auto block = scheduler.next_if_due();
+  if (!block && !scheduler.is_dealt_out()) return waiting_.push_back(rank);
+  if (!block) --shutdowns_;
   send(packed(block.value_or(Block{0, 0})), rank, dealt_block);
 }
 
-void Ranks::serve(Dealer& dealer) {
+void Ranks::serve(BlockScheduler& scheduler) {
   if (count_ == 1) return;
-  for (const int rank : std::exchange(waiting_, {})) answer(dealer, rank);
+  for (const int rank : std::exchange(waiting_, {})) answer(scheduler, rank);
   while (const auto message = next_message()) {
     const std::string content = receive(*message);
     if (message->MPI_TAG == failure) {
-      dealer.stop(std::make_exception_ptr(std::runtime_error(content)));
+      scheduler.stop(std::make_exception_ptr(std::runtime_error(content)));
       continue;
     }
     const Block block = block_in(content);
-    if (block.from < block.until) dealer.take(block, content.substr(sizeof(long) * 2));
-    answer(dealer, message->MPI_SOURCE);
+    if (block.from < block.until) scheduler.take(block, content.substr(sizeof(long) * 2));
+    answer(scheduler, message->MPI_SOURCE);
   }
 }
 
-void Ranks::dismiss(Dealer& dealer) {
-  for (; dismissals_ > 0; pause()) serve(dealer);
+void Ranks::shut_down_workers(BlockScheduler& scheduler) {
+  for (; shutdowns_ > 0; pause()) serve(scheduler);
 }
 
 void work_for_first(const Work& work) {
   std::exception_ptr reason;
   for (int n = 0; n < ahead; ++n) send(packed({0, 0}), 0, rows_of_block);
-  for (int dismissed = 0; dismissed < ahead;) {
+  for (int shut_down = 0; shut_down < ahead;) {
     const auto message = next_message();
     if (!message) {
       pause();
@@ -124,7 +124,7 @@ void work_for_first(const Work& work) {
     }
     const Block block = block_in(receive(*message));
     if (block.from == block.until) {
-      ++dismissed;
+      ++shut_down;
       continue;
     }
     std::string rows;
@@ -143,9 +143,9 @@ void work_for_first(const Work& work) {
 
 Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
-bool Ranks::told_by_first(bool word) const { return is_first() && word; }
-void Ranks::serve(Dealer& /*dealer*/) {}
-void Ranks::dismiss(Dealer& /*dealer*/) {}
+bool Ranks::broadcast(bool word) const { return is_first() && word; }
+void Ranks::serve(BlockScheduler& /*scheduler*/) {}
+void Ranks::shut_down_workers(BlockScheduler& /*scheduler*/) {}
 void work_for_first(const Work& /*work*/) {}
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/block_scheduler.hpp"
 
 namespace rotor {
 
@@ -20,20 +20,20 @@ class Ranks {
   bool is_first() const { return rank_ == 0; }
 
   /// What the first one says to all.
-  bool told_by_first(bool word) const;
+  bool broadcast(bool word) const;
 
   /// For the first one: takes rows from the others and deals to them what they ask for, as far as
   /// there is something to do now.
-  void serve(Dealer& dealer);
+  void serve(BlockScheduler& scheduler);
   /// And until all others know that there is nothing more.
-  void dismiss(Dealer& dealer);
+  void shut_down_workers(BlockScheduler& scheduler);
 
  private:
-  void answer(Dealer& dealer, int rank);
+  void answer(BlockScheduler& scheduler, int rank);
 
   int rank_ = 0, count_ = 1;
   std::vector<int> waiting_;  ///< that have asked when nothing was due
-  int dismissals_ = 0;        ///< that the others still have to get
+  int shutdowns_ = 0;         ///< that the others still have to get
 };
 
 /// For ranks that are not the first: works on what the first one deals out, until there is no more.

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
 
 namespace rotor {
 
@@ -22,7 +22,7 @@ struct Range {
 
 /// A quantity and its values, one after the other.
 struct Axis {
-  std::string quantity;  ///< a statable, or a named one
+  std::string quantity;  ///< a input_quantity, or a named one
   std::variant<Range, std::vector<double>, std::vector<std::string>> values;
 
   long points() const;
@@ -53,7 +53,7 @@ struct Sample {
 struct Sweep {
   std::string title;
   std::string text;  ///< of the file, which is all that the results depend on
-  Statement base;
+  ScenarioSpec base;
   std::vector<Axis> axes;  ///< the last one varies fastest, but for the sample
   Sample sample;
   std::optional<StopOn> stop_on = StopOn::outcome;
@@ -68,7 +68,7 @@ Sweep read_sweep(const std::filesystem::path& file);
 
 /// What a point states.
 struct SweepPoint {
-  Statement statement;
+  ScenarioSpec spec;
   std::vector<std::string> values;  ///< of what varies, as texts
 };
 

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "figures/data/text.hpp"
-#include "figures/scenes/toml_statement.hpp"
+#include "figures/input/toml_spec.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
 namespace rotor {
@@ -77,16 +77,17 @@ class SweepReader : TomlFile {
   }
 
   static bool is_named(std::string_view quantity) {
-    const auto named = named_statables();
+    const auto named = named_inputs();
     return std::find(named.begin(), named.end(), quantity) != named.end();
   }
 
   std::string quantity(const toml::table& in) const {
     const auto name = text(in, "quantity");
     if (!name) fail(in, "quantity", "must be stated: what varies");
-    if (is_named(*name) || find_statable(*name)) return *name;
-    std::vector<std::string> allowed(named_statables().begin(), named_statables().end());
-    for (const Statable& statable : statables()) allowed.emplace_back(statable.quantity.name);
+    if (is_named(*name) || find_input_quantity(*name)) return *name;
+    std::vector<std::string> allowed(named_inputs().begin(), named_inputs().end());
+    for (const InputQuantity& input_quantity : input_quantities())
+      allowed.emplace_back(input_quantity.quantity.name);
     fail(*in.get("quantity"), "quantity",
          fmt::format("there is no quantity \"{}\"{}; there are: {}", shown(*name),
                      suggestion(*name, allowed), fmt::join(allowed, ", ")));
@@ -116,11 +117,11 @@ class SweepReader : TomlFile {
       if (is_named(axis.quantity))
         axis.values = names(*array, axis.quantity);
       else
-        axis.values = numbers(*array, find_statable(axis.quantity)->quantity);
+        axis.values = numbers(*array, find_input_quantity(axis.quantity)->quantity);
     } else if (is_named(axis.quantity)) {
       fail(in, "values", fmt::format("must be stated: {} has no range", axis.quantity));
     } else {
-      axis.values = range(in, find_statable(axis.quantity)->quantity);
+      axis.values = range(in, find_input_quantity(axis.quantity)->quantity);
     }
     return axis;
   }
@@ -129,7 +130,7 @@ class SweepReader : TomlFile {
     std::vector<std::string> all;
     for (const toml::node& item : array) {
       all.push_back(item.value_or<std::string>(""));
-      Statement ignored;
+      ScenarioSpec ignored;
       at(item, "values", [&] { state(ignored, quantity, all.back()); });
     }
     return all;
@@ -198,7 +199,7 @@ class SweepReader : TomlFile {
     if (!array || array->size() != 2)
       fail(node, key,
            fmt::format("must be {}", key == "normal" ? "[mean, deviation]" : "[from, to]"));
-    const Quantity& of = find_statable(draw.quantity)->quantity;
+    const Quantity& of = find_input_quantity(draw.quantity)->quantity;
     const std::vector<double> pair = numbers_of(*array);
     draw.a = pair[0];
     draw.b = pair[1];
@@ -247,8 +248,9 @@ class SweepReader : TomlFile {
   void require_one_statement_each(const Sweep& sweep) const {
     std::vector<std::string> varied;
     const auto determined = [](std::string_view name) {
-      const Statable* const statable = find_statable(name);
-      return statable && !statable->instead_of.empty() ? statable->instead_of : name;
+      const InputQuantity* const input_quantity = find_input_quantity(name);
+      return input_quantity && !input_quantity->instead_of.empty() ? input_quantity->instead_of
+                                                                   : name;
     };
     for (const std::string& quantity : sweep.quantities()) {
       for (const std::string& other : varied)
@@ -296,7 +298,7 @@ class SweepReader : TomlFile {
     for (long n = 0; n < corners.points(); ++n) {
       const SweepPoint corner = points(n);
       try {
-        check_numbers(corner.statement);
+        check_numbers(corner.spec);
       } catch (const std::exception& error) {
         std::vector<std::string> where;
         for (std::size_t i = 0; i < quantities.size(); ++i)

@@ -91,7 +91,7 @@ std::vector<double> SweepPoints::shares(long draw) const {
 SweepPoint SweepPoints::operator()(long n) const {
   SweepPoint point{sweep_.base, std::vector<std::string>(sweep_.axes.size())};
   const auto set = [&point](const std::string& quantity, double number) {
-    point.statement.numbers.insert_or_assign(quantity, number);
+    point.spec.numbers.insert_or_assign(quantity, number);
     return fmt::format("{}", number);
   };
   long left = n / sweep_.sample.count;
@@ -106,7 +106,7 @@ SweepPoint SweepPoints::operator()(long n) const {
       point.values[i] = set(axis.quantity, (*numbers)[index]);
     } else {
       point.values[i] = std::get<std::vector<std::string>>(axis.values)[index];
-      state(point.statement, axis.quantity, point.values[i]);
+      state(point.spec, axis.quantity, point.values[i]);
     }
   }
   const std::vector<double> shares = this->shares(n % sweep_.sample.count);

@@ -7,9 +7,9 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
-#include "figures/scenes/certain_account.hpp"
-#include "figures/scenes/interruptible.hpp"
-#include "figures/scenes/laws.hpp"
+#include "figures/results/certified_result.hpp"
+#include "figures/results/laws.hpp"
+#include "figures/runs/interruptible.hpp"
 
 namespace rotor {
 namespace {
@@ -49,7 +49,7 @@ std::string cells(nlohmann::ordered_json summary, const Scenario& scenario,
 }  // namespace
 
 const std::vector<std::string>& result_columns() {
-  static const std::vector<std::string> keys = keys_of(to_json(Account{}));
+  static const std::vector<std::string> keys = keys_of(to_json(RunResult{}));
   return keys;
 }
 
@@ -88,16 +88,16 @@ std::string SweepRows::operator()(long n) {
   for (const std::string& value : point.values) row += csv_field(value) + ',';
   Interruptible monitor;
   try {
-    const Scenario scenario = scenario_of(point.statement, run_ups_);
-    if (const auto digits = point.statement.digits) {
+    const Scenario scenario = scenario_of(point.spec, run_ups_);
+    if (const auto digits = point.spec.digits) {
       const auto found =
           run_to_digits(scenario, *digits, [](double /*time_s*/) { return !is_interrupted(); });
       if (!found || is_interrupted()) throw Interrupted();
       return row + cells(to_json(*found, scenario, *digits), scenario, columns_of(sweep_)) +
              csv_field(complaint(*found, *digits)) + '\n';
     }
-    const Account account =
-        finish(run_ups_.depart(scenario, monitor), scenario, sweep_.stop_on, monitor);
+    const RunResult account =
+        finish(run_ups_.checkpoint_before(scenario, monitor), scenario, sweep_.stop_on, monitor);
     if (account.early.interrupted) throw Interrupted();
     return row + cells(to_json(account), scenario, columns_of(sweep_)) + '\n';
   } catch (const Interrupted&) {

@@ -1,8 +1,8 @@
 /// A point of a sweep as a row of its results.
 #pragma once
 
-#include "figures/scenes/account.hpp"
-#include "figures/scenes/run_ups.hpp"
+#include "figures/results/run_result.hpp"
+#include "figures/runs/run_ups.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {

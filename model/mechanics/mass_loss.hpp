@@ -25,7 +25,7 @@ struct MassLoss {
                     after.mass * (e_1 - e) * (e_1 - e);  // Eqs. (8), (11), (12)
   }
 
-  /// v_DC: speed of the piece relative to C at the instant of separation, m/s.
+  /// v_DC: speed of the piece relative to C at the mass loss, m/s.
   S piece_velocity(const S& speed) const { return speed * piece_distance; }  // Eq. (7)
 
   /// Delta_vy: change of the mass centre's velocity as the centre moves from C to C_1, m/s.
@@ -33,10 +33,10 @@ struct MassLoss {
     return lost_mass * piece_velocity(speed) / after.mass;  // Eqs. (13), (14)
   }
 
-  /// The state just after the separation. The body keeps its velocity field when the piece lets go,
+  /// The state just after the mass loss. The body keeps its velocity field when the piece lets go,
   /// so that q1', q2', q3' go on unchanged (Eq. (10)), and Eq. (1) alone, with e_x1 for e_x, raises
   /// the velocity of the mass centre by Delta_vy. As printed, q2' is raised by Delta_vy once more.
-  State<S> separate(State<S> q, Equations equations) const {
+  State<S> lose_mass(State<S> q, Equations equations) const {
     if (equations.velocity_jump == VelocityJump::twice) q[4] += velocity_jump(q[5]);
     return q;
   }

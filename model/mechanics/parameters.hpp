@@ -41,8 +41,8 @@ struct Parameters {
   double rotor_radius = 0.06;       // r
   double stator_radius = 0.063;     // r_a
   double unbalance_factor = 3;      // k_u
-  double separation_time = 29.1;    // t_1
-  bool separates = true;            // whether the mass m_u is lost at all
+  double mass_loss_time = 29.1;     // t_1
+  bool loses_mass = true;           // whether the mass m_u is lost at all
 
   bool operator==(const Parameters&) const = default;
 };

@@ -128,7 +128,7 @@ class FlightChart {
     }
     const bool holds = synchronous_.exists()
                            ? synchronous_.holds(speed(x)) && (is_near || synchronous_.is_complete())
-                           : !is_fast(speed(x)) || (has_none_ && is_near_where_laid(x));
+                           : !is_fast(speed(x)) || (synchronous_disabled_ && is_near_where_laid(x));
     if (!holds) renew(x);
     return !is_near || !holds;
   }
@@ -154,8 +154,9 @@ class FlightChart {
     synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_, Synchronous::Terms::all)
                                    : Synchronous();
     x = without_synchronous(at.motion, angle);
-    has_none_ = synchronous_.exists() && !(synchronous_.ripples_little() && is_near_where_laid(x));
-    if (!has_none_) return;
+    synchronous_disabled_ =
+        synchronous_.exists() && !(synchronous_.ripples_little() && is_near_where_laid(x));
+    if (!synchronous_disabled_) return;
     synchronous_ = Synchronous();
     x = without_synchronous(at.motion, angle);
   }
@@ -205,7 +206,7 @@ class FlightChart {
   S angle_, speed_;
   Vector<S> down_;
   Synchronous synchronous_;
-  bool has_none_ = false;  ///< though the rotor is fast
+  bool synchronous_disabled_ = false;  ///< though the rotor is fast
 };
 
 }  // namespace rotor

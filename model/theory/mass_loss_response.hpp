@@ -39,7 +39,7 @@ class MassLossResponse {
     };
     const State<double> before = {
         steady(loss.before).real(), steady(loss.before).imag(), 0, 0, 0, speed};
-    const State<double> after = loss.separate(before, equations);
+    const State<double> after = loss.lose_mass(before, equations);
     const Complex z(after[0], after[1]), rate = Complex(after[3], after[4]) + i * speed * z;
     steady_ = steady(loss.after);
     decay_ = p.support_damping / (2 * loss.after.mass);

@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "model/integration/fehlberg.hpp"
-#include "model/simulation/event_method.ipp"
-#include "model/simulation/published_method.hpp"
+#include "model/methods/event_method.ipp"
+#include "model/methods/published_method.hpp"
 #include "verification/benchmark/peers/peer.hpp"
 #ifdef ROTOR_SUNDIALS
 #include "verification/benchmark/peers/sundials_solver.hpp"

@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "model/methods/event_method.hpp"
 #include "model/phases/flight.hpp"
-#include "model/simulation/event_method.hpp"
 
 namespace rotor {
 namespace {
@@ -60,7 +60,7 @@ void one_touch_down(benchmark::State& state) {
   const Setting s;
   Instant at = at_rest(s.p);
   at.body = s.rotor.body;
-  at.separated = true;
+  at.mass_lost = true;
   at.state = {2.9e-3, 0, 0, 1, -942 * 2.9e-3, 942};
   Observer null_observer;
   long right_hand_sides = 0;

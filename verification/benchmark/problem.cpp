@@ -11,7 +11,7 @@ namespace rotor {
 std::vector<Problem> problems() {
   std::vector<Problem> all;
   Scenario run_up;
-  run_up.parameters.separates = false;
+  run_up.parameters.loses_mass = false;
   run_up.until = 29.1;
   all.push_back({"run-up", run_up, at_rest<Extended>(run_up.parameters), true});
 
@@ -22,7 +22,7 @@ std::vector<Problem> problems() {
       {"rub mu = 0.2", intermediate, after_mass_loss_with<Extended>(intermediate, 1e-15L)});
   const Scenario low{.parameters = {.friction = 0.08}};
   all.push_back({"rub mu = 0.08", low, after_mass_loss_with<Extended>(low, 1e-15L)});
-  const Scenario clear{.parameters = {.separation_time = 9.4}, .until = 10.4};
+  const Scenario clear{.parameters = {.mass_loss_time = 9.4}, .until = 10.4};
   all.push_back({"no contact", clear, after_mass_loss_with<Extended>(clear, 1e-15L)});
   Problem impact{"single impact", high, after_mass_loss_with<Extended>(high, 1e-15L)};
   impact.scenario.until = 29.106;

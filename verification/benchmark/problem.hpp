@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "model/simulation/counters.hpp"
-#include "model/simulation/observer.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/scenario/counters.hpp"
+#include "model/scenario/observer.hpp"
+#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -52,7 +52,7 @@ BasicInstant<S> rounded(const BasicInstant<T>& at) {
                          .body = {static_cast<S>(at.body.mass), static_cast<S>(at.body.inertia),
                                   static_cast<S>(at.body.eccentricity)},
                          .motor_on = at.motor_on,
-                         .separated = at.separated,
+                         .mass_lost = at.mass_lost,
                          .contact = at.contact};
   for (std::size_t i = 0; i < 6; ++i) result.state[i] = static_cast<S>(at.state[i]);
   return result;

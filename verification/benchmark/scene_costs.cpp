@@ -6,9 +6,9 @@
 #include <deque>
 
 #include "figures/data/thinning.hpp"
-#include "figures/scenes/production.hpp"
-#include "figures/scenes/recorder.hpp"
-#include "figures/scenes/scene.hpp"
+#include "figures/input/scene.hpp"
+#include "figures/record/recorder.hpp"
+#include "figures/runs/production.hpp"
 #include "verification/support/program.hpp"
 #include "verification/support/sines.hpp"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <thread>
 
-#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/block_scheduler.hpp"
 #include "figures/sweep/sweep_row.hpp"
 #include "verification/support/program.hpp"
 
@@ -29,8 +29,8 @@ double rate(long points, int threads, const std::function<Work()>& make_worker) 
   double best_s = 1e9;
   for (int n = 0; n < 3; ++n) {
     const auto start = std::chrono::steady_clock::now();
-    Dealer dealer(0, points, [](std::string_view, long) {});
-    work(dealer, threads, make_worker, [] {});
+    BlockScheduler scheduler(0, points, [](std::string_view, long) {});
+    work(scheduler, threads, make_worker, [] {});
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     best_s = std::min(best_s, elapsed.count());
   }

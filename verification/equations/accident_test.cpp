@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "figures/scenes/account.hpp"
+#include "figures/results/run_result.hpp"
 #include "verification/support/bare.hpp"
 #include "verification/support/law.hpp"
 
@@ -18,7 +18,7 @@ Accident law_of(const Scenario& scenario) {
 
 Summary summary_of(const Scenario& scenario) {
   Observer nobody;
-  return finish(Departure(scenario), scenario, StopOn::outcome, nobody).summary;
+  return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, nobody).summary;
 }
 
 // The rotation is so much faster than the swing that O meets its end at the far side of C.
@@ -95,7 +95,7 @@ TEST(AccidentLaws, WhirlsAboveItsFrictionAndNotBelow) {
 Scenario ideal(double friction, double softness, double kappa) {
   Scenario scenario{.start_speed_Hz = 150, .until = 0.5};
   Parameters& p = scenario.parameters;
-  p.torque = p.gravity = p.support_damping = p.separation_time = 0;
+  p.torque = p.gravity = p.support_damping = p.mass_loss_time = 0;
   p.eccentricity = 1e-7;
   p.stator_radius = p.rotor_radius + 1e-6;
   p.friction = friction;

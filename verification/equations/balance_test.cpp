@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "figures/scenes/scene.hpp"
-#include "model/simulation/simulation.hpp"
+#include "figures/input/scene.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/law.hpp"
 
 namespace rotor {

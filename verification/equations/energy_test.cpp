@@ -1,15 +1,15 @@
 /// The energy by cause: what it adds up to, and single causes against closed forms.
-#include "model/simulation/energy.hpp"
+#include "model/results/energy.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "figures/scenes/audience.hpp"
+#include "figures/runs/observer_group.hpp"
 #include "model/mechanics/mass_loss.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/start.hpp"
+#include "model/run/simulation.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/law.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/short_run.hpp"
@@ -48,7 +48,7 @@ TEST(EnergyByCause, UntilRollingIsThatAtItsOnset) {
   const Scenario scenario;
   EnergyObserver energy(scenario);
   EventRecorder events;
-  Audience both;
+  ObserverGroup both;
   both.add(energy);
   both.add(events);
   run(scenario, both);
@@ -63,7 +63,7 @@ TEST(EnergyByCause, UntilRollingIsThatAtItsOnset) {
 // thousand steps, each good to 1e-12 J or so, leave 3e-10 J.
 TEST(EnergyByCause, AddsUpOverLongSteps) {
   Scenario scenario{.until = 40, .tolerance = 1e-12};
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   const EnergyBalance energy = balance_of(scenario);
   EXPECT_GT(energy.motor, 4000);
   EXPECT_LT(std::abs(energy.residual()), 1e-8);
@@ -74,7 +74,7 @@ TEST(EnergyByCause, AddsUpOverLongSteps) {
 TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {
   for (const Equations equations : {Equations::published, Equations::consistent}) {
     Scenario scenario{.equations = equations, .start_speed_Hz = 150, .until = 0.001};
-    scenario.parameters.separation_time = scenario.parameters.gravity = 0;
+    scenario.parameters.mass_loss_time = scenario.parameters.gravity = 0;
     const MassLoss<double> loss(scenario.parameters);
     const Instant start = start_of(scenario);
     const Motion<double> m = start.motion();
@@ -91,7 +91,7 @@ TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {
 
 TEST(EnergyByCause, OfTheMotorIsTorqueTimesAngle) {
   Scenario scenario{.until = 3};
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   EnergyObserver energy(scenario);
   const RunEnd end = run(scenario, energy);
   EXPECT_NEAR(energy.balance().motor, scenario.parameters.torque * end.last.state[2], 1e-10);

@@ -94,10 +94,10 @@ RC_GTEST_PROP(RandomRub, NeverPullsNeverDrivesBySlipAndRollsWithinCoulombsLimit,
   p.contact_damping = between(1, 1e5);
   p.stator_radius = p.rotor_radius + between(1e-4, 5e-3);
   p.unbalance_factor = between(1.5, 6);
-  p.separates = false;
+  p.loses_mass = false;
   Instant at = at_rest(p);
   at.body = MassLoss<double>(p).after;
-  at.separated = true;
+  at.mass_lost = true;
   at.motor_on = false;
   const double clearance = p.stator_radius - p.rotor_radius;
   at.state = {0.5 * clearance, 0.1 * clearance, 1, 0.1, 0.5 + 300 * clearance, between(10, 1000)};

@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/summary.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/observers.hpp"
 
 namespace rotor {
@@ -16,7 +16,7 @@ namespace {
 Scenario lost_at(double speed_Hz, Equations equations) {
   Scenario scenario{.equations = equations, .start_speed_Hz = speed_Hz, .until = 0.5};
   scenario.parameters.torque = 0;
-  scenario.parameters.separation_time = 0;
+  scenario.parameters.mass_loss_time = 0;
   return scenario;
 }
 
@@ -88,8 +88,8 @@ TEST_P(MassLossResponseOf, ThePapersRotorTouchesTheRingFromItsSpeedOn) {
   }
   // 51.80 and 94.29 Hz. The simulated borders lie at most 2.1e-4 above them.
   EXPECT_NEAR(touching, GetParam() == Equations::published ? 51.8006 : 94.2855, 1e-4);
-  EXPECT_EQ(summary_of(lost_at(touching, GetParam())).collisions, 0);
-  EXPECT_GT(summary_of(lost_at(touching * (1 + 2.5e-4), GetParam())).collisions, 0);
+  EXPECT_EQ(summary_of(lost_at(touching, GetParam())).touch_downs, 0);
+  EXPECT_GT(summary_of(lost_at(touching * (1 + 2.5e-4), GetParam())).touch_downs, 0);
 }
 
 // The faster of rotation and vibration tells how densely it has to be looked at.

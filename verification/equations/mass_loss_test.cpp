@@ -27,8 +27,8 @@ TEST(MassLoss, RaisesTheMassCentresVelocityByDeltaVyThroughEq1Alone) {
       return RotatingFrame<double>::motion(body, state).mass_centre_velocity();
     };
     const auto before = velocity(loss.before, x);
-    const auto consistent = velocity(loss.after, loss.separate(x, Equations::consistent));
-    const auto published = velocity(loss.after, loss.separate(x, Equations::published));
+    const auto consistent = velocity(loss.after, loss.lose_mass(x, Equations::consistent));
+    const auto published = velocity(loss.after, loss.lose_mass(x, Equations::published));
     const double jump = loss.velocity_jump(942) * speed / 942;  // that way it turns
     EXPECT_NEAR((consistent - before).y(), jump, 1e-15);
     EXPECT_NEAR((published - before).y(), 2 * jump, 1e-15);
@@ -51,8 +51,8 @@ TEST(PlaceOfLoss, OppositeToTheUnbalanceIsTheTexts) {
   EXPECT_NEAR(place.after().eccentricity / loss.after.eccentricity, 1, rounding);
   EXPECT_NEAR(place.after().inertia / loss.after.inertia, 1, rounding);
   for (const Equations equations : {Equations::published, Equations::consistent}) {
-    const State<double> found = place.separate(moving(), equations).state;
-    const State<double> expected = loss.separate(moving().state, equations);
+    const State<double> found = place.lose_mass(moving(), equations).state;
+    const State<double> expected = loss.lose_mass(moving().state, equations);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(found[i], expected[i], rounding) << i;
   }
 }
@@ -60,7 +60,7 @@ TEST(PlaceOfLoss, OppositeToTheUnbalanceIsTheTexts) {
 TEST(PlaceOfLoss, KeepsEnergyMomentumAndAngularMomentumInTheConsistentEquationsWhereverItIs) {
   for (double angle = 0; angle < 2 * pi; angle += 0.3) {
     const PlaceOfLoss place({}, angle);
-    const Instant at = moving(), left = place.separate(at, Equations::consistent);
+    const Instant at = moving(), left = place.lose_mass(at, Equations::consistent);
     const Motion<double> before = at.motion(), after = left.motion();
     const double m_u = place.lost_mass(), turn = at.state[2], turn_after = left.state[2];
     // In the stator's axes, about O_a.
@@ -94,7 +94,7 @@ TEST(PlaceOfLoss, MovesTheMassCentreAlikeButUnbalancesMostOpposite) {
   double last = most;
   for (int n = 0; n <= 16; ++n) {
     const double from_opposite = n * pi / 16;
-    const Instant at = PlaceOfLoss(p, -from_opposite).separate(moving(), Equations::consistent);
+    const Instant at = PlaceOfLoss(p, -from_opposite).lose_mass(moving(), Equations::consistent);
     EXPECT_LE(at.body.eccentricity, last * (1 + 1e-15));  // falls all the way round
     last = at.body.eccentricity;
     // C from where it was: |C_1 - C|, C_1 at the angle of the new axis.

@@ -19,10 +19,10 @@ class Symmetry : public testing::Test {
     scenario_.tolerance = 1e-12;
   }
 
-  Instant separated() const {
+  Instant after_loss() const {
     Instant at = at_rest(scenario_.parameters);
     at.body = MassLoss<double>(scenario_.parameters).after;
-    at.separated = true;
+    at.mass_lost = true;
     at.motor_on = false;
     at.state = {-0.15e-3, 0, 0, 0, 0.28, 942};
     return at;
@@ -46,9 +46,9 @@ constexpr double rub_s = 0.03;
 constexpr double after_rub = 1e-9;
 
 TEST_F(Symmetry, TurningTheRotorTurnsTheMotionWithIt) {
-  Instant turned = separated();
+  Instant turned = after_loss();
   turned.state[2] += 1.234;
-  State<double> expected = after(rub_s, separated()).state;
+  State<double> expected = after(rub_s, after_loss()).state;
   expected[2] += 1.234;
   expect_equal(after(rub_s, turned).state, expected,
                Law("symmetry: the rotor turned at first, through a rub", after_rub));
@@ -59,7 +59,8 @@ TEST_F(Symmetry, MirroringTheRotorMirrorsTheMotion) {
     for (const std::size_t i : {1U, 2U, 4U, 5U}) at.state[i] = -at.state[i];
     return at;
   };
-  expect_equal(after(rub_s, mirrored(separated())).state, mirrored(after(rub_s, separated())).state,
+  expect_equal(after(rub_s, mirrored(after_loss())).state,
+               mirrored(after(rub_s, after_loss())).state,
                Law("symmetry: the rotor mirrored at first, through a rub", after_rub));
 }
 
@@ -71,7 +72,7 @@ TEST_F(Symmetry, WithoutDissipationTimeCanBeReversedThroughContacts) {
     for (const std::size_t i : {3U, 4U, 5U}) at.state[i] = -at.state[i];
     return at;
   };
-  const Instant first = separated();
+  const Instant first = after_loss();
   const Instant back = reversed(after(rub_s, reversed(after(rub_s, first))));
   EXPECT_GT(std::abs(after(rub_s, first).state[0] - first.state[0]), 1e-4);
   expect_equal(back.state, first.state,

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "figures/sweep/sweep.hpp"
-#include "model/simulation/summary.hpp"
+#include "model/results/summary.hpp"
 #include "model/theory/whirl.hpp"
 #include "verification/support/bare.hpp"
 
@@ -132,7 +132,7 @@ struct SynchronousRub : testing::Test {
     at.state[0] = rho * std::cos(phi);
     at.state[1] = -rho * std::sin(phi);
     at.body = body;
-    at.separated = true;
+    at.mass_lost = true;
     bool behind = false;  // O by a quarter turn or more than where it began
     MotionObserver watch(0, duration_s, [&](const DenseOutput& motion) {
       const State<double> q = motion.at(motion.until_s).state;

@@ -9,11 +9,11 @@
 #include <set>
 #include <tuple>
 
-#include "figures/scenes/certain_account.hpp"
-#include "figures/scenes/columns.hpp"
-#include "figures/scenes/names.hpp"
-#include "model/simulation/extended/comparison.ipp"
-#include "model/simulation/extended/digits.hpp"
+#include "figures/input/names.hpp"
+#include "figures/record/columns.hpp"
+#include "figures/results/certified_result.hpp"
+#include "model/certified/comparison.ipp"
+#include "model/certified/digits.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/short_run.hpp"
 
@@ -99,7 +99,7 @@ TEST(Margins, AreThoseOfBothSidesOfALossInContact) {
   p.friction = 0.8;
   int forward = 0, backward = 0;
   for (const double loss_s : {2.4, 2.4025, 2.405, 2.4075}) {
-    p.separation_time = loss_s;
+    p.mass_loss_time = loss_s;
     scenario.until = loss_s + 1e-6;
     EventRecorder recorder;
     run(scenario, recorder);
@@ -148,7 +148,7 @@ TEST(Margins, AreThoseOfFlightsThatNearlyTouch) {
   scenario.parameters.stator_radius = scenario.parameters.rotor_radius + 1.01 * reached;
   const auto found = compare<double>(scenario, 1e-10, always);
   ASSERT_TRUE(found && found->same_course);
-  ASSERT_EQ(found->values.collisions, 0);
+  ASSERT_EQ(found->values.touch_downs, 0);
   const auto misses = margins_of(*found, "miss");
   ASSERT_EQ(misses.size(), 1U);
   EXPECT_NEAR(misses[0], 0.01 * reached, 1e-6 * reached);
@@ -165,7 +165,7 @@ TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
   found->margins.front() = {.name = "miss", .estimate = Estimate{1, 2}};
   EXPECT_FALSE(has_digits(*found, 3));
   EXPECT_NE(complaint(*found, 3), "");
-  found->forget_what_hangs_on_the_course();
+  found->invalidate_path_dependent_values();
   for (const EventEstimate& event : found->events)
     for (const NamedEstimate& value : event.values)
       EXPECT_TRUE(sure_digits(value) == 0 || value.of_tolerance == 0) << value.name;

@@ -1,8 +1,8 @@
 /// Observed orders of convergence, of both methods, where the motion is smooth and across contacts.
 #include <gtest/gtest.h>
 
-#include "model/simulation/published_method.hpp"
-#include "model/simulation/summary.hpp"
+#include "model/methods/published_method.hpp"
+#include "model/results/summary.hpp"
 #include "verification/support/follow_with.hpp"
 
 namespace rotor {
@@ -13,7 +13,7 @@ double distance(const State<double>& a, const State<double>& b) {
 }
 
 /// The rotor just after its mass loss at 29.1 s.
-Instant separated() { return after_mass_loss_with<double>(Scenario{}, 1e-13); }
+Instant after_loss() { return after_mass_loss_with<double>(Scenario{}, 1e-13); }
 
 State<double> by_fixed_steps(const Instant& from, double until_s, double step) {
   const Scenario scenario{.method = Method::rk4, .step_rub = step};
@@ -33,7 +33,7 @@ State<double> exact(const Instant& from, double until_s) {
 }
 
 TEST(Convergence, ThePublishedMethodIsOfFourthOrderInFreeFlight) {
-  const Instant from = separated();
+  const Instant from = after_loss();
   const double until_s = 29.104;  // before the first contact
   const State<double> reference = exact(from, until_s);
   const double coarse = distance(by_fixed_steps(from, until_s, 4e-4), reference);
@@ -42,7 +42,7 @@ TEST(Convergence, ThePublishedMethodIsOfFourthOrderInFreeFlight) {
 }
 
 TEST(Convergence, ThePublishedMethodFallsToFirstOrderAtAContact) {
-  const Instant from = separated();
+  const Instant from = after_loss();
   const double until_s = 29.106;  // after the first contact
   const State<double> reference = exact(from, until_s);
   // Where in a step the contact begins is chance: averages over eight nearby steps, six halvings
@@ -59,7 +59,7 @@ TEST(Convergence, ThePublishedMethodFallsToFirstOrderAtAContact) {
 }
 
 TEST(Convergence, TheEventMethodKeepsAHighOrderAcrossSevenContactsAndTheOnsetOfRolling) {
-  const Instant from = separated();
+  const Instant from = after_loss();
   const double until_s = 29.13;
   const State<double> reference = exact(from, until_s);
   const RunEnd coarse = by_events(from, until_s, 1e-5), fine = by_events(from, until_s, 1e-10);
@@ -73,7 +73,7 @@ TEST(Convergence, TheEventMethodKeepsAHighOrderAcrossSevenContactsAndTheOnsetOfR
 }
 
 TEST(Convergence, TheDiscretisationErrorOfThePublishedLandmarksIsThatOfFirstOrder) {
-  const Instant from = separated();
+  const Instant from = after_loss();
   const auto summary = [&](Method method, double step) {
     Scenario scenario{.method = method, .tolerance = 1e-12, .step_rub = step};
     scenario.until = 29.14;

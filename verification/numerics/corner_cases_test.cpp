@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "model/simulation/event_method.hpp"
+#include "model/methods/event_method.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/starts.hpp"
 
@@ -17,7 +17,7 @@ class Oscillation : public testing::Test {
   Oscillation() {
     Parameters& p = scenario_.parameters;
     p.eccentricity = p.gravity = p.support_damping = p.contact_damping = p.torque = p.friction = 0;
-    p.separates = false;
+    p.loses_mass = false;
     scenario_.until = 0.2;
   }
 
@@ -115,7 +115,7 @@ struct Whirl : testing::Test {
   Whirl() {
     Parameters& p = scenario.parameters;
     p.eccentricity = p.gravity = p.torque = 0;
-    p.separates = false;
+    p.loses_mass = false;
   }
 
   /// Its energy must be balanced.
@@ -190,7 +190,7 @@ TEST_F(Whirl, BouncesAThousandTimesOnARingWithoutDamping) {
 
 TEST(Speed, MayPassThroughZero) {
   Scenario scenario;
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   Instant at = at_rest(scenario.parameters);
   at.state[5] = -5;
   EventRecorder run;

@@ -1,9 +1,9 @@
 /// What runs may cost.
 #include <gtest/gtest.h>
 
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/start.hpp"
-#include "model/simulation/summary.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/sines.hpp"
 
 namespace rotor {
@@ -12,7 +12,7 @@ namespace {
 /// What a run may cost. Compilers round differently, which shifts a step here and there.
 struct Cost {
   const char* name;
-  double friction, separation_s, until_s;
+  double friction, mass_loss_s, until_s;
   long right_hand_sides, contact_evaluations, events, pairs;  ///< of sine and cosine
 };
 
@@ -23,12 +23,12 @@ class Costs : public testing::TestWithParam<Cost> {};
 TEST_P(Costs, AreNoHigherThanTheyWere) {
   const Cost& cost = GetParam();
   const Scenario scenario{
-      .parameters = {.friction = cost.friction, .separation_time = cost.separation_s},
+      .parameters = {.friction = cost.friction, .mass_loss_time = cost.mass_loss_s},
       .until = cost.until_s};
   Observer null_observer;
   Simulation simulation(scenario);
   if (scenario.loses_mass())
-    simulation.run_up(cost.separation_s, null_observer);  // counted from there
+    simulation.run_up(cost.mass_loss_s, null_observer);  // counted from there
   const Counters before = simulation.counters();
   const long pairs_before = sine_cosine_pairs();
   simulation.finish(null_observer);
@@ -53,7 +53,7 @@ TEST(Costs, OfARunUpFollowItsSlowMotionAlone) {
   for (const Equations equations : {Equations::published, Equations::consistent})
     for (const auto& [tolerance, most] : {std::pair(1e-8, 20'000), std::pair(1e-11, 40'000)}) {
       Scenario scenario{.equations = equations, .until = 29.1, .tolerance = tolerance};
-      scenario.parameters.separates = false;
+      scenario.parameters.loses_mass = false;
       Observer null_observer;
       EXPECT_LT(run(scenario, null_observer).counters.right_hand_sides, most);
     }
@@ -72,7 +72,7 @@ TEST(Costs, OfASummaryAreNotThoseOfRoundingsMaxima) {
   Scenario scenario{.start_speed_Hz = 187, .until = 0.04};
   Parameters& p = scenario.parameters;
   p.support_damping = p.gravity = p.torque = 0;
-  p.separates = false;
+  p.loses_mass = false;
   Observer null_observer;
   SummaryObserver summary(scenario);
   const auto pairs = [&](Observer& observer) {
@@ -104,14 +104,14 @@ TEST(Costs, OfAContactAreThoseOfItsMotionAndNotOfRounding) {
                                            .rotor_radius = radius,
                                            .stator_radius = radius + 1e-7,
                                            .unbalance_factor = 1.02077,
-                                           .separation_time = 0},
+                                           .mass_loss_time = 0},
                             .equations = Equations::consistent,
                             .start_speed_Hz = 602.39,
                             .until = 0.00069,
                             .tolerance = tolerance};
     SummaryObserver summary(scenario);
     const RunEnd end = run(scenario, summary);
-    EXPECT_EQ(summary.summary().collisions, 1);
+    EXPECT_EQ(summary.summary().touch_downs, 1);
     return end.counters.steps;
   };
   for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11, 1e-13})

@@ -8,13 +8,13 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
-#include "figures/scenes/certain_account.hpp"
-#include "figures/scenes/names.hpp"
-#include "figures/sweep/dealer.hpp"
+#include "figures/input/names.hpp"
+#include "figures/results/certified_result.hpp"
+#include "figures/sweep/block_scheduler.hpp"
 #include "figures/sweep/journal.hpp"
+#include "model/certified/quad.hpp"
+#include "model/certified/values.hpp"
 #include "model/integration/fehlberg.hpp"
-#include "model/simulation/extended/quad.hpp"
-#include "model/simulation/extended/values.hpp"
 #include "verification/support/certain_digits.hpp"
 #include "verification/support/program.hpp"
 #include "verification/support/random_runs.hpp"
@@ -35,7 +35,7 @@ template <class Stepper>
 Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
   const auto computed = compute<Quad, Stepper>(scenario, {tolerance}, always);
   Numbers all = {{"outcome", static_cast<int>(computed.summary.outcome)},
-                 {"collisions", computed.summary.collisions},
+                 {"touch_downs", computed.summary.touch_downs},
                  {"events", computed.events.size()}};
   const auto add = [&](const std::string& where, const auto& values) {
     for (const NamedValue<Quad>& value : values)
@@ -116,7 +116,7 @@ void write(const std::string& file) {
 
 /// A run to 3, 6, 9 and 12 digits against quadruple precision, as a row of a table.
 std::string row_of(long n, const Scenario& scenario) {
-  constexpr std::chrono::seconds patience(10);
+  constexpr std::chrono::seconds cancellation(10);
   KnownValues exact;
   for (const auto& [name, value] : numbers<Verner>(scenario, best_tolerance))
     exact[name] = static_cast<double>(value);
@@ -126,7 +126,7 @@ std::string row_of(long n, const Scenario& scenario) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto found = run_to_digits(
-        scenario, digits, [&](double /*time_s*/) { return Clock::now() - start < patience; });
+        scenario, digits, [&](double /*time_s*/) { return Clock::now() - start < cancellation; });
     if (!found) {
       short_of += fmt::format("{} digits: no time; ", digits);
       continue;
@@ -160,13 +160,13 @@ int stress(long count, unsigned seed, const std::filesystem::path& folder) {
                       "relative to the stated one;",
                       "estimate_is_less: whether --estimate-error is below the largest error"},
                      {"run", "precisions", "worst", "estimate_is_less", "short", "false"}));
-  Dealer dealer(journal.rows(), count, [&](std::string_view rows, long done) {
+  BlockScheduler scheduler(journal.rows(), count, [&](std::string_view rows, long done) {
     journal.write(rows);
     fmt::print(stderr, "\r{} of {} runs", done, count);
   });
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   work(
-      dealer, threads,
+      scheduler, threads,
       [&]() -> Work {
         return [&](long n) { return row_of(n, scenarios[static_cast<std::size_t>(n)]); };
       },

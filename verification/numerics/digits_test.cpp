@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/certain_account.hpp"
-#include "figures/scenes/names.hpp"
-#include "figures/scenes/scene.hpp"
+#include "figures/input/names.hpp"
+#include "figures/input/scene.hpp"
+#include "figures/results/certified_result.hpp"
 #include "verification/support/certain_digits.hpp"
 #include "verification/support/reference_tables.hpp"
 #include "verification/support/summary_of.hpp"
@@ -93,7 +93,7 @@ TEST(EstimatedError, IsAboveTheLargestTrueErrorOfRandomRuns) {
     const double estimate = estimated_relative_error(scenario, summary, always);
     less += estimate < true_error(summary, scenario.parameters, values);
     Summary other = summary;  // a run with another number of touch-downs is another one altogether
-    ++other.collisions;
+    ++other.touch_downs;
     EXPECT_EQ(estimated_relative_error(scenario, other, always), 1);
   }
   EXPECT_LE(less, 2);  // of 36
@@ -117,7 +117,7 @@ int computations(const Scenario& scenario, int digits) {
 TEST(ManyDigits, AreHadByFewComputations) {
   Scenario scenario{.start_speed_Hz = 149.5, .until = 0.06};
   Parameters& p = scenario.parameters;
-  p.separation_time = 1e-3;
+  p.mass_loss_time = 1e-3;
   for (const auto& [friction, digits, most] :
        {std::tuple(0.3, 6, 4), {0.3, 9, 8}, {0.05, 6, 8}, {0.08, 8, 8}, {0.08, 3, 12}}) {
     p.friction = friction;
@@ -167,7 +167,7 @@ TEST(ManyDigits, AreThoseOfEveryEventOfThePapersRuns) {
 // The largest displacement of a flight is the clearance, to ten digits: it touches, or it does not.
 TEST(ManyDigits, DecideWhetherAGlancingContactOccurs) {
   Scenario wide{.start_speed_Hz = 100, .until = 0.03};
-  wide.parameters.separation_time = 0.001;
+  wide.parameters.mass_loss_time = 0.001;
   wide.parameters.stator_radius = 0.1;
   const auto free = run_to_digits(wide, 14, always);
   ASSERT_TRUE(free);
@@ -181,7 +181,7 @@ TEST(ManyDigits, DecideWhetherAGlancingContactOccurs) {
     const auto found = run_to_digits(scenario, 3, always);
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->is_course_sure());
-    EXPECT_EQ(found->values.collisions > 0, off < 0);
+    EXPECT_EQ(found->values.touch_downs > 0, off < 0);
   }
   // At a tolerance of 1e-6 nobody can tell, and it says so.
   wide.parameters.stator_radius = wide.parameters.rotor_radius + furthest->value * (1 + 1e-10);

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "figures/scenes/names.hpp"
-#include "figures/scenes/recorder.hpp"
+#include "figures/input/names.hpp"
+#include "figures/record/recorder.hpp"
 #include "verification/support/follow.hpp"
 
 namespace rotor {
@@ -92,7 +92,7 @@ TEST(EventMethod, LocatesEventsToRoundingAtEveryTolerance) {
                         .start_speed_Hz = 149.998,
                         .until = 0.25,
                         .tolerance = tolerance};
-      scenario.parameters.separation_time = 1e-3;
+      scenario.parameters.mass_loss_time = 1e-3;
       const RotorSystem<double> rotor(scenario.parameters, scenario.equations);
       const Ring<double>& ring = rotor.ring;
       EventRecorder recorder;

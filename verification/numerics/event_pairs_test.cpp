@@ -8,8 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "figures/scenes/columns.hpp"
-#include "model/simulation/extended/comparison.hpp"
+#include "figures/record/columns.hpp"
+#include "model/certified/comparison.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/deviation.hpp"
 #include "verification/support/starts.hpp"
@@ -30,7 +30,7 @@ struct EventPairs : testing::Test {
   EventPairs() {
     Parameters& p = scenario.parameters;
     p.torque = 300;  // 33 krad/s^2 of the free rotor
-    p.separates = false;
+    p.loses_mass = false;
     scenario.tolerance = 1e-12;
   }
 
@@ -165,10 +165,10 @@ struct LossInContact : EventPairs {
     throw std::runtime_error("the ring is never indented without a force");
   }
 
-  void expect_loss(ContactState in, const Instant& from, double separation_s, double until_s) {
+  void expect_loss(ContactState in, const Instant& from, double mass_loss_s, double until_s) {
     Parameters& p = scenario.parameters;
-    p.separates = true;
-    p.separation_time = separation_s;
+    p.loses_mass = true;
+    p.mass_loss_time = mass_loss_s;
     scenario.until = until_s;
     for (const Equations equations : {Equations::published, Equations::consistent}) {
       scenario.equations = equations;
@@ -217,8 +217,8 @@ TEST_F(LossInContact, MayEndTheContactForceAtOnce) {
   Parameters& p = scenario.parameters;
   p.torque = 0.3;
   p.friction = 0.01;
-  p.separates = true;
-  p.separation_time = 1e-6;
+  p.loses_mass = true;
+  p.mass_loss_time = 1e-6;
   scenario.until = 1e-5;
   int released = 0, pressed_on = 0;
   for (const double tangential : {-0.5, 0.5})
@@ -295,9 +295,9 @@ TEST(LossInRolling, OfNothingChangesNothing) {
         p.stator_radius = p.rotor_radius + 1e-3;
         p.friction = 0.8;
         p.unbalance_factor = 1;  // so that the piece has no mass; it rolls from 2.34 s on
-        p.separation_time = loss_s;
+        p.mass_loss_time = loss_s;
         Scenario without = scenario;
-        without.parameters.separates = false;
+        without.parameters.loses_mass = false;
         const Summary expected = summary_of(without), summary = summary_of(scenario);
         ASSERT_EQ(expected.outcome, Outcome::rolling);
         EXPECT_EQ(summary.outcome, Outcome::rolling);
@@ -324,7 +324,7 @@ TEST(LossInRolling, IsItsEndWhereFrictionCannotHoldTheRimAnyMore) {
   p.contact_damping = 129.3553134786258;
   p.inertia = 0.0032870302767832728;
   p.unbalance_factor = 1.5;
-  p.separation_time = 0.17064984521861742;
+  p.mass_loss_time = 0.17064984521861742;
   EventRecorder events;
   run(scenario, events);
   const auto loss = std::ranges::find(events.events(), Event::mass_loss, &Instant::event);
@@ -333,7 +333,7 @@ TEST(LossInRolling, IsItsEndWhereFrictionCannotHoldTheRimAnyMore) {
   ASSERT_NE(loss + 1, events.events().end());
   EXPECT_EQ((loss + 1)->event, Event::break_away);
   EXPECT_EQ((loss + 1)->time_s, loss->time_s);
-  scenario.until = p.separation_time + 1e-6;  // its digits are known nevertheless
+  scenario.until = p.mass_loss_time + 1e-6;  // its digits are known nevertheless
   const auto found = compare<double>(scenario, 1e-10, [](double /*time_s*/) { return true; });
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->is_course_sure());

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 
-#include "figures/scenes/audience.hpp"
-#include "figures/scenes/recorder.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/summary.hpp"
+#include "figures/record/recorder.hpp"
+#include "figures/runs/observer_group.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/random_scenarios.hpp"
 #include "verification/support/starts.hpp"
@@ -18,8 +18,8 @@ namespace rotor {
 namespace {
 
 /// Several observers as one.
-Audience audience_of(std::initializer_list<Observer*> observers) {
-  Audience all;
+ObserverGroup observers_of(std::initializer_list<Observer*> observers) {
+  ObserverGroup all;
   for (Observer* observer : observers) all.add(*observer);
   return all;
 }
@@ -81,7 +81,7 @@ TEST(LooseTolerances, DoNotHideMaxima) {
             p.friction = friction;
             p.support_damping = support_damping;
             p.stator_radius = stator_radius;
-            p.separation_time = 0;
+            p.mass_loss_time = 0;
             DenseMaxima dense(scenario, 0.03);
             SummaryObserver observer(scenario);
             constexpr double coarse = 1;  // so that rows alone do not show the largest force
@@ -90,8 +90,8 @@ TEST(LooseTolerances, DoNotHideMaxima) {
                               {find_column("time_s"), find_column("normal_force_N")}, scenario,
                               coarse,
                               [&](auto row) { recorded = std::max(recorded, std::abs(row[1])); });
-            Audience audience = audience_of({&dense, &observer, &recorder});
-            run(scenario, audience);
+            ObserverGroup observers = observers_of({&dense, &observer, &recorder});
+            run(scenario, observers);
             SCOPED_TRACE(testing::Message() << tolerance << ' ' << damping << ' ' << friction << ' '
                                             << stator_radius << ' ' << start_speed_Hz);
             const double in_steps = std::min(2 * tolerance, 2e-3) + 1e-9;
@@ -113,7 +113,7 @@ TEST(LooseTolerances, DoNotHideMaxima) {
 TEST(LooseTolerances, DoNotCoarsenTraces) {
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
     const Scenario scenario{
-        .parameters = {.separation_time = 9.4}, .until = 9.46, .tolerance = tolerance};
+        .parameters = {.mass_loss_time = 9.4}, .until = 9.46, .tolerance = tolerance};
     struct Rows {
       std::vector<double> t, rho;
     } trace;
@@ -135,8 +135,8 @@ TEST(LooseTolerances, DoNotCoarsenTraces) {
       }
       std::vector<double> t, rho;
     } samples;
-    Audience audience = audience_of({&recorder, &samples});
-    run(scenario, audience);
+    ObserverGroup observers = observers_of({&recorder, &samples});
+    run(scenario, observers);
     double off = 0;
     for (std::size_t n = 0, i = 1; n < samples.t.size(); ++n) {
       while (trace.t[i] < samples.t[n]) ++i;
@@ -156,7 +156,7 @@ TEST(Traces, NeverRunBackwardsAndSummariesReachAtLeastWhereTheRunEnds) {
   for (int n = 0; n < 300; ++n) {
     Scenario scenario = random.scenario();
     scenario.tolerance = std::pow(10, -3 - n % 4);
-    const Instant first = separated_at_speed(scenario, random.speed());
+    const Instant first = mass_lost_at_speed(scenario, random.speed());
     double last_s = 0;
     Recorder recorder({},
                       {find_column("time_s"), find_column("rho_m"), find_column("normal_force_N")},
@@ -182,8 +182,8 @@ TEST(Traces, NeverRunBackwardsAndSummariesReachAtLeastWhereTheRunEnds) {
       long count = 0;
       double last_s = 0, largest_gap_s = 0;
     } all_maxima;
-    Audience audience = audience_of({&recorder, &events, &summary, &all_maxima});
-    const Instant last = follow(scenario, first, 0.01, audience).last;
+    ObserverGroup observers = observers_of({&recorder, &events, &summary, &all_maxima});
+    const Instant last = follow(scenario, first, 0.01, observers).last;
     EXPECT_GE(*summary.summary().max_displacement_m, last.motion().displacement.norm());
     EXPECT_LE(all_maxima.largest_gap_s, 0) << "rotor " << n;
     maxima += all_maxima.count;
@@ -247,7 +247,7 @@ TEST(Maxima, OfEachPhaseAreShown) {
   for (int n = 0; n < 150; ++n) {
     Scenario scenario = random.scenario();
     scenario.tolerance = 1e-10;
-    const Instant first = separated_at_speed(scenario, random.speed());
+    const Instant first = mass_lost_at_speed(scenario, random.speed());
     for (const Extreme of : {Extreme::displacement, Extreme::bearing_force}) {
       PhaseMaxima watch(Supports<double>(scenario.parameters, scenario.equations), of);
       follow(scenario, first, 0.01, watch);

@@ -1,5 +1,5 @@
 /// How runs end, in a word; how far a free rotor reaches; and where runs stop or are at a speed.
-#include "model/simulation/outcome.hpp"
+#include "model/results/outcome.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <numbers>
 #include <tuple>
 
-#include "figures/scenes/account.hpp"
-#include "figures/scenes/names.hpp"
-#include "figures/scenes/run_ups.hpp"
-#include "model/simulation/start.hpp"
-#include "model/simulation/time_at_speed.hpp"
+#include "figures/input/names.hpp"
+#include "figures/results/run_result.hpp"
+#include "figures/runs/run_ups.hpp"
+#include "model/run/time_at_speed.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"
 
@@ -24,16 +24,16 @@ TEST(Outcome, OfARotorThatHangsAtItsCriticalSpeedIsAStallByEitherMethod) {
        {std::tuple(1., 8., true), {29.5, 30., true}, {2., 6., true}, {29.1, 29.35, false}})
     for (const Method method : {Method::event, Method::rk4}) {
       Scenario scenario{.method = method, .until = until_s};
-      scenario.parameters.separation_time = loss_s;
+      scenario.parameters.mass_loss_time = loss_s;
       if (loss_s > 29.2) scenario.parameters.support_stiffness = 1.2e5;
       const Outcome outcome = summary_until(until_s, scenario).outcome;
       EXPECT_EQ(outcome == Outcome::stalled, stalls) << loss_s << ' ' << name_of(method);
       if (method == Method::rk4) continue;
       RunUps run_ups;
       Observer nobody;
-      EXPECT_EQ(
-          finish(run_ups.depart(scenario, nobody), scenario, std::nullopt, nobody).summary.outcome,
-          outcome);
+      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, nobody)
+                    .summary.outcome,
+                outcome);
     }
 }
 
@@ -63,7 +63,7 @@ TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
 // Still at the critical speed, but on its way through it.
 TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
   Scenario scenario;
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   EXPECT_NE(summary_until(1.9, scenario).outcome, Outcome::stalled);
   scenario.parameters.torque = 0.03;  // slowly, and far below it
   EXPECT_EQ(summary_until(20, scenario).outcome, Outcome::no_contact);
@@ -72,7 +72,7 @@ TEST(Outcome, OfARotorThatPassesItsCriticalSpeedIsNotStalled) {
 // What drives nothing does not fail to drive.
 TEST(Outcome, OfARotorThatRunsDownNearItsCriticalSpeedIsNoStall) {
   Scenario scenario{.start_speed_Hz = 9};
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   scenario.parameters.torque = 0;
   EXPECT_EQ(summary_until(5, scenario).outcome, Outcome::no_contact);
   scenario.parameters.torque = Parameters{}.torque;  // nor does a motor that is off
@@ -87,7 +87,7 @@ TEST_P(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
   Scenario scenario{.until = 30};
   Parameters& p = scenario.parameters;
   p.support_damping = p.gravity = p.torque = 0;
-  p.separates = false;
+  p.loses_mass = false;
   p.motor_off_Hz = 0;
   p.stator_radius = 0.08;
   scenario.start_speed_Hz = GetParam();
@@ -116,7 +116,7 @@ TEST_P(Clear, IsARotorThatNoSpeedWithinTheBoundsOfEnergyBringsToTheRing) {
   const double until_s = 1e4;
   Scenario scenario{.until = until_s};
   Parameters& p = scenario.parameters;
-  p.separates = false;
+  p.loses_mass = false;
   p.support_damping = 1e-3;
   p.stator_radius = 1;
   scenario.start_speed_Hz = GetParam();
@@ -151,7 +151,7 @@ TEST(Outcome, OfARotorWithoutSupportsThatMovesNowhereIsNoContact) {
   Scenario scenario{.start_speed_Hz = 50, .until = 1};
   Parameters& p = scenario.parameters;
   p.support_stiffness = p.support_damping = p.eccentricity = 0;
-  p.separates = false;
+  p.loses_mass = false;
   EXPECT_EQ(summary_of(scenario).outcome, Outcome::no_contact);
   p.eccentricity = Parameters().eccentricity;
   p.gravity = p.torque = scenario.start_speed_Hz = 0;
@@ -166,12 +166,12 @@ TEST(Outcome, CountsTheContactsThatTheSummaryCounts) {
                     .start_speed_Hz = 60,
                     .until = 0.3};
   Parameters& p = scenario.parameters;
-  p.separation_time = 0;
+  p.mass_loss_time = 0;
   scenario.step_rub = 5e-5;
   p.contact_damping = 1e4;
   p.stator_radius = p.rotor_radius + 0.002114292636948066;
   const Summary summary = summary_of(scenario);
-  EXPECT_EQ(summary.collisions, 1);
+  EXPECT_EQ(summary.touch_downs, 1);
   EXPECT_EQ(summary.outcome, Outcome::freed);
 }
 
@@ -180,7 +180,7 @@ TEST(StopOnRolling, EndsAtTheFirstMaximumOfTheForceByEitherMethod) {
   double last_s = 0;
   for (const Method method : {Method::event, Method::rk4}) {
     Scenario scenario{.method = method, .start_speed_Hz = 150, .until = 0.25};
-    scenario.parameters.separation_time = 0;
+    scenario.parameters.mass_loss_time = 0;
     for (const StopOn stop_on : {StopOn::rolling, StopOn::outcome}) {
       StopObserver stop(stop_on, scenario);
       const double end_s = run(scenario, stop).last.time_s;
@@ -217,7 +217,7 @@ TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
     const SpeedReached found =
         time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, nobody);
     ASSERT_TRUE(found.time_s) << speed_Hz;
-    scenario.parameters.separates = false;
+    scenario.parameters.loses_mass = false;
     scenario.until = *found.time_s;
     double greatest = 0;  // before
     MotionObserver look(0, *found.time_s - 1e-6, [&](const DenseOutput& motion) {

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "model/simulation/summary.hpp"
+#include "model/results/summary.hpp"
 #include "verification/support/deviation.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/observers.hpp"
@@ -21,7 +21,7 @@ struct Steps : Observer {
 TEST(PublishedMethod, LosesTheMassOnce) {
   EventRecorder recorder;
   const Scenario scenario{
-      .parameters = {.separation_time = 0.29}, .method = Method::rk4, .until = 0.3};
+      .parameters = {.mass_loss_time = 0.29}, .method = Method::rk4, .until = 0.3};
   run(scenario, recorder);
   EXPECT_EQ(recorder.count(Event::mass_loss), 1);
   EXPECT_NE(2900 * scenario.step_run_up, 0.29);  // as steps add up
@@ -32,7 +32,7 @@ TEST(PublishedMethod, LosesTheMassOnce) {
 // that slips in between rolls anew.
 TEST(PublishedMethod, CountsTheWhirlOfTheLastTimeThatItRollsAlone) {
   Scenario scenario{.method = Method::rk4};
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   SummaryObserver observer(scenario);
   Instant at = at_rest(scenario.parameters);
   at.state = {3.01e-3, 0, 0, 0, 0, 400};
@@ -66,7 +66,7 @@ TEST(PublishedMethod, SaysWhereARunDiverges) {
 TEST(PublishedMethod, CallsTheRimRollingWhereFrictionStopsItInAStepAlone) {
   for (const double speed : {400., -400.}) {
     Scenario scenario{.method = Method::rk4, .until = 1e-5};
-    scenario.parameters.separates = false;
+    scenario.parameters.loses_mass = false;
     Instant from = at_rest(scenario.parameters);
     from.state = {3.01e-3, 0, 0, 0, 0, speed};
     from.contact = ContactState::sliding;
@@ -85,7 +85,7 @@ TEST(PublishedMethod, CallsTheRimRollingWhereFrictionStopsItInAStepAlone) {
 // short, in the order in which time passes, and the last one ends at the end.
 TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
   Scenario scenario{.method = Method::rk4};
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   scenario.step_run_up = 1e-4;
   scenario.step_rub = 5e-6;
   Instant from = at_rest(scenario.parameters);
@@ -127,7 +127,7 @@ TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
 // The short steps that lead to a mass loss between long ones are not those behind it.
 TEST(PublishedMethod, GoesOnFromAMassLossAmidALongStep) {
   Scenario scenario{.method = Method::rk4, .start_speed_Hz = 100, .until = 2e-3};
-  scenario.parameters.separation_time = 1.037e-3;
+  scenario.parameters.mass_loss_time = 1.037e-3;
   Steps steps;
   run(scenario, steps);
   double loss_s = 0;
@@ -135,13 +135,13 @@ TEST(PublishedMethod, GoesOnFromAMassLossAmidALongStep) {
     const double step = steps.all[n].time_s - steps.all[n - 1].time_s;
     if (steps.all[n].event == Event::mass_loss) loss_s = steps.all[n].time_s;
     const bool is_short = steps.all[n].time_s > 1.001e-3;
-    if (step != 0 && steps.all[n].time_s != scenario.parameters.separation_time) {
+    if (step != 0 && steps.all[n].time_s != scenario.parameters.mass_loss_time) {
       EXPECT_NEAR(step, is_short ? 5e-6 : 1e-4,
                   steps.all[n].time_s == scenario.until ? 5e-6 : 1e-12)
           << n;
     }
   }
-  EXPECT_EQ(loss_s, scenario.parameters.separation_time);
+  EXPECT_EQ(loss_s, scenario.parameters.mass_loss_time);
   EXPECT_EQ(steps.all.back().time_s, scenario.until);
 }
 

@@ -9,11 +9,11 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
-#include "figures/scenes/scene.hpp"
+#include "figures/input/scene.hpp"
+#include "model/certified/quad.hpp"
 #include "model/integration/fehlberg.hpp"
-#include "model/simulation/event_method.ipp"
-#include "model/simulation/extended/quad.hpp"
-#include "model/simulation/stages.hpp"
+#include "model/methods/event_method.ipp"
+#include "model/methods/stages.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/program.hpp"
 
@@ -102,7 +102,7 @@ Quad value(const std::string& column, const QuadInstant& instant, const Scenario
   }
   if (column == "kinetic_energy_J") {
     Quad e = p.eccentricity, m = p.mass, inertia = p.inertia;
-    if (instant.separated) {
+    if (instant.mass_lost) {
       const Quad e_1 = Quad(p.unbalance_factor) * e, r = p.rotor_radius;
       const Quad lost = m * (e_1 - e) / (r + e_1);
       m -= lost;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/names.hpp"
+#include "figures/input/names.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/starts.hpp"
 
@@ -16,10 +16,10 @@ TEST(StressedRotors, AreFollowedToTheEndAndKeepTheBalanceOfTheirEnergy) {
     const auto number = [&](const char* column) { return std::stod(row[column]); };
     Scenario scenario{.equations = parse_equations(row["equations"]), .tolerance = 1e-9};
     for (const Quantity& quantity : quantities()) {
-      if (quantity.name == "separation_time") break;  // which is past, as all that follows
+      if (quantity.name == "mass_loss_time") break;  // which is past, as all that follows
       quantity.in(scenario) = std::stod(row[quantity.name]);
     }
-    const BalancedRun run(scenario, separated_at_speed(scenario, number("speed")), 0.01);
+    const BalancedRun run(scenario, mass_lost_at_speed(scenario, number("speed")), 0.01);
     EXPECT_EQ(run.last().time_s, 0.01);
     EXPECT_LT(run.energy_residual(), number("energy"));  // what the tolerance leaves, by contacts
     if (!row["most_right_hand_sides"].empty()) {

@@ -1,14 +1,14 @@
 /// What is gathered along a run: the quantities of its summary.
-#include "model/simulation/summary.hpp"
+#include "model/results/summary.hpp"
 
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <numbers>
 
-#include "figures/scenes/audience.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/start.hpp"
+#include "figures/runs/observer_group.hpp"
+#include "model/run/simulation.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"
 
@@ -21,28 +21,28 @@ TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
   Parameters& p = scenario.parameters;
   p.support_stiffness = p.support_damping = p.gravity = 0;
   p.eccentricity = 2e-3;
-  p.separates = false;
+  p.loses_mass = false;
   p.stator_radius = p.rotor_radius + 5e-3;
   EXPECT_NEAR(summary_until(1.5, scenario).max_displacement_before_loss_m, 2 * p.eccentricity,
               1e-3 * p.eccentricity);
   p.stator_radius = p.rotor_radius + 3.999e-3;
-  EXPECT_GT(summary_until(1.5, scenario).collisions, 0);
+  EXPECT_GT(summary_until(1.5, scenario).touch_downs, 0);
 }
 
 TEST(Summary, CountsContactsBeforeAndAfterTheMassLossApart) {
   Scenario scenario;
   scenario.parameters.support_stiffness = 1.2e5;  // hits the ring on its way to the resonance
-  scenario.parameters.separation_time = 10;
+  scenario.parameters.mass_loss_time = 10;
   scenario.until = 10.25;
   EventRecorder recorder;
   run(scenario, recorder);
   const Summary summary = summary_until(10.25, scenario);
   long before = 0, after = 0;
   for (const Instant& at : recorder.events())
-    if (at.event == Event::touch_down) ++(at.separated ? after : before);
+    if (at.event == Event::touch_down) ++(at.mass_lost ? after : before);
   ASSERT_GT(before, 0);
-  EXPECT_EQ(summary.collisions_before_loss, before);
-  EXPECT_EQ(summary.collisions, before + after);
+  EXPECT_EQ(summary.touch_downs_before_loss, before);
+  EXPECT_EQ(summary.touch_downs, before + after);
   EXPECT_GT(summary.max_displacement_before_loss_m, 3e-3);
   EXPECT_GT(summary.peak_normal_force_before_loss_N.value_or(0), 0);
 }
@@ -54,7 +54,7 @@ TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
   for (int n = 0; n < 20; ++n) {
     Scenario scenario{.start_speed_Hz = 140, .until = 0.01};
     Parameters& p = scenario.parameters;
-    p.separation_time = 0;
+    p.mass_loss_time = 0;
     p.rotor_radius = 0.05;
     p.stator_radius = 0.0525 + 1e-5 * n;
     p.contact_damping = 1e6;

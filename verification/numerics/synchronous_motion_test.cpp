@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "model/phases/flight.hpp"
-#include "model/simulation/simulation.hpp"
+#include "model/run/simulation.hpp"
 
 namespace rotor {
 namespace {
@@ -148,7 +148,7 @@ TEST(SpeedThatChangesFast, IsThatOfFixedSteps) {
   p.support_damping = 0;
   p.inertia = 0.0036;
   p.unbalance_factor = 4.7;
-  p.separation_time = 0;
+  p.mass_loss_time = 0;
   for (int n = 0; n <= 26; ++n) {
     scenario.start_speed_Hz = 4.465 + 0.01 * n;
     expect_end_of_fixed_steps(scenario);
@@ -160,7 +160,7 @@ TEST(SpeedThatChangesFast, IsThatOfFixedStepsWithoutSupports) {
   Parameters& p = scenario.parameters;
   p.support_stiffness = 0;
   p.eccentricity = 1e-5;
-  p.separates = false;
+  p.loses_mass = false;
   expect_end_of_fixed_steps(scenario);
 }
 

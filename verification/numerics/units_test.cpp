@@ -2,7 +2,7 @@
 /// number that has a unit without saying so.
 #include <gtest/gtest.h>
 
-#include "figures/scenes/account.hpp"
+#include "figures/results/run_result.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/other_units.hpp"
 
@@ -19,25 +19,25 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class Units : public testing::TestWithParam<Case> {
  protected:
-  static Account account(const Scenario& scenario, std::optional<StopOn> stop_on) {
+  static RunResult account(const Scenario& scenario, std::optional<StopOn> stop_on) {
     Observer nobody;
-    return finish(Departure(scenario), scenario, stop_on, nobody);
+    return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
   }
 };
 
 TEST_P(Units, ChangeNothingThatIsSaidOfARun) {
   Scenario scenario{.start_speed_Hz = 149.5, .until = 0.1};
-  scenario.parameters.separation_time = 1e-3;
+  scenario.parameters.mass_loss_time = 1e-3;
   GetParam().change(scenario);
   for (const std::optional<StopOn> stop_on :
        {std::optional<StopOn>(), std::optional(StopOn::outcome), std::optional(StopOn::rolling)}) {
-    const Account here = account(scenario, stop_on),
-                  there = account(in_other_units(scenario), stop_on);
+    const RunResult here = account(scenario, stop_on),
+                    there = account(in_other_units(scenario), stop_on);
     if (!stop_on) {
       EXPECT_EQ(here.summary.outcome, GetParam().outcome);
     }
     EXPECT_EQ(there.summary.outcome, here.summary.outcome);
-    EXPECT_EQ(there.summary.collisions, here.summary.collisions);
+    EXPECT_EQ(there.summary.touch_downs, here.summary.touch_downs);
     EXPECT_EQ(there.early.stop_reached, here.early.stop_reached);
     EXPECT_EQ(there.end.last.time_s, here.end.last.time_s * second);
     EXPECT_EQ(there.end.last.state, in_other_units(here.end.last.state));
@@ -64,13 +64,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"undecided", Outcome::undecided, [](Scenario& s) { s.until = 1.5e-3; }},
                     Case{"stalled", Outcome::stalled,
                          [](Scenario& s) {
-                           s.start_speed_Hz = 0, s.parameters.separation_time = 1, s.until = 12;
+                           s.start_speed_Hz = 0, s.parameters.mass_loss_time = 1, s.until = 12;
                            s.tolerance = 1e-6;
                          }},
                     // Slower than the critical speed, but it becomes faster: no stall.
                     Case{"rising", Outcome::no_contact,
                          [](Scenario& s) {
-                           s.start_speed_Hz = 0, s.parameters.separates = false, s.until = 1.5;
+                           s.start_speed_Hz = 0, s.parameters.loses_mass = false, s.until = 1.5;
                          }}),
     [](const auto& c) { return c.param.name; });
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "model/simulation/extended/quad.hpp"
+#include "model/certified/quad.hpp"
 
 namespace rotor {
 namespace {

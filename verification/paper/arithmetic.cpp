@@ -96,7 +96,7 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
        }},
       {"border_by_ratio",
        [](In in, P p) {
-         return border_by_ratio(p, in.statement.equations.value_or(Equations::published));
+         return border_by_ratio(p, in.spec.equations.value_or(Equations::published));
        }},
   };
   return all;

@@ -7,8 +7,8 @@
 
 #include "figures/data/csv.hpp"
 #include "model/mechanics/mass_loss.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/summary.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/observers.hpp"
 
 namespace rotor {
@@ -30,22 +30,21 @@ const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions
   static const auto peak = [](const Scenario& s, double angle = 0) {
     return *summary_of(s, angle).peak_normal_force_N / 1e3;
   };
-  static const auto motor = [](double separation_time) {
-    Scenario on{.parameters = {.separation_time = separation_time},
-                .until = separation_time + 0.15};
+  static const auto motor = [](double mass_loss_time) {
+    Scenario on{.parameters = {.mass_loss_time = mass_loss_time}, .until = mass_loss_time + 0.15};
     Scenario off = on;
-    off.parameters.motor_off_Hz = *summary_of(on).speed_at_separation_Hz;
+    off.parameters.motor_off_Hz = *summary_of(on).speed_at_mass_loss_Hz;
     return std::array{peak(on), peak(off)};
   };
   // Both as printed, and with the mass lost at another time and the ring a little wider.
-  static const auto touch_downs = [](double separation_time, double friction, double wider) {
+  static const auto touch_downs = [](double mass_loss_time, double friction, double wider) {
     const Scenario taken{.parameters = {.friction = friction}};
     Scenario other = taken;
-    other.parameters.separation_time = separation_time;
+    other.parameters.mass_loss_time = mass_loss_time;
     other.parameters.stator_radius += wider;
-    other.until = separation_time + 0.25;
-    return std::array{static_cast<double>(summary_of(taken).collisions),
-                      static_cast<double>(summary_of(other).collisions)};
+    other.until = mass_loss_time + 0.25;
+    return std::array{static_cast<double>(summary_of(taken).touch_downs),
+                      static_cast<double>(summary_of(other).touch_downs)};
   };
   static const std::map<std::string, std::function<std::array<double, 2>()>> all = {
       {"motor-at-19.1s", [] { return motor(19.1); }},
@@ -63,18 +62,18 @@ const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions
        }},
       {"rounding-of-19.1s",
        [] {
-         return std::array{peak({.parameters = {.separation_time = 19.1}, .until = 19.3}),
-                           peak({.parameters = {.separation_time = 19.05}, .until = 19.3})};
+         return std::array{peak({.parameters = {.mass_loss_time = 19.1}, .until = 19.3}),
+                           peak({.parameters = {.mass_loss_time = 19.05}, .until = 19.3})};
        }},
       {"renewed-contact",
        [] {
          // None, so that a ring which had to be clear first would change nothing.
          double renewed = 0;
-         for (const auto& [friction, separation_s] :
+         for (const auto& [friction, mass_loss_s] :
               {std::pair(0.3, 29.1), {0.2, 29.1}, {0.08, 29.1}, {0.3, 19.1}, {0.3, 14.15}}) {
            const Scenario scenario{
-               .parameters = {.friction = friction, .separation_time = separation_s},
-               .until = separation_s + 0.25};
+               .parameters = {.friction = friction, .mass_loss_time = mass_loss_s},
+               .until = mass_loss_s + 0.25};
            EventRecorder events;
            run(scenario, events);
            renewed += static_cast<double>(events.count(Event::renewed_contact));
@@ -83,8 +82,8 @@ const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions
        }},
       {"speed-at-2.2s",
        [] {
-         Scenario taken{.parameters = {.separation_time = 2.2}, .until = 4}, other = taken;
-         other.parameters.separation_time = 2.23;
+         Scenario taken{.parameters = {.mass_loss_time = 2.2}, .until = 4}, other = taken;
+         other.parameters.mass_loss_time = 2.23;
          return std::array{1e3 * *summary_of(taken).max_displacement_m,
                            1e3 * *summary_of(other).max_displacement_m};
        }},

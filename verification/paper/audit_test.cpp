@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
-#include "model/simulation/start.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/onset_speed.hpp"
@@ -18,7 +18,7 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 TEST(Audit, AtThePrintedInputsTheAccidentAt75HzNeedsTheJumpCountedTwice) {
-  Scenario scenario{.parameters = {.separation_time = 14.15}, .until = 14.4};
+  Scenario scenario{.parameters = {.mass_loss_time = 14.15}, .until = 14.4};
   EXPECT_NEAR(*summary_of(scenario).peak_normal_force_N, 136e3, 500);
   scenario.equations = Equations::consistent;
   const Summary consistent = summary_of(scenario);
@@ -56,7 +56,7 @@ TEST(Audit, TheGravityMomentAsPrintedDoesNotConserveTheEnergyOfAnUndampedUndrive
     Scenario scenario{.equations = equations, .until = 2, .tolerance = 1e-12};
     Parameters& p = scenario.parameters;
     p.support_damping = p.torque = 0;
-    p.separates = false;
+    p.loses_mass = false;
     const auto energy = [&](const Instant& at) {
       const auto m = at.motion();
       const Vector<double> arm = potential_of_the_whole_weight ? m.mass_centre() : m.eccentricity;
@@ -76,7 +76,7 @@ TEST(Audit, TheGravityMomentAsPrintedDoesNotConserveTheEnergyOfAnUndampedUndrive
 
 TEST(Audit, TheMassCentreRunsOffTheAxisByMoreThanTheRadialPartThatThePaperGives) {
   Scenario scenario;
-  scenario.until = scenario.parameters.separation_time;
+  scenario.until = scenario.parameters.mass_loss_time;
   EventRecorder seen;
   run(scenario, seen);
   const Vector<double> c = seen.before_mass_loss().motion().mass_centre();
@@ -153,11 +153,11 @@ double border_Hz(const Equations& equations, double angle) {
     scenario.parameters.torque = 0;
     Instant at =
         PlaceOfLoss(scenario.parameters, angle, MassLoss<double>(scenario.parameters).lost_mass)
-            .separate(start_of(scenario), equations);
+            .lose_mass(start_of(scenario), equations);
     at.motor_on = false;
     SummaryObserver summary(scenario);
     follow(scenario, at, scenario.until, summary);
-    return summary.summary().collisions > 0 ? 1. : -1.;
+    return summary.summary().touch_downs > 0 ? 1. : -1.;
   };
   const auto close = [](double a, double b) { return b - a < 5e-3; };
   return boost::math::tools::bisect(touches, 40., 140., close).second;
@@ -181,20 +181,20 @@ TEST(Audit, RollingSetsInBeforeTheForceIsGreatest) {
 
 TEST(Audit, ALossBeforeTheGreatestSwingTouchesTheRing) {
   for (const Equations equations : {Equations::published, Equations::consistent}) {
-    const auto collisions = [&](double separation_time) {
-      return summary_of({.parameters = {.separation_time = separation_time},
+    const auto collisions = [&](double mass_loss_time) {
+      return summary_of({.parameters = {.mass_loss_time = mass_loss_time},
                          .equations = equations,
                          .until = 6})
-          .collisions;
+          .touch_downs;
     };
     EXPECT_GT(collisions(2.0), 10);
     EXPECT_EQ(collisions(2.2), 0);  // the text's critical zone
   }
   // Touch-downs go on where the motor does not get the rotor through resonance.
   const Summary summary =
-      summary_of({.parameters = {.separation_time = 2}, .until = 12, .tolerance = 1e-8});
+      summary_of({.parameters = {.mass_loss_time = 2}, .until = 12, .tolerance = 1e-8});
   EXPECT_EQ(summary.outcome, Outcome::stalled);
-  EXPECT_GT(summary.collisions, 200);
+  EXPECT_GT(summary.touch_downs, 200);
 }
 
 // A single run at low friction is no result: all three of these round to the printed d_t or nearly.
@@ -207,8 +207,8 @@ TEST(Audit,
   EXPECT_EQ(dies.outcome, Outcome::freed);
   EXPECT_EQ(slides.outcome, Outcome::sliding);
   EXPECT_EQ(rolls.outcome, Outcome::rolling);
-  EXPECT_EQ(dies.collisions, 2);
-  EXPECT_EQ(slides.collisions, 41);
+  EXPECT_EQ(dies.touch_downs, 2);
+  EXPECT_EQ(slides.touch_downs, 41);
   EXPECT_NEAR(*dies.peak_normal_force_N / 1e3, 33, 0.5);
   EXPECT_NEAR(*slides.peak_normal_force_N / 1e3, 144, 0.5);
   EXPECT_NEAR(*rolls.peak_normal_force_N / 1e3, 291, 0.5);

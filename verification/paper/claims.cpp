@@ -132,9 +132,9 @@ std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
   const Ensembles ensembles = read_ensembles(folder / "ensembles.csv");
   for (std::size_t set = 0; set < sets.size(); ++set) {
     PaperInputs inputs;
-    inputs.statement.equations = sets[set].equations;
+    inputs.spec.equations = sets[set].equations;
     PaperRuns converged(inputs);
-    inputs.statement.method = Method::rk4;
+    inputs.spec.method = Method::rk4;
     PaperRuns by_rk4(inputs);
     for (Number& number : numbers)
       for (Reading& reading : number.readings) {

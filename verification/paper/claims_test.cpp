@@ -177,9 +177,9 @@ TEST(PrintedInputs, AreTheNomenclaturesWithHalfAUnitOfTheirLastDigit) {
     const double value = std::stod(row["printed"]);
     PaperInputs inputs;
     inputs.set(row["input"], value);
-    if (const Statable* const statable = find_statable(row["input"]);
-        statable && statable->quantity.in) {
-      EXPECT_NEAR(statable->quantity.of(printed) / value, 1, 1e-12) << row["input"];
+    if (const InputQuantity* const input_quantity = find_input_quantity(row["input"]);
+        input_quantity && input_quantity->quantity.in) {
+      EXPECT_NEAR(input_quantity->quantity.of(printed) / value, 1, 1e-12) << row["input"];
     }
     EXPECT_LT(least, value);
     EXPECT_GT(greatest, value);

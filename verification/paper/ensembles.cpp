@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "figures/data/csv.hpp"
-#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/block_scheduler.hpp"
 #include "verification/paper/readings.hpp"
 
 namespace rotor {
@@ -29,7 +29,7 @@ double value_of(const std::string& reading, PaperRuns& runs) {
 
 void in_parallel(long count, int threads, const std::function<void(long)>& work_on,
                  const std::function<void(long)>& told) {
-  Dealer dealer(0, count, [](std::string_view, long) {});
+  BlockScheduler scheduler(0, count, [](std::string_view, long) {});
   std::atomic<long> done = 0;
   const Work one = [&](long n) {
     work_on(n);
@@ -37,7 +37,7 @@ void in_parallel(long count, int threads, const std::function<void(long)>& work_
     return std::string();
   };
   work(
-      dealer, threads, [&] { return one; }, [&] { told(done); });
+      scheduler, threads, [&] { return one; }, [&] { told(done); });
 }
 
 Draws evaluate(const std::vector<std::string>& readings, long count,
@@ -47,7 +47,7 @@ Draws evaluate(const std::vector<std::string>& readings, long count,
   for (const std::string& name : readings) draws[name].resize(static_cast<std::size_t>(count));
   const auto evaluate_at = [&](long n) {
     PaperInputs inputs = at(n);
-    inputs.statement.numbers["tolerance"] = tolerance_of_draws;
+    inputs.spec.numbers["tolerance"] = tolerance_of_draws;
     PaperRuns runs(inputs);
     for (const std::string& name : readings)
       draws.at(name)[static_cast<std::size_t>(n)] = value_of(name, runs);

@@ -22,7 +22,7 @@ TEST(PopulationB, PrintsEveryConditioningNumber) {
   EXPECT_LT(draws.proposals_a_draw(), 50);
   for (long n = 0; n < count; n += n < 20 ? 1 : 40) {  // the run-ups take time
     const PaperInputs inputs = draws(n, Equations::published);
-    const auto& of = inputs.statement.numbers;
+    const auto& of = inputs.spec.numbers;
     const double m = of.at("mass"), e = of.at("eccentricity"), r = of.at("rotor_radius"),
                  k_u = of.at("unbalance_factor"), inertia = of.at("inertia"),
                  w = two_pi * of.at("motor_off_hz");

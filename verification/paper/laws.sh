@@ -14,7 +14,7 @@ grep -v '^#' "$1" | awk -F, '
   function row(quantity, from, to, ratio) { printf "%s,%s,%s,%s,%s\n", $1, quantity, from, to, ratio }
   of("refusal") != "" { next }
   {
-    touches = of("collisions") > 0
+    touches = of("touch_downs") > 0
     row("touches", "", "", touches == (of("law_contact_after_loss_s") != ""))
     rolls = of("outcome") == "rolling"
     if (of("law_outcome") == "rolling") row("rolls_above_both_frictions", "", "", rolls)

@@ -57,7 +57,7 @@ TEST_F(LawsOfTheAccident, HoldOnRandomRotorsAsTheTableSays) {
 
 // Where the estimate trusts itself; 10 % is what the table is about.
 TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
-  for (const char* options : {"--friction 0.3", "--separation-time 19.1", "--separation-time 14.15",
+  for (const char* options : {"--friction 0.3", "--mass-loss-time 19.1", "--mass-loss-time 14.15",
                               "--equations consistent"}) {
     const auto law = json(std::string("estimate ") + options),
                run = json(std::string("run ") + options);
@@ -67,7 +67,7 @@ TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
       EXPECT_NEAR(law[of_law].get<double>() / run[of_run].get<double>(), 1, allowed)
           << options << ' ' << of_run;
     };
-    near("law_speed_at_loss_Hz", "speed_at_separation_Hz", 2e-3);  // run-up without drag
+    near("law_speed_at_loss_Hz", "speed_at_mass_loss_Hz", 2e-3);  // run-up without drag
     near("law_rolling_speed_Hz", "rolling_onset_speed_Hz", 0.1);
     near("law_peak_force_N", "peak_normal_force_N", 0.1);
   }
@@ -81,7 +81,7 @@ TEST_F(LawsOfTheAccident, AreColumnsOfASweepThatAsksForThem) {
   const auto rows = read_csv(folder_ / "s.csv");
   EXPECT_EQ(rows[0]["law_peak_force_N"], "");
   EXPECT_EQ(rows[1]["law_peak_force_N"],
-            json("estimate --separation-speed-hz 120")["law_peak_force_N"].dump());
+            json("estimate --mass-loss-speed-hz 120")["law_peak_force_N"].dump());
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <map>
 #include <numbers>
 
-#include "figures/scenes/account.hpp"
-#include "model/simulation/energy.hpp"
+#include "figures/results/run_result.hpp"
+#include "model/results/energy.hpp"
 #include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
@@ -38,14 +38,14 @@ void PaperInputs::set(const std::string& input, double value) {
   if (found != own.end())
     this->*(found->second) = value;
   else
-    statement.numbers.insert_or_assign(input, value);
+    spec.numbers.insert_or_assign(input, value);
 }
 
-double run_up_time(const Statement& statement, double speed_Hz) {
+double run_up_time(const ScenarioSpec& spec, double speed_Hz) {
   RunUps run_ups;
   Observer null_observer;
   const auto reached =
-      run_ups.time_at_speed(scenario_of(statement, run_ups), speed_Hz, std::nullopt, null_observer);
+      run_ups.time_at_speed(scenario_of(spec, run_ups), speed_Hz, std::nullopt, null_observer);
   if (!reached.time_s) throw std::runtime_error("the run-up does not reach that speed");
   return *reached.time_s;
 }
@@ -57,7 +57,7 @@ class PaperWatch : public Observer {
   explicit PaperWatch(PaperRun& run) : run_(run), ring_(run.scenario_.parameters) {}
 
   void on_instant(const Instant& at) override {
-    if (at.separated && !last_.separated) {
+    if (at.mass_lost && !last_.mass_lost) {
       run_.before_loss_ = last_;
       run_.after_loss_ = at;
     }
@@ -112,8 +112,8 @@ class PaperWatch : public Observer {
 PaperRun::PaperRun(const Scenario& scenario, RunUps& run_ups) : scenario_(scenario) {
   PaperWatch watch(*this);
   Observer null_observer;
-  const Account account =
-      finish(run_ups.depart(scenario, null_observer), scenario, std::nullopt, watch);
+  const RunResult account =
+      finish(run_ups.checkpoint_before(scenario, null_observer), scenario, std::nullopt, watch);
   summary_ = account.summary;
   last_ = account.end.last;
 }
@@ -254,7 +254,8 @@ const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
     until_rolling.until = run.onset()->time_s;
     FrictionWatch watch(until_rolling);
     Observer null_observer;
-    finish(run_ups_.depart(until_rolling, null_observer), until_rolling, std::nullopt, watch);
+    finish(run_ups_.checkpoint_before(until_rolling, null_observer), until_rolling, std::nullopt,
+           watch);
     *friction_work_ =
         FrictionWork{watch.until_touch_downs, -watch.balance().friction, watch.first_impact_damped};
   }
@@ -267,7 +268,7 @@ const Summary& PaperRuns::lost_at(double angle) {
   const PaperRun& opposite = high();
   const Scenario& scenario = opposite.scenario();
   const Instant from =
-      PlaceOfLoss(scenario.parameters, angle).separate(opposite.before_loss(), scenario.equations);
+      PlaceOfLoss(scenario.parameters, angle).lose_mass(opposite.before_loss(), scenario.equations);
   SummaryObserver observer(scenario);
   run(scenario, from, observer);
   return lost_at_.emplace(angle, observer.summary()).first->second;
@@ -286,48 +287,48 @@ Parameters PaperRuns::parameters() {
   return scenario_of(at_operating_speed(inputs_.mu_high), run_ups_).parameters;
 }
 
-Statement PaperRuns::at_operating_speed(double friction) const {
-  Statement statement = inputs_.statement;
-  statement.numbers["friction"] = friction;
-  statement.numbers["separation_time"] = inputs_.t_operating;
-  return statement;
+ScenarioSpec PaperRuns::at_operating_speed(double friction) const {
+  ScenarioSpec spec = inputs_.spec;
+  spec.numbers["friction"] = friction;
+  spec.numbers["mass_loss_time"] = inputs_.t_operating;
+  return spec;
 }
 
 const PaperRun& PaperRuns::rub(double friction) { return get(at_operating_speed(friction)); }
 
 const PaperRun& PaperRuns::high_by(Method method) {
-  Statement statement = at_operating_speed(inputs_.mu_high);
-  statement.method = method;
-  return get(statement);
+  ScenarioSpec spec = at_operating_speed(inputs_.mu_high);
+  spec.method = method;
+  return get(spec);
 }
 
 const PaperRun& PaperRuns::changed(double friction, const char* quantity, double factor) {
   const PaperRun& as_it_is = rub(friction);
-  Statement statement = at_operating_speed(friction);
-  statement.numbers[quantity] = factor * find_statable(quantity)->quantity.of(as_it_is.scenario());
-  return get(statement);
+  ScenarioSpec spec = at_operating_speed(friction);
+  spec.numbers[quantity] = factor * find_input_quantity(quantity)->quantity.of(as_it_is.scenario());
+  return get(spec);
 }
 
 const PaperRun& PaperRuns::from_steady(double part) {
   const Parameters p = parameters();
-  Statement statement = inputs_.statement;
-  statement.numbers["friction"] = inputs_.mu_high;
-  statement.numbers["torque"] = 0;
-  statement.numbers["start_speed_hz"] = part * p.motor_off_Hz;
-  statement.numbers["support_stiffness"] = part * part * p.support_stiffness;
-  return get(statement);
+  ScenarioSpec spec = inputs_.spec;
+  spec.numbers["friction"] = inputs_.mu_high;
+  spec.numbers["torque"] = 0;
+  spec.numbers["start_speed_hz"] = part * p.motor_off_Hz;
+  spec.numbers["support_stiffness"] = part * part * p.support_stiffness;
+  return get(spec);
 }
 
 const PaperRun& PaperRuns::loss_at(double time_s, double rub_s) {
-  Statement statement = inputs_.statement;
-  statement.numbers["friction"] = inputs_.mu_high;
-  statement.numbers["separation_time"] = time_s;
-  statement.numbers["until"] = time_s + rub_s;
-  return get(statement);
+  ScenarioSpec spec = inputs_.spec;
+  spec.numbers["friction"] = inputs_.mu_high;
+  spec.numbers["mass_loss_time"] = time_s;
+  spec.numbers["until"] = time_s + rub_s;
+  return get(spec);
 }
 
-const PaperRun& PaperRuns::get(const Statement& statement) {
-  const Scenario scenario = scenario_of(statement, run_ups_);
+const PaperRun& PaperRuns::get(const ScenarioSpec& spec) {
+  const Scenario scenario = scenario_of(spec, run_ups_);
   const auto found = std::find_if(runs_.begin(), runs_.end(),
                                   [&](const PaperRun& run) { return run.scenario() == scenario; });
   return found != runs_.end() ? *found : runs_.emplace_back(scenario, run_ups_);

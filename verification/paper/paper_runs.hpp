@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "figures/scenes/run_ups.hpp"
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
+#include "figures/runs/run_ups.hpp"
 
 namespace rotor {
 
 /// What the paper's Nomenclature and text state.
 struct PaperInputs {
-  Statement statement;  ///< of the rotor, and of the method
+  ScenarioSpec spec;  ///< of the rotor, and of the method
   double mu_high = 0.3, mu_intermediate = 0.2, mu_low = 0.08;
   double t_operating = 29.1, t_100 = 19.1, t_75 = 14.15, t_50 = 9.4, t_critical = 2.2;
   // Results that the text's own arithmetic takes, SI.
@@ -26,7 +26,7 @@ struct PaperInputs {
 };
 
 /// When the run-up of a rotor reaches a speed, s. Throws std::runtime_error if it does not.
-double run_up_time(const Statement& statement, double speed_Hz);
+double run_up_time(const ScenarioSpec& spec, double speed_Hz);
 
 /// A run with its events, and what is measured along it.
 class PaperRun {
@@ -128,10 +128,10 @@ class PaperRuns {
   const PaperRun& near_critical() { return loss_at(inputs_.t_critical, 1.8); }
 
  private:
-  Statement at_operating_speed(double friction) const;
+  ScenarioSpec at_operating_speed(double friction) const;
   const PaperRun& rub(double friction);
   const PaperRun& loss_at(double time_s, double rub_s);
-  const PaperRun& get(const Statement& statement);
+  const PaperRun& get(const ScenarioSpec& spec);
 
   PaperInputs inputs_;
   RunUps run_ups_;

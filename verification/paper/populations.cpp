@@ -87,13 +87,13 @@ void add(Sweep& sweep, const std::string& input, double least, double greatest) 
 /// The torque with which the motor is switched off at a time. The time is nearly that of a constant
 /// torque, so that each step multiplies the error by what the losses take, a thousandth.
 double torque_for(const PaperInputs& inputs, double off_s) {
-  Statement statement = inputs.statement;
-  const double speed_Hz = statement.numbers.at("motor_off_hz");
-  statement.numbers["motor_off_hz"] = 1.01 * speed_Hz;  // the motor still drives at that instant
+  ScenarioSpec spec = inputs.spec;
+  const double speed_Hz = spec.numbers.at("motor_off_hz");
+  spec.numbers["motor_off_hz"] = 1.01 * speed_Hz;  // the motor still drives at that instant
   double torque = Parameters{}.torque;
   for (int n = 0; n < 8; ++n) {
-    statement.numbers["torque"] = torque;
-    const double at_s = run_up_time(statement, speed_Hz);
+    spec.numbers["torque"] = torque;
+    const double at_s = run_up_time(spec, speed_Hz);
     torque *= at_s / off_s;
     if (std::abs(at_s / off_s - 1) < 1e-8) break;
   }
@@ -134,9 +134,9 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
         static_cast<double>(accepted_.size()) < 1e-4 * static_cast<double>(tried))
       throw std::runtime_error("population (b): hardly a proposal prints the paper's numbers");
     PaperInputs inputs;
-    inputs.statement = propose(tried).statement;
-    put_in_place(inputs.statement.numbers);
-    const Parameters p = scenario_of(inputs.statement).parameters;
+    inputs.spec = propose(tried).spec;
+    put_in_place(inputs.spec.numbers);
+    const Parameters p = scenario_of(inputs.spec).parameters;
     if (std::ranges::all_of(conditions.arithmetic, [&](const Condition& condition) {
           return condition.allowed.holds(condition.value(inputs, p));
         }))
@@ -157,8 +157,7 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
 }
 
 std::map<std::string, double> PopulationDraws::proposed_shares(long n) const {
-  const auto drawn =
-      SweepPoints(sweep_)(accepted_.at(static_cast<std::size_t>(n))).statement.numbers;
+  const auto drawn = SweepPoints(sweep_)(accepted_.at(static_cast<std::size_t>(n))).spec.numbers;
   std::map<std::string, double> shares;
   for (const auto& [input, least, greatest] : proposals())
     shares[input] = (drawn.at(input) - least) / (greatest - least);
@@ -168,8 +167,8 @@ std::map<std::string, double> PopulationDraws::proposed_shares(long n) const {
 PaperInputs PopulationDraws::operator()(long n, const Equations& equations) const {
   const long point = accepted_.empty() ? n : accepted_.at(static_cast<std::size_t>(n));
   PaperInputs inputs;
-  inputs.statement.equations = equations;
-  std::map<std::string, double, std::less<>> drawn = SweepPoints(sweep_)(point).statement.numbers;
+  inputs.spec.equations = equations;
+  std::map<std::string, double, std::less<>> drawn = SweepPoints(sweep_)(point).spec.numbers;
   const auto taken = [&](const char* input) { return drawn.extract(input).mapped(); };
   if (accepted_.empty()) {
     for (const auto& [input, value] : drawn) inputs.set(input, value);
@@ -179,7 +178,7 @@ PaperInputs PopulationDraws::operator()(long n, const Equations& equations) cons
   const double off_s = taken(motor_off_s), speed_Hz = taken(speed_at_50);
   for (const auto& [input, value] : drawn) inputs.set(input, value);
   inputs.set("torque", torque_for(inputs, off_s));
-  inputs.set("t_50", run_up_time(inputs.statement, speed_Hz));
+  inputs.set("t_50", run_up_time(inputs.spec, speed_Hz));
   return inputs;
 }
 

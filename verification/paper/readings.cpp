@@ -77,13 +77,13 @@ Value time_to_rolling(const PaperRun& run) {
   return run.onset()->time_s - *run.summary().first_contact_s;
 }
 
-/// The separation: what the rotor and the piece have together after it, less what there was before.
+/// The mass loss: what the rotor and the piece have together after it, less what there was before.
 struct Gain {
   double energy;            ///< J
   Vector<double> momentum;  ///< N s
   double angular_momentum;  ///< about where C is, N m s
 };
-Gain gain_by_separation(PaperRuns& r) {
+Gain gain_by_mass_loss(PaperRuns& r) {
   const PaperRun& run = r.high();
   const MassLoss<double> its = loss(r);
   const auto before = run.before_loss().motion(), after = run.after_loss().motion();
@@ -201,13 +201,13 @@ void add_run_up_and_loss(Table& table) {
   });
   table.before_loss("energy_before", [](Runs, At at) { return energy(at); });
   table.add("energy_gain",
-            [](Runs r) -> Value { return 100 * gain_by_separation(r).energy / energy_before(r); });
+            [](Runs r) -> Value { return 100 * gain_by_mass_loss(r).energy / energy_before(r); });
   table.before_loss("momentum_gain", [](Runs r, At at) {
-    return 100 * gain_by_separation(r).momentum.norm() /
+    return 100 * gain_by_mass_loss(r).momentum.norm() /
            (loss(r).lost_mass * loss(r).piece_velocity(at.state[5]));
   });
   table.before_loss("angular_momentum_gain", [](Runs r, At at) {
-    return 100 * gain_by_separation(r).angular_momentum / (at.body.inertia * at.state[5]);
+    return 100 * gain_by_mass_loss(r).angular_momentum / (at.body.inertia * at.state[5]);
   });
   table.before_loss("speed_gain", [](Runs r, At at) {
     return 100 * (r.high().after_loss().state[5] / at.state[5] - 1);
@@ -352,7 +352,7 @@ void add_collisions(Table& table) {
     return 100 * greatest;
   });
   table.add("sooner_by_friction", [](Runs r) -> Value {
-    const auto count = [](const PaperRun& run) { return run.summary().collisions; };
+    const auto count = [](const PaperRun& run) { return run.summary().touch_downs; };
     const long middle = count(r.intermediate());
     return count(r.high()) < middle && middle < count(r.low()) ? 1. : 0.;
   });
@@ -396,10 +396,11 @@ void add_other_losses_and_contacts(Table& table) {
   table.add("Hz_50", [](Runs r) -> Value { return speed_Hz(r.at_50_Hz().before_loss()); });
   table.add("Hz_critical",
             [](Runs r) -> Value { return speed_Hz(r.near_critical().before_loss()); });
-  table.add("collisions_50",
-            [](Runs r) -> Value { return static_cast<double>(r.at_50_Hz().summary().collisions); });
+  table.add("collisions_50", [](Runs r) -> Value {
+    return static_cast<double>(r.at_50_Hz().summary().touch_downs);
+  });
   table.add("collisions_critical", [](Runs r) -> Value {
-    return static_cast<double>(r.near_critical().summary().collisions);
+    return static_cast<double>(r.near_critical().summary().touch_downs);
   });
   table.add("settled_50", [](Runs r) -> Value {
     const Instant& at = r.at_50_Hz().last();

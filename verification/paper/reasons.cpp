@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/account.hpp"
+#include "figures/results/run_result.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "verification/paper/ensembles.hpp"
 
@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::array judged_names = {"rolls", "touches", "force", "harmless", "decides"};
 
-Judged parse_judged(const std::string& name) {
+Criterion parse_judged(const std::string& name) {
   const auto found = std::ranges::find(judged_names, name);
   if (found == judged_names.end()) throw std::runtime_error("judged: no such way: " + name);
-  return static_cast<Judged>(found - judged_names.begin());
+  return static_cast<Criterion>(found - judged_names.begin());
 }
 
 /// The largest normal force in rolling, N.
@@ -57,12 +57,12 @@ struct End {
   Forces forces;
 };
 
-End end_of(const Statement& statement) {
-  const Scenario scenario = scenario_of(statement);
+End end_of(const ScenarioSpec& spec) {
+  const Scenario scenario = scenario_of(spec);
   RollingForce in_rolling(scenario);
   const Summary summary =
-      finish(Departure(scenario), scenario, StopOn::outcome, in_rolling).summary;
-  return {summary.collisions > 0,
+      finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, in_rolling).summary;
+  return {summary.touch_downs > 0,
           summary.outcome == Outcome::rolling,
           {summary.peak_normal_force_N.value_or(0), in_rolling.largest}};
 }
@@ -80,12 +80,12 @@ class Rotors {
   }
 
   struct Rotor {
-    Statement statement;
+    ScenarioSpec spec;
     double less, more;
   };
   Rotor draw(long n, const std::optional<long>& steps) const {
-    Rotor rotor{SweepPoints(sweep_)(n).statement, 0, 0};
-    auto& numbers = rotor.statement.numbers;
+    Rotor rotor{SweepPoints(sweep_)(n).spec, 0, 0};
+    auto& numbers = rotor.spec.numbers;
     for (auto& [quantity, value] : numbers)
       if (!quantity.ends_with("share")) value = rounded(value);
     rotor.less = numbers.extract("share").mapped();
@@ -112,28 +112,28 @@ double value_at(const Reason& reason, double share) {
 
 /// The values at which a rotor is tried.
 std::pair<double, double> values(const Reason& reason, const Rotors::Rotor& rotor) {
-  const double more =
-      reason.judged == Judged::harmless ? Parameters{}.motor_off_Hz : value_at(reason, rotor.more);
+  const double more = reason.judged == Criterion::harmless ? Parameters{}.motor_off_Hz
+                                                           : value_at(reason, rotor.more);
   return {value_at(reason, rotor.less), more};
 }
 
 /// Notes what becomes of a statement where the ends are those at the less and the more risky value.
-void note(Trial& trial, Judged judged, const End& a, const End& b,
+void note(Trial& trial, Criterion judged, const End& a, const End& b,
           const std::function<std::string()>& example) {
   bool applies = true, holds = true;
   double size = b.forces.largest / a.forces.largest;
   switch (judged) {
-    case Judged::rolls:
+    case Criterion::rolls:
       applies = a.rolls, holds = b.rolls;
       break;
-    case Judged::touches:
+    case Criterion::touches:
       applies = a.touches, holds = b.touches;
       break;
-    case Judged::force:
+    case Criterion::force:
       applies = a.rolls && b.rolls, holds = b.forces.in_rolling >= a.forces.in_rolling;
       size = b.forces.in_rolling / a.forces.in_rolling;
       break;
-    case Judged::harmless:
+    case Criterion::harmless:
       applies = a.touches, holds = !a.rolls;
       size = a.forces.largest / b.forces.largest;
       break;
@@ -144,22 +144,22 @@ void note(Trial& trial, Judged judged, const End& a, const End& b,
   trial.apply += applies;
   if (!applies || holds) return;
   ++trial.violate;
-  if (judged != Judged::decides) trial.sizes.push_back(size);
+  if (judged != Criterion::decides) trial.sizes.push_back(size);
   if (trial.example.empty()) trial.example = example();
 }
 
 /// As options of `rotor run`, but for what is varied.
-std::string example_of(const Reason& reason, Statement statement, double less, double more) {
-  statement.numbers.erase(reason.quantity);
-  std::string options = fmt::format("--equations {} ", name_of(*statement.equations));
-  for (const auto& [name, value] : statement.numbers)
+std::string example_of(const Reason& reason, ScenarioSpec spec, double less, double more) {
+  spec.numbers.erase(reason.quantity);
+  std::string options = fmt::format("--equations {} ", name_of(*spec.equations));
+  for (const auto& [name, value] : spec.numbers)
     options += fmt::format("{} {} ", option_of(name), value);
   return fmt::format("{}{} {}; {}", options, option_of(reason.quantity), less, more);
 }
 
 }  // namespace
 
-Forces forces_of(const Statement& statement) { return end_of(statement).forces; }
+Forces forces_of(const ScenarioSpec& spec) { return end_of(spec).forces; }
 
 double Trial::share() const {
   return static_cast<double>(violate) / static_cast<double>(std::max(1L, apply));
@@ -198,13 +198,13 @@ Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws
     const auto at = [&](const std::string& quantity, double value) {
       const auto found = known.find({quantity, value});
       if (found != known.end()) return found->second;
-      Statement statement = rotor.statement;
-      statement.numbers[quantity] = value;
-      return known.emplace(std::pair(quantity, value), end_of(statement)).first->second;
+      ScenarioSpec spec = rotor.spec;
+      spec.numbers[quantity] = value;
+      return known.emplace(std::pair(quantity, value), end_of(spec)).first->second;
     };
     for (const Reason& reason : reasons) {
       auto& ends = all[static_cast<std::size_t>(n)].emplace_back();
-      if (rotor.statement.numbers.at("friction") > reason.most_friction.value_or(1e9)) continue;
+      if (rotor.spec.numbers.at("friction") > reason.most_friction.value_or(1e9)) continue;
       const auto [less, more] = values(reason, rotor);
       ends.emplace(at(reason.quantity, less), at(reason.quantity, more));
     }
@@ -216,7 +216,7 @@ Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws
         note(trials[reasons[r].id], reasons[r].judged, ends->first, ends->second, [&] {
           const Rotors::Rotor rotor = rotors.draw(n, steps);
           const auto [less, more] = values(reasons[r], rotor);
-          return example_of(reasons[r], rotor.statement, less, more);
+          return example_of(reasons[r], rotor.spec, less, more);
         });
   return trials;
 }
@@ -238,13 +238,13 @@ std::string to_csv(const std::vector<Reason>& reasons, const Trials& published,
 
 std::map<std::pair<std::string, std::string>, std::string> read_trials_in_words(
     const std::filesystem::path& folder) {
-  std::map<std::string, Judged> judged;
+  std::map<std::string, Criterion> judged;
   for (const Reason& reason : read_reasons(folder / "reasons.csv"))
     judged[reason.id] = reason.judged;
   std::map<std::pair<std::string, std::string>, std::string> words;
   for (const CsvRow& row : read_csv(folder / "reasons-tried.csv")) {
     const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
-    const bool decides = judged.at(row["reason"]) == Judged::decides;
+    const bool decides = judged.at(row["reason"]) == Criterion::decides;
     const double percent = 100 * (decides ? number("share") : 1 - number("share"));
     words[{row["reason"], row["equations"]}] =
         row["violate"] == "0" && !decides

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
 
 namespace rotor {
 
 /// How a statement is judged on a rotor at two values of a quantity, the second one being riskier.
-enum class Judged {
+enum class Criterion {
   rolls,     ///< applies if it rolls at the first one, holds if it does at the second
   touches,   ///< the same of touching the ring
   force,     ///< applies if it rolls at both, holds if the largest force in rolling is not less
@@ -27,7 +27,7 @@ struct Reason {
   double from, until;  ///< of the quantity, from the least to the most risky value, SI
   bool logarithmic;
   std::optional<double> most_friction;  ///< of the rotors on which it is tried
-  Judged judged;
+  Criterion judged;
 };
 
 /// The rows of reference-data/reasons.csv.
@@ -56,7 +56,7 @@ Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws
 struct Forces {
   double largest, in_rolling;
 };
-Forces forces_of(const Statement& statement);
+Forces forces_of(const ScenarioSpec& spec);
 
 /// What `make reasons` writes.
 std::string to_csv(const std::vector<Reason>& reasons, const Trials& published,

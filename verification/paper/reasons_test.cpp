@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/account.hpp"
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
+#include "figures/results/run_result.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "model/theory/whirl.hpp"
 #include "verification/paper/ensembles.hpp"
@@ -79,20 +79,20 @@ struct ReasonsExamples : CommandLine {
 
 // Without the force in rolling, which is not in a summary.
 TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
-  std::map<std::string, Judged> judged;
+  std::map<std::string, Criterion> judged;
   for (const Reason& reason : reasons()) judged[reason.id] = reason.judged;
   int tried = 0;
   for (const CsvRow& row : read_csv(data / "reasons-tried.csv")) {
     const std::string& example = row["example"];
-    const Judged its = judged.at(row["reason"]);
-    if (example.empty() || its == Judged::force) continue;
+    const Criterion its = judged.at(row["reason"]);
+    if (example.empty() || its == Criterion::force) continue;
     ++tried;
     const std::size_t between = example.find("; "), value = example.rfind(' ', between - 1) + 1;
     const auto less = summary(example.substr(0, between)),
                more = summary(example.substr(0, value) + example.substr(between + 2));
     const bool less_rolls = less["outcome"] == "rolling", more_rolls = more["outcome"] == "rolling";
-    EXPECT_EQ(less_rolls, its == Judged::decides ? !more_rolls : true) << example;
-    EXPECT_TRUE(its != Judged::rolls || !more_rolls) << example;
+    EXPECT_EQ(less_rolls, its == Criterion::decides ? !more_rolls : true) << example;
+    EXPECT_TRUE(its != Criterion::rolls || !more_rolls) << example;
   }
   EXPECT_GT(tried, 20);
 }
@@ -101,18 +101,18 @@ TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
 // one in rolling rises.
 TEST(Reasons, CompareTheForceInRolling) {
   Reason reason = reasons()[1];
-  ASSERT_EQ(reason.judged, Judged::force);
+  ASSERT_EQ(reason.judged, Criterion::force);
   const std::string rotor =
       "friction 0.1325 clearance 0.00571 support_stiffness 26130 lost_mass 0.0362 "
       "contact_stiffness 859800000 contact_damping 6363 torque 0";
-  Statement statement;
-  statement.equations = Equations::published;
+  ScenarioSpec spec;
+  spec.equations = Equations::published;
   std::istringstream words(rotor);
   std::string name;
-  for (double value = 0; words >> name >> value;) statement.numbers[name] = value;
+  for (double value = 0; words >> name >> value;) spec.numbers[name] = value;
   const auto at = [&](double speed_Hz) {
-    statement.numbers["start_speed_hz"] = speed_Hz;
-    return forces_of(statement);
+    spec.numbers["start_speed_hz"] = speed_Hz;
+    return forces_of(spec);
   };
   const Forces slower = at(80), faster = at(85);
   EXPECT_GT(slower.largest, faster.largest);
@@ -131,27 +131,27 @@ TEST_F(SingleRuns, BetweenRollingOnesTouchOnceAndComeFreeWithoutSliding) {
                                            {54, "freed"},
                                            {62, "freed"},
                                            {64, "rolling"}}) {
-    const auto found = summary(fmt::format("--separation-speed-hz {}", speed_Hz));
+    const auto found = summary(fmt::format("--mass-loss-speed-hz {}", speed_Hz));
     EXPECT_EQ(found["outcome"], expected) << speed_Hz;
     if (found["outcome"] == "freed") {
-      EXPECT_EQ(found["collisions"], 1) << speed_Hz;
+      EXPECT_EQ(found["touch_downs"], 1) << speed_Hz;
     }
   }
 }
 
 /// The share of losses between 120 and 180 Hz after which the rotor rolls.
 double rolling_share(Equations equations, double friction, double contact_damping) {
-  Statement statement;
-  statement.equations = equations;
-  statement.numbers = {
+  ScenarioSpec spec;
+  spec.equations = equations;
+  spec.numbers = {
       {"torque", 0}, {"until", 0.5}, {"friction", friction}, {"contact_damping", contact_damping}};
   constexpr int speeds = 21;
   int rolling = 0;
   for (int n = 0; n < speeds; ++n) {
-    statement.numbers["start_speed_hz"] = 120 + 3 * n;
-    const Scenario scenario = scenario_of(statement);
+    spec.numbers["start_speed_hz"] = 120 + 3 * n;
+    const Scenario scenario = scenario_of(spec);
     Observer nobody;
-    const Account account = finish(Departure(scenario), scenario, StopOn::outcome, nobody);
+    const RunResult account = finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, nobody);
     rolling += account.summary.outcome == rotor::Outcome::rolling ? 1 : 0;
   }
   return static_cast<double>(rolling) / speeds;

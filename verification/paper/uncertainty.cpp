@@ -39,7 +39,7 @@ std::string decided(const Uncertainty& u, std::size_t most) {
 std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
                                        const std::vector<Influence>& ranking) {
   PaperInputs finer;
-  finer.statement.numbers["tolerance"] = Scenario{}.tolerance / 100;
+  finer.spec.numbers["tolerance"] = Scenario{}.tolerance / 100;
   PaperRuns finer_runs(finer);
   std::vector<Uncertainty> all;
   for (const Number& number : numbers) {

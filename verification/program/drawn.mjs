@@ -115,13 +115,13 @@ export async function checkDrawing({ page, rotor, set, summary, expect }) {
   const rows = Object.fromEntries(await page.$$eval("#numbers tr", (all) =>
     all.map((one) => [one.querySelector("th").textContent, one.querySelector("td").textContent])));
   const expected = {
-    outcome: seen.outcome, "touch-downs": String(seen.collisions),
+    outcome: seen.outcome, "touch-downs": String(seen.touch_downs),
     "first contact": `${seen.first_contact_s.toFixed(4)} s`, "onset of rolling": `${seen.rolling_onset_s.toFixed(4)} s`,
     "speed then": `${seen.rolling_onset_speed_Hz.toFixed(2)} Hz`,
     "largest |F_n|": `${(seen.peak_normal_force_N / 1e3).toFixed(1)} kN`, when: `${seen.peak_time_s.toFixed(4)} s`,
     "largest displacement": `${(seen.max_displacement_m * 1e3).toFixed(3)} mm`,
     "whirl in rolling": `${seen.whirl_frequency_Hz.toFixed(1)} Hz`,
-    "speed at the loss": `${seen.speed_at_separation_Hz.toFixed(2)} Hz`,
+    "speed at the loss": `${seen.speed_at_mass_loss_Hz.toFixed(2)} Hz`,
     "speed at the end": `${seen.final_speed_Hz.toFixed(2)} Hz`,
   };
   for (const name of new Set([...Object.keys(rows), ...Object.keys(expected)]))

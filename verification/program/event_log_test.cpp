@@ -1,13 +1,13 @@
 /// What `--events` writes of each event, against formulas of its instant.
-#include "figures/scenes/event_log.hpp"
+#include "figures/results/event_log.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "figures/scenes/audience.hpp"
-#include "figures/scenes/names.hpp"
-#include "model/simulation/simulation.hpp"
+#include "figures/input/names.hpp"
+#include "figures/runs/observer_group.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/short_run.hpp"
@@ -24,7 +24,7 @@ TEST(EventLog, HasEachEventWithTheForceOnTheRotorAndItsSlip) {
     rows.emplace_back(row.begin(), row.end());
   });
   EventRecorder events;
-  Audience both;
+  ObserverGroup both;
   both.add(log);
   both.add(events);
   run(scenario, both);

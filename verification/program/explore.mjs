@@ -101,9 +101,9 @@ function compare(options) {
 const settings = [
   {},
   { friction: "0.2", equations: "consistent" },
-  { friction: "0.15", "separation-time": "20" },
-  { "separation-speed-hz": "75" },
-  { "no-separation": "", until: "6.5" },
+  { friction: "0.15", "mass-loss-time": "20" },
+  { "mass-loss-speed-hz": "75" },
+  { "no-mass-loss": "", until: "6.5" },
   { clearance: "0.001", friction: "0.1", until: "29.2" },
   { "unbalance-factor": "4", torque: "0.5" },
 ];
@@ -145,7 +145,7 @@ async function checkKnobs() {
   await shown();
   expect((await page.evaluate(() => location.hash)) === "#friction=0.2", "the address does not hold the friction");
   expect((await text("command")) === "build/rotor run --friction 0.2 --energy --json", "the command is another one");
-  expect((await summary()).collisions === 12, "friction 0.2 has 12 touch-downs");
+  expect((await summary()).touch_downs === 12, "friction 0.2 has 12 touch-downs");
 
   await page.getByRole("slider", { name: /coefficient of Coulomb friction/ }).focus();
   await page.keyboard.press("ArrowRight");
@@ -158,14 +158,14 @@ async function checkKnobs() {
 
   await page.selectOption("#figure", { label: "Fig. 12" });
   await shown();
-  expect((await summary()).inputs.separation_time === 19.1, "Fig. 12 is not the mass loss at 19.1 s");
-  await page.fill("#separation-speed-hz", "75");
+  expect((await summary()).inputs.mass_loss_time === 19.1, "Fig. 12 is not the mass loss at 19.1 s");
+  await page.fill("#mass-loss-speed-hz", "75");
   await shown();
-  const speed = (await summary()).speed_at_separation_Hz;
+  const speed = (await summary()).speed_at_mass_loss_Hz;
   expect(Math.abs(speed - 75) < 1e-6, `the mass is lost at ${speed} Hz`);
-  await page.fill("#separation-time", "20");
+  await page.fill("#mass-loss-time", "20");
   await shown();
-  expect((await summary()).inputs.separation_time === 20, "the time of the mass loss does not replace its speed");
+  expect((await summary()).inputs.mass_loss_time === 20, "the time of the mass loss does not replace its speed");
   await page.click("#paper");
   await shown();
 
@@ -189,7 +189,7 @@ async function checkKnobs() {
 
 async function checkRefusals() {
   for (const [option, value] of [["friction", "-1"], ["unbalance-factor", "0.5"], ["clearance", "wide"],
-    ["eccentricity", "0.07"], ["separation-speed-hz", "200"], ["unbalance-factor", "400"]]) {
+    ["eccentricity", "0.07"], ["mass-loss-speed-hz", "200"], ["unbalance-factor", "400"]]) {
     await set({});
     await page.fill(`#${option}`, value);
     await page.waitForFunction(() => document.getElementById("status").classList.contains("refusal"));

@@ -28,7 +28,7 @@ class Explore : public CommandLine {
     return all;
   }
 
-  Observer unconcerned_;
+  Observer null_observer_;
   Explorer explorer_{printed_inputs()};
 };
 
@@ -42,18 +42,18 @@ Json findings(Json summary) {
 // To the bit, though runs share what they can.
 TEST_F(Explore, SaysWhatRotorRunSays) {
   const auto summary = [&](const Options& options) {
-    return findings(explorer_.run(options, unconcerned_).told["summary"]);
+    return findings(explorer_.run(options, null_observer_).told["summary"]);
   };
   const auto printed = [&](const std::string& arguments) {
     return findings(Json::parse(rotor("run --json" + arguments + " 2>/dev/null").output));
   };
   for (const Options& options : std::vector<Options>{
            {{"friction", "0.2"}, {"equations", "consistent"}},
-           {{"separation-time", "19.1"}, {"velocity-jump", "once"}},
-           {{"separation-speed-hz", "75"}, {"gravity-moment", "balanced"}},
+           {{"mass-loss-time", "19.1"}, {"velocity-jump", "once"}},
+           {{"mass-loss-speed-hz", "75"}, {"gravity-moment", "balanced"}},
            {{"clearance", "1e-3"}, {"start-speed-hz", "60"}},
-           {{"no-separation", ""}, {"until", "3"}},
-           {{"separation-time", "2"}, {"until", "3"}},
+           {{"no-mass-loss", ""}, {"until", "3"}},
+           {{"mass-loss-time", "2"}, {"until", "3"}},
            {{"torque", "0.5"}, {"lost-mass", "+0.03"}},
        }) {
     const std::string arguments = as_arguments(options);
@@ -64,15 +64,15 @@ TEST_F(Explore, SaysWhatRotorRunSays) {
 }
 
 TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
-  explorer_.run({}, unconcerned_);  // leaves a run-up
+  explorer_.run({}, null_observer_);  // leaves a run-up
   for (const Options& options : std::vector<Options>{
            {{"friction", "many"}},
            {{"until", "1e999"}},
            {{"unbalance-factor", "400"}},
            {{"stator-radius", "0.05"}},
            {{"clearance", "1e-3"}, {"stator-radius", "0.07"}},
-           {{"separation-speed-hz", "200"}},
-           {{"no-separation", ""}, {"until", "3"}, {"separation-time", "1"}},
+           {{"mass-loss-speed-hz", "200"}},
+           {{"no-mass-loss", ""}, {"until", "3"}, {"mass-loss-time", "1"}},
            {{"equations", "printed"}},
            {{"velocity-jump", "thrice"}},
            {{"from", "40"}},
@@ -80,7 +80,7 @@ TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
        }) {
     std::string refusal;
     try {
-      explorer_.run(options, unconcerned_);
+      explorer_.run(options, null_observer_);
     } catch (const std::exception& error) {
       refusal = fmt::format("rotor: {}\n", error.what());
     }
@@ -94,7 +94,7 @@ TEST_F(Explore, SavesTheTraceThatRotorRunWrites) {
   for (const char* from : {"29.1", "27.9", "29.099"}) {
     const Options options = {{"friction", "0.2"}, {"until", "29.11"}, {"from", from}};
     EXPECT_EQ(rotor("run --trace t.csv" + as_arguments(options)).status, 0);
-    EXPECT_TRUE(explorer_.trace(options, unconcerned_) == content("t.csv")) << from;  // megabytes
+    EXPECT_TRUE(explorer_.trace(options, null_observer_) == content("t.csv")) << from;  // megabytes
   }
 }
 
@@ -109,10 +109,10 @@ TEST_F(Explore, AsksAfterEachStepWhetherToGoOn) {
 
 // The works of the balance, as far as the run has got: at its end they are those of the summary.
 TEST_F(Explore, TellsHowTheWorksGrow) {
-  const Picture picture = explorer_.run({}, unconcerned_);
+  const Picture picture = explorer_.run({}, null_observer_);
   const Json& energy = picture.told["summary"]["energy_J"]["until_end"];
   EXPECT_GE(picture.works.row(0)[0], picture.told["from_s"]);  // not from the start of the run
-  EXPECT_LE(picture.works.row(0)[0], picture.told["separation_s"]);
+  EXPECT_LE(picture.works.row(0)[0], picture.told["mass_loss_s"]);
   const auto last = picture.works.row(picture.works.rows() - 1);
   for (std::size_t i = 1; i < picture.works.columns(); ++i)
     EXPECT_EQ(last[i], energy[picture.told["works"][i].get<std::string>()]) << i;
@@ -127,7 +127,7 @@ TEST_F(Explore, TellsHowTheWorksGrow) {
 /// What is drawn for these settings, as "quantity least greatest".
 std::set<std::string> drawn(const Options& options) {
   std::set<std::string> all;
-  const Sweep sweep = over_printed_digits(settings_of(options).statement, printed_inputs(), 1);
+  const Sweep sweep = over_printed_digits(settings_of(options).spec, printed_inputs(), 1);
   for (const Draw& draw : sweep.sample.over)
     all.insert(fmt::format("{} {} {}", draw.quantity, draw.a, draw.b));
   return all;
@@ -142,8 +142,8 @@ TEST_F(Explore, DrawsThePrintedInputsThatAreInEffect) {
       {{{"friction", "0.15"}}, "friction 0.25 0.35"},
       {{{"stator-radius", "0.063"}}, "clearance 0.0025 0.0035"},
       {{{"unbalance-factor", "3"}}, "lost_mass 0.02475 0.02485"},
-      {{{"separation-speed-hz", "100"}}, "separation_time 29.05 29.15"},
-      {{{"start-speed-hz", "60"}}, "separation_time 29.05 29.15"}};
+      {{{"mass-loss-speed-hz", "100"}}, "mass_loss_time 29.05 29.15"},
+      {{{"start-speed-hz", "60"}}, "mass_loss_time 29.05 29.15"}};
   for (const auto& [options, missing] : without) {
     auto expected = all;
     EXPECT_EQ(expected.erase(missing), 1U) << missing;
@@ -155,8 +155,8 @@ TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
   const Options options = {{"until", "29.12"}};
   std::set<double> losses;
   for (long n = 0; n < 3; ++n) {
-    const Picture draw = explorer_.draw(options, n, 3, unconcerned_);
-    const double loss_s = draw.told["separation_s"];
+    const Picture draw = explorer_.draw(options, n, 3, null_observer_);
+    const double loss_s = draw.told["mass_loss_s"];
     losses.insert(loss_s);
     constexpr double rounding = 1e-9;
     EXPECT_NEAR(draw.told["from_s"].get<double>() - loss_s, -0.02, rounding);
@@ -169,7 +169,7 @@ TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
 
 // The page's scripts read no column of the motion and no key of the summary that there is not.
 TEST_F(Explore, ReadsNothingOfARunThatThereIsNot) {
-  const Picture picture = explorer_.run({{"friction", "0.2"}}, unconcerned_);
+  const Picture picture = explorer_.run({{"friction", "0.2"}}, null_observer_);
   const Json& motion = picture.told["motion"];
   for (const auto& entry : fs::directory_iterator(ROTOR_SOURCES "/figures/explore/page")) {
     std::ifstream stream(entry.path());

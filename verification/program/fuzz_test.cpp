@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "figures/data/text.hpp"
-#include "figures/scenes/scene.hpp"
+#include "figures/input/scene.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -116,8 +116,8 @@ std::string random_scene(Random& random) {
       "name = \"b\"",
       "equations = \"consistent\"",
       "method = \"rk4\"",
-      "no_separation = true",
-      "no_separation = 3",
+      "no_mass_loss = true",
+      "no_mass_loss = 3",
       "a.b.c = 1",
       "[a.b]",
       "title = \"\"\"\n\"\"\"",
@@ -175,9 +175,9 @@ TEST_F(Fuzz, ScenesAreReadOrRefusedByFileAndLine) {
 
 TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
   Random random(2);
-  std::vector<std::string> options = {"--trace",  "--events",        "--columns",     "--from",
-                                      "--scene",  "--run",           "--json",        "--equations",
-                                      "--method", "--no-separation", "--keep-partial"};
+  std::vector<std::string> options = {"--trace",  "--events",       "--columns",     "--from",
+                                      "--scene",  "--run",          "--json",        "--equations",
+                                      "--method", "--no-mass-loss", "--keep-partial"};
   for (std::string name : quantity_names()) {
     std::replace(name.begin(), name.end(), '_', '-');
     options.push_back("--" + name);

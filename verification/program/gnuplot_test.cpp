@@ -47,7 +47,7 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   EXPECT_TRUE(content("b.svg") == content("a.svg"));
   write("long.toml", "title = \"" + std::string(200'000, 'a') +
                          "\"\n[parameters]\nuntil = 0.01\n"
-                         "no_separation = true\n");
+                         "no_mass_loss = true\n");
   EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
 }
 

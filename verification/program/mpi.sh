@@ -15,7 +15,7 @@ values = [0.3, 0.08]
 [sample]
 count = 700
 [[sample.over]]
-quantity = "separation_time"
+quantity = "mass_loss_time"
 uniform = [29.05, 29.15]
 TOML
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

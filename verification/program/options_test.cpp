@@ -9,7 +9,7 @@
 #include <regex>
 #include <tuple>
 
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
@@ -39,19 +39,19 @@ std::string stated(const std::map<std::string, double>& numbers, bool as_options
 // is one run, in which that input alone is another one.
 TEST_F(Options, EachStateTheNumberThatTheyName) {
   const std::map<std::string, double> short_run = {
-      {"start_speed_hz", 30}, {"until", 0.02}, {"separation_time", 0.001}};
+      {"start_speed_hz", 30}, {"until", 0.02}, {"mass_loss_time", 0.001}};
   const std::map<std::string, double> found = {
-      {"clearance", 2e-3}, {"lost_mass", 0.01}, {"separation_speed_hz", 34}};
+      {"clearance", 2e-3}, {"lost_mass", 0.01}, {"mass_loss_speed_hz", 34}};
   const Json standard = inputs(stated(short_run, true));
-  for (const Statable& statable : statables()) {
-    const std::string name(statable.quantity.name);
+  for (const InputQuantity& input_quantity : input_quantities()) {
+    const std::string name(input_quantity.quantity.name);
     auto numbers = short_run;
-    if (name == "separation_speed_hz") {
-      numbers.erase("separation_time");
+    if (name == "mass_loss_speed_hz") {
+      numbers.erase("mass_loss_time");
       numbers["until"] = 2;
     }
     const double value =
-        statable.instead_of.empty() ? 0.98 * standard[name].get<double>() : found.at(name);
+        input_quantity.instead_of.empty() ? 0.98 * standard[name].get<double>() : found.at(name);
     numbers[name] = value;
     const Json by_option = summary(stated(numbers, true));
     auto others = numbers;
@@ -69,8 +69,8 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
       expected["stator_radius"] = 0.06 + value;
     else if (name == "lost_mass")  // Eq. (5)
       expected["unbalance_factor"] = (5 * 0.15e-3 + value * 0.06) / (5 - value) / 0.15e-3;
-    else if (name == "separation_speed_hz")
-      expected["separation_time"] = by_option["inputs"]["separation_time"];
+    else if (name == "mass_loss_speed_hz")
+      expected["mass_loss_time"] = by_option["inputs"]["mass_loss_time"];
     else
       expected[name] = value;
     for (const auto& [key, number] : expected.items()) {
@@ -79,16 +79,16 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
                   std::abs(shown.get<double>() / number.get<double>() - 1) < 1e-14)
           << name << ": " << key << " is " << shown;
     }
-    if (name == "separation_speed_hz") {
-      EXPECT_NEAR(by_option["speed_at_separation_Hz"].get<double>(), value, 1e-9);
+    if (name == "mass_loss_speed_hz") {
+      EXPECT_NEAR(by_option["speed_at_mass_loss_Hz"].get<double>(), value, 1e-9);
     }
   }
 }
 
 // However it is stated, a choice is shown, and makes the run another one.
 TEST_F(Options, EachStateTheChoiceThatTheyName) {
-  const std::string start = " --start-speed-hz 40 --separation-time 0.001 --until 0.05 ",
-                    keys = "start_speed_hz = 40\nseparation_time = 0.001\nuntil = 0.05\n";
+  const std::string start = " --start-speed-hz 40 --mass-loss-time 0.001 --until 0.05 ",
+                    keys = "start_speed_hz = 40\nmass_loss_time = 0.001\nuntil = 0.05\n";
   const auto without_costs = [](Json all) {
     for (const char* key : {"equations", "velocity_jump", "gravity_moment", "method"})
       all.erase(key);
@@ -116,9 +116,9 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
             summary(start + "--equations consistent"));
   for (const bool no : {false, true}) {
     write("c.toml", fmt::format("[parameters]\nstart_speed_hz = 30\nuntil = 0.02\n"
-                                "no_separation = {}\n[[run]]\nname = \"c\"\nno_separation = {}\n",
+                                "no_mass_loss = {}\n[[run]]\nname = \"c\"\nno_mass_loss = {}\n",
                                 !no, no));
-    EXPECT_EQ(inputs("--scene c.toml")["no_separation"], no);
+    EXPECT_EQ(inputs("--scene c.toml")["no_mass_loss"], no);
   }
   write("d.toml", "[parameters]\n" + keys + "digits = 5\n[[run]]\nname = \"d\"\ndigits = 4\n");
   EXPECT_EQ(summary("--scene d.toml"), summary(start + "--digits 4"));
@@ -129,7 +129,7 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
 TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
   write("two.toml",
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0.004, until_s = 0.012 }\n"
-        "[parameters]\nstart_speed_hz = 30\nuntil = 0.02\nno_separation = true\n"
+        "[parameters]\nstart_speed_hz = 30\nuntil = 0.02\nno_mass_loss = true\n"
         "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\ngravity = 0\n");
   for (const auto& [arguments, head, first, last] :
        {std::tuple("--run a", "run,time_s,rho_m", "a,0.004,", "a,0.012,"),

@@ -10,7 +10,7 @@ import { numbersOf, sentence, textsOf } from "../../figures/explore/page/outcome
 const summary = {
   outcome: "no_contact", collisions: 7, first_contact_s: 29.1046, rolling_onset_s: 29.1277, rolling_onset_speed_Hz: 45.148,
   peak_normal_force_N: 454827, peak_time_s: 29.12786, max_displacement_m: 0.0035675, whirl_frequency_Hz: -595.61,
-  speed_at_separation_Hz: 149.9925, final_speed_Hz: 23.035, remarks: ["the ring is round"],
+  speed_at_mass_loss_Hz: 149.9925, final_speed_Hz: 23.035, remarks: ["the ring is round"],
 };
 
 test("the explorer tells numbers in their units", () => {

@@ -6,9 +6,9 @@
 #include <set>
 #include <tuple>
 
-#include "figures/scenes/audience.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/summary.hpp"
+#include "figures/runs/observer_group.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/figure_folder.hpp"
 #include "verification/support/figure_list.hpp"
@@ -34,7 +34,8 @@ class Pictures : public CommandLine,
     EXPECT_EQ(status, 0);
     EXPECT_EQ(output, "");
     DrawnPicture picture(content("a.svg"));
-    if (picture.x.size() < 2 || picture.side_by_side) picture.curves.clear();  // a scheme, or panels
+    if (picture.x.size() < 2 || picture.side_by_side)
+      picture.curves.clear();  // a scheme, or panels
     return picture;
   }
 
@@ -149,10 +150,10 @@ std::vector<std::string> Pictures::numbers() const {
     if (scenario.method == Method::rk4) continue;
     scenario.equations = equations();
     SummaryObserver summary(scenario);
-    Audience audience;
-    audience.add(summary);
-    audience.add(events.emplace_back());
-    run(scenario, audience);
+    ObserverGroup observers;
+    observers.add(summary);
+    observers.add(events.emplace_back());
+    run(scenario, observers);
     of.push_back(summary.summary());
   }
   const auto force = [&](std::size_t n) { return of[n].peak_normal_force_N.value_or(0) / 1e3; };
@@ -167,7 +168,7 @@ std::vector<std::string> Pictures::numbers() const {
   const std::string peak = of[0].peak_normal_force_N ? fmt::format("here: {:.1f} kN at {:.4f} s",
                                                                    force(0), *of[0].peak_time_s)
                                                      : "here: no contact";
-  const double lost_at_Hz = of[0].speed_at_separation_Hz.value_or(0),
+  const double lost_at_Hz = of[0].speed_at_mass_loss_Hz.value_or(0),
                after_mm = 1e3 * of[0].max_displacement_m.value_or(0);
   switch (figure().number) {
     case 2:

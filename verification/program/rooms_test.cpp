@@ -18,25 +18,35 @@ using Names = std::set<std::string>;
 /// What each room may include beside itself.
 const std::map<std::string, Names>& allowed() {
   static const Names model = {"model/mechanics", "model/integration", "model/phases",
-                              "model/simulation"};
+                              "model/scenario",  "model/methods",     "model/results",
+                              "model/run",       "model/certified"};
   static const auto with = [](Names names, const Names& more) {
     names.insert(more.begin(), more.end());
     return names;
   };
-  static const Names scenes = with(model, {"figures/data", "figures/scenes"});
+  static const Names runs = with(model, {"figures/data", "figures/runs"});
+  static const Names scenes =
+      with(runs, {"model/theory", "figures/record", "figures/input", "figures/results"});
   static const Names of_verification =
-      with(scenes, {"figures/explore", "figures/sweep", "model/theory", "verification/support"});
+      with(scenes, {"figures/explore", "figures/sweep", "verification/support"});
   static const std::map<std::string, Names> rooms = {
       {"model/mechanics", {}},
       {"model/integration", {}},
       {"model/phases", {"model/mechanics", "model/integration"}},
-      {"model/simulation", {"model/mechanics", "model/integration", "model/phases"}},
+      {"model/scenario", {"model/mechanics", "model/phases"}},
+      {"model/methods", {"model/mechanics", "model/integration", "model/phases", "model/scenario"}},
+      {"model/results", {"model/mechanics", "model/scenario"}},
+      {"model/run", {"model/mechanics", "model/scenario", "model/methods"}},
+      {"model/certified", model},
       {"model/theory", {"model/mechanics"}},
       {"figures/data", {}},
-      {"figures/scenes", with(model, {"figures/data", "model/theory"})},
+      {"figures/runs", runs},
+      {"figures/record", with(model, {"figures/data"})},
+      {"figures/input", with(runs, {"figures/record"})},
+      {"figures/results", scenes},
       {"figures/sweep", scenes},
       {"figures/explore", with(scenes, {"figures/sweep"})},
-      {"figures/maps", with(scenes, {"figures/sweep", "model/theory"})},
+      {"figures/maps", with(scenes, {"figures/sweep"})},
       {"figures/program", with(scenes, {"figures/sweep"})},
       {"verification/support", scenes},
       {"verification/approved", {"verification/support"}},

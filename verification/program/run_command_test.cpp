@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "figures/scenes/names.hpp"
+#include "figures/input/names.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
@@ -33,9 +33,9 @@ bool allows(const Json& property, const Json& value) {
 TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
   const Json schema = Json::parse(rotor("run --json-schema").output);
   for (const char* arguments :
-       {"", "--until 0.5 --no-separation", "--method rk4 --until 0.01", "--stop-on rolling",
+       {"", "--until 0.5 --no-mass-loss", "--method rk4 --until 0.01", "--stop-on rolling",
         "--until 31 --tolerance 1e-8", "--estimate-error", "--energy",
-        "--start-speed-hz 150 --separation-time 1e-3 --until 0.03 --digits 6"}) {
+        "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 --digits 6"}) {
     const Json printed = summary(arguments);
     for (const auto& key : schema["required"]) EXPECT_TRUE(printed.contains(key)) << key;
     for (const auto& [key, value] : printed.items()) {
@@ -58,7 +58,7 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   EXPECT_NEAR(end["residual"], residual, 1e-12 * end["initial"].get<double>());
   // What a rotor starts with is no work of a mass loss that it has not.
   const Json turning =
-      summary("--energy --no-separation --start-speed-hz 100 --until 0.1")["energy_J"]["until_end"];
+      summary("--energy --no-mass-loss --start-speed-hz 100 --until 0.1")["energy_J"]["until_end"];
   const double speed = 200 * std::numbers::pi;
   EXPECT_NEAR(turning["initial"].get<double>() / (Parameters().inertia / 2 * speed * speed), 1,
               1e-3);  // and a little of the response to the unbalance
@@ -67,7 +67,7 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
 
 // In JSON each number of the run has its error; everything else is as without.
 TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
-  const std::string rolls = "--start-speed-hz 150 --separation-time 1e-3 --until 0.03 ";
+  const std::string rolls = "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 ";
   const Json plain = summary(rolls), sure = summary(rolls + "--digits 6");
   EXPECT_TRUE(plain["whirl_frequency_Hz"].is_number());
   for (const auto& [key, value] : plain.items()) {
@@ -79,16 +79,16 @@ TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
         << key;
     EXPECT_EQ(sure[key]["error"] == 0, key == "final_time_s" || value == 0) << key;
   }
-  const std::string narrow = "--stator-radius 0.0603 --separation-time 2 --until 2.02 ";
+  const std::string narrow = "--stator-radius 0.0603 --mass-loss-time 2 --until 2.02 ";
   const Json before = summary(narrow + "--digits 3");
-  EXPECT_GT(before["collisions_before_loss"], 10);
-  EXPECT_EQ(before["collisions_before_loss"], summary(narrow)["collisions_before_loss"]);
+  EXPECT_GT(before["touch_downs_before_loss"], 10);
+  EXPECT_EQ(before["touch_downs_before_loss"], summary(narrow)["touch_downs_before_loss"]);
   EXPECT_NE(before["remarks"].dump().find("before the mass loss"), std::string::npos);
   EXPECT_NE(
       rotor("run --digits 3 --until 0.1")
           .output.find("rotor: the mass loss at 29.1 s was not reached; the run ends at 0.1 s\n"),
       std::string::npos);
-  for (const char* key : {"outcome", "collisions", "collisions_before_loss", "mass_loss_reached",
+  for (const char* key : {"outcome", "touch_downs", "touch_downs_before_loss", "mass_loss_reached",
                           "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
     EXPECT_EQ(sure[key], plain[key]) << key;
   EXPECT_EQ(sure.size(), plain.size() + 2);
@@ -96,9 +96,9 @@ TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
 
 // The speed is that of the exact run-up, whatever the method.
 TEST_F(RunCommand, LosesTheMassAtTheSameTimeByEitherMethod) {
-  const std::string lost = "--separation-speed-hz 20 --until 4.2 ";
-  EXPECT_EQ(summary(lost + "--method rk4")["inputs"]["separation_time"],
-            summary(lost)["inputs"]["separation_time"]);
+  const std::string lost = "--mass-loss-speed-hz 20 --until 4.2 ";
+  EXPECT_EQ(summary(lost + "--method rk4")["inputs"]["mass_loss_time"],
+            summary(lost)["inputs"]["mass_loss_time"]);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <numbers>
 
 #include "figures/data/text.hpp"
-#include "figures/scenes/statement.hpp"
+#include "figures/input/scenario_spec.hpp"
 #include "model/mechanics/mass_loss.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/start.hpp"
+#include "model/run/simulation.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
@@ -16,15 +16,15 @@ using Json = nlohmann::json;
 using Runs = RunSummary;
 using Stops = RunSummary;
 
-Statement numbers(std::initializer_list<std::pair<const std::string, double>> stated) {
-  Statement statement;
-  statement.numbers.insert(stated.begin(), stated.end());
-  return statement;
+ScenarioSpec numbers(std::initializer_list<std::pair<const std::string, double>> stated) {
+  ScenarioSpec spec;
+  spec.numbers.insert(stated.begin(), stated.end());
+  return spec;
 }
 
-TEST(Statement, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
+TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
 
-TEST(Statement, ReadsNumbersThatAreNothingElse) {
+TEST(ScenarioSpec, ReadsNumbersThatAreNothingElse) {
   EXPECT_EQ(number_in("0.3"), 0.3);
   EXPECT_EQ(number_in("+3e-1"), 0.3);
   EXPECT_EQ(number_in("3E-1"), 0.3);
@@ -36,7 +36,7 @@ TEST(Statement, ReadsNumbersThatAreNothingElse) {
     EXPECT_EQ(number_in(text), std::nullopt) << text;
 }
 
-TEST(Statement, TakesTheLostMassForTheUnbalanceFactor) {
+TEST(ScenarioSpec, TakesTheLostMassForTheUnbalanceFactor) {
   const Scenario scenario = scenario_of(numbers({{"lost_mass", 0.04}}));
   EXPECT_NEAR(MassLoss<double>(scenario.parameters).lost_mass, 0.04, 1e-15);
   // m e/m/e may be less than 1 by rounding.
@@ -45,18 +45,18 @@ TEST(Statement, TakesTheLostMassForTheUnbalanceFactor) {
             1);
 }
 
-TEST(Statement, OfAMassLossAboveAnotherTakesWhenAndWhetherItIs) {
-  Statement none = numbers({{"until", 3}});
+TEST(ScenarioSpec, OfAMassLossAboveAnotherTakesWhenAndWhetherItIs) {
+  ScenarioSpec none = numbers({{"until", 3}});
   none.loses_mass = false;
-  for (const char* name : {"separation_time", "separation_speed_hz"}) {
-    const Statement at = numbers({{name, 1.5}, {"torque", 3}});
+  for (const char* name : {"mass_loss_time", "mass_loss_speed_hz"}) {
+    const ScenarioSpec at = numbers({{name, 1.5}, {"torque", 3}});
     EXPECT_FALSE(scenario_of(at.overridden_by(none)).loses_mass()) << name;
     EXPECT_TRUE(scenario_of(none.overridden_by(at)).loses_mass()) << name;
   }
-  Statement confirmed;
+  ScenarioSpec confirmed;
   confirmed.loses_mass = true;  // and says nothing of when
-  EXPECT_EQ(scenario_of(numbers({{"separation_time", 1.5}}).overridden_by(confirmed))
-                .parameters.separation_time,
+  EXPECT_EQ(scenario_of(numbers({{"mass_loss_time", 1.5}}).overridden_by(confirmed))
+                .parameters.mass_loss_time,
             1.5);
 }
 
@@ -65,17 +65,17 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   for (const double off_Hz : {150., 20 + std::numbers::pi})
     for (const double speed_Hz : {20., 75., 149.9995, off_Hz}) {
       const Scenario scenario = scenario_of(numbers(
-          {{"separation_speed_hz", speed_Hz}, {"motor_off_hz", std::max(off_Hz, speed_Hz)}}));
+          {{"mass_loss_speed_hz", speed_Hz}, {"motor_off_hz", std::max(off_Hz, speed_Hz)}}));
       Observer null_observer;
       Simulation simulation(scenario);
       simulation.pass_mass_loss(null_observer);
       EXPECT_NEAR(simulation.instant().state[5] / (2 * std::numbers::pi) / speed_Hz, 1, 1e-12);
     }
   const auto at_start =
-      numbers({{"start_speed_hz", 60}, {"separation_speed_hz", 60}, {"torque", 0}});
-  EXPECT_EQ(scenario_of(at_start).parameters.separation_time, 0);
+      numbers({{"start_speed_hz", 60}, {"mass_loss_speed_hz", 60}, {"torque", 0}});
+  EXPECT_EQ(scenario_of(at_start).parameters.mass_loss_time, 0);
   // What is faster behind a contact, this one at 1.77 s, does not count.
-  EXPECT_THROW(scenario_of(numbers({{"separation_speed_hz", 75}, {"eccentricity", 1e-3}})),
+  EXPECT_THROW(scenario_of(numbers({{"mass_loss_speed_hz", 75}, {"eccentricity", 1e-3}})),
                std::exception);
 }
 
@@ -83,7 +83,7 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
 TEST(StartSpeed, BeginsInSteadyResponse) {
   Scenario scenario;
   scenario.parameters.torque = scenario.parameters.gravity = 0;
-  scenario.parameters.separates = false;
+  scenario.parameters.loses_mass = false;
   for (const double speed_Hz : {5., 30., 120.}) {
     scenario.start_speed_Hz = speed_Hz;
     scenario.until = 2;
@@ -101,7 +101,7 @@ TEST(StartSpeed, BeginsInSteadyResponse) {
 // A scene's runs, each the same as on its own, and beside one that fails.
 TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
   write("two.toml",
-        "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\nseparation_time = 1e-3\n[[run]]\n"
+        "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\nmass_loss_time = 1e-3\n[[run]]\n"
         "name = \"a\"\n[[run]]\nname = \"diverges\"\nmethod = \"rk4\"\n"
         "contact_stiffness = 1e13\n[[run]]\nname = \"b\"\nfriction = 0.2\n");
   const Outcome all = rotor("run --scene two.toml --json 2>messages");
@@ -114,14 +114,14 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
     alone["run"] = run["run"];
     EXPECT_EQ(run, alone);
   }
-  EXPECT_NE(runs[0]["collisions"], runs[1]["collisions"]);
+  EXPECT_NE(runs[0]["touch_downs"], runs[1]["touch_downs"]);
 }
 
 TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
   const Json whole = summary(""), stopped = summary("--stop-on rolling");
   EXPECT_EQ(stopped["stop_reached"], true);
   EXPECT_LT(stopped["final_time_s"], 29.13);
-  for (const char* key : {"outcome", "rolling_onset_s", "peak_normal_force_N", "collisions"})
+  for (const char* key : {"outcome", "rolling_onset_s", "peak_normal_force_N", "touch_downs"})
     EXPECT_EQ(stopped[key], whole[key]) << key;
   EXPECT_LT(stopped["right_hand_sides"], whole["right_hand_sides"]);
   EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
@@ -145,7 +145,7 @@ TEST_F(Stops, AreNotWhereTheForceFallsAtTheOnset) {
 // Rolling decides the outcome, but not before the mass loss.
 TEST_F(Stops, AreNotBeforeTheMassLossWhereTheOutcomeIsAskedFor) {
   const std::string run =
-      "--support-stiffness 1.2e5 --friction 2 --separation-time 6 --tolerance 1e-7 --stop-on ";
+      "--support-stiffness 1.2e5 --friction 2 --mass-loss-time 6 --tolerance 1e-7 --stop-on ";
   const Json stopped = summary(run + "outcome");
   EXPECT_LT(stopped["rolling_onset_s"], 5);
   EXPECT_EQ(stopped["outcome"], "rolling");
@@ -155,7 +155,7 @@ TEST_F(Stops, AreNotBeforeTheMassLossWhereTheOutcomeIsAskedFor) {
 }
 
 TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {
-  const Json stopped = summary("--separation-time 12 --stop-on outcome --equations consistent");
+  const Json stopped = summary("--mass-loss-time 12 --stop-on outcome --equations consistent");
   EXPECT_EQ(stopped["outcome"], "no_contact");
   EXPECT_EQ(stopped["stop_reached"], true);
   EXPECT_LT(stopped["final_time_s"], 12.1);
@@ -163,7 +163,7 @@ TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {
   // without.
   for (const std::string gravity : {"9.81", "0"}) {
     const Json late = summary(
-        "--start-speed-hz 150 --separation-time 0 --clearance 5e-3 --until 200 --stop-on outcome "
+        "--start-speed-hz 150 --mass-loss-time 0 --clearance 5e-3 --until 200 --stop-on outcome "
         "--equations consistent --gravity " +
         gravity);
     EXPECT_EQ(late["outcome"], "no_contact") << gravity;
@@ -174,13 +174,13 @@ TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {
 TEST_F(Stops, AreAtRest) {
   // So weak a motor that the speed stays below 0.1 Hz: a rotor at its start has not come to rest.
   for (const std::string method : {"event", "rk4"}) {
-    const Json slow = summary(
-        "--stop-on rest --torque 8e-4 --gravity 0 --separation-time 5 --until 60 --method " +
-        method);
+    const Json slow =
+        summary("--stop-on rest --torque 8e-4 --gravity 0 --mass-loss-time 5 --until 60 --method " +
+                method);
     EXPECT_TRUE(slow["mass_loss_reached"]);
     EXPECT_NEAR(slow["final_time_s"], 6, 0.5) << method;  // a second later, and the rest of a step
   }
-  const std::string still = "--stop-on rest --until 60 --torque 0 --gravity 0 --no-separation ";
+  const std::string still = "--stop-on rest --until 60 --torque 0 --gravity 0 --no-mass-loss ";
   const Json stopped = summary(still);
   EXPECT_EQ(stopped["stop_reached"], true);
   EXPECT_GE(stopped["final_time_s"], 1);
@@ -191,13 +191,12 @@ TEST_F(Stops, AreAtRest) {
   EXPECT_EQ(turns_at("0.09"), true);
   EXPECT_EQ(turns_at("0.11"), false);
   // Nor has one that its motor starts slowly.
-  const Json starts =
-      summary("--stop-on rest --torque 0.001 --gravity 0 --no-separation --until 8");
+  const Json starts = summary("--stop-on rest --torque 0.001 --gravity 0 --no-mass-loss --until 8");
   EXPECT_EQ(starts["stop_reached"], false);
   EXPECT_GT(starts["final_speed_Hz"], 0.1);
   // Nor has a pendulum that swings back, for more than a second each time.
   const Json swings = summary(
-      "--stop-on rest --no-separation --torque 0 --eccentricity 1.15e-3 --start-speed-hz 0.64 "
+      "--stop-on rest --no-mass-loss --torque 0 --eccentricity 1.15e-3 --start-speed-hz 0.64 "
       "--until 10");
   EXPECT_FALSE(swings["stop_reached"]);
 }
@@ -206,7 +205,7 @@ TEST_F(Stops, AreAtRest) {
 TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
   const Json stopped = summary(
       "--equations consistent --clearance 1e-3 --friction 0.8 --unbalance-factor 1 "
-      "--separation-time 2.4 --until 2.8 --stop-on outcome");
+      "--mass-loss-time 2.4 --until 2.8 --stop-on outcome");
   EXPECT_EQ(stopped["outcome"], "rolling");
   EXPECT_GT(stopped["final_time_s"], 2.5);
 }
@@ -214,17 +213,17 @@ TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
 // Before resonance it is not clear yet: the motor drives the rotor on, and into contact.
 TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
   for (const std::string run :
-       {"--separation-time 1 --until 5 ", "--separation-time 1.5 --until 5 --equations consistent ",
+       {"--mass-loss-time 1 --until 5 ", "--mass-loss-time 1.5 --until 5 --equations consistent ",
         // It coasts down through its resonance.
         "--mass 2.24760174 --inertia 0.0138229672 --eccentricity "
         "0.0158509437 --support-stiffness 977.876082 --support-damping "
         "11.2006793 --torque 0 --contact-stiffness 31535.4352 "
         "--contact-damping 71.6030764 --friction 0.0849230434 "
         "--rotor-radius 0.170408734 --stator-radius 0.194472672 "
-        "--start-speed-hz 15.0538245 --separation-time 0.00219956671 "
+        "--start-speed-hz 15.0538245 --mass-loss-time 0.00219956671 "
         "--unbalance-factor 1.03157215 --until 12 "}) {
     const Json whole = summary(run), stopped = summary(run + "--stop-on outcome");
-    EXPECT_GT(whole["collisions"], 0) << run;
+    EXPECT_GT(whole["touch_downs"], 0) << run;
     EXPECT_EQ(stopped["outcome"], whole["outcome"]) << run;
     EXPECT_EQ(stopped["first_contact_s"], whole["first_contact_s"]) << run;
   }

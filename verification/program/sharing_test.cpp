@@ -4,15 +4,15 @@
 #include <numbers>
 #include <random>
 
-#include "figures/scenes/account.hpp"
-#include "figures/scenes/audience.hpp"
-#include "figures/scenes/production.hpp"
-#include "figures/scenes/run_ups.hpp"
+#include "figures/results/run_result.hpp"
+#include "figures/runs/observer_group.hpp"
+#include "figures/runs/production.hpp"
+#include "figures/runs/run_ups.hpp"
 
 namespace rotor {
 namespace {
 
-std::string finished(Departure way, const Scenario& scenario) {
+std::string finished(RunUpCheckpoint way, const Scenario& scenario) {
   way.simulation.finish(way.summary);
   return to_json({scenario,
                   way.summary.summary(),
@@ -37,15 +37,15 @@ std::vector<Scenario> scenarios() {
     p.unbalance_factor = one_of(3., 2.);
     // The stiffer support lets the rotor touch the ring before the mass loss.
     p.support_stiffness = one_of(5e4, 5e4, 1.2e5);
-    p.separation_time = one_of(0., 0.5, 2.0, 9.4, 19.1, 29.1, 29.2, 29.100001, 28.0);
-    p.separates = one_of(true, true, true, true, false);
-    scenario.until = p.separation_time + one_of(0.02, 0.05, 0.3);
+    p.mass_loss_time = one_of(0., 0.5, 2.0, 9.4, 19.1, 29.1, 29.2, 29.100001, 28.0);
+    p.loses_mass = one_of(true, true, true, true, false);
+    scenario.until = p.mass_loss_time + one_of(0.02, 0.05, 0.3);
     scenario.equations = one_of(Equations::published, Equations::consistent);
-    if (p.separation_time < 3) scenario.start_speed_Hz = one_of(0, 0, 100);
+    if (p.mass_loss_time < 3) scenario.start_speed_Hz = one_of(0, 0, 100);
     if (n % 8 == 0) {
       scenario.method = Method::rk4;
-      p.separation_time = one_of(1.0, 2.0, 2.00003);
-      scenario.until = p.separation_time + 0.01;
+      p.mass_loss_time = one_of(1.0, 2.0, 2.00003);
+      scenario.until = p.mass_loss_time + 0.01;
     }
     if (scenario.start_speed_Hz > 0) p.support_stiffness = 5e4;
     if (n % 2 == 0) {
@@ -62,9 +62,9 @@ TEST(RunUps, LeadWhereARunOfItsOwnLeadsTo) {
   Observer null_observer;
   int touching_before = 0;
   for (const Scenario& scenario : scenarios()) {
-    const Departure shared = run_ups.depart(scenario, null_observer);
-    const std::string alone = finished(Departure(scenario), scenario);
-    touching_before += alone.find("\"collisions_before_loss\": 0") == std::string::npos;
+    const RunUpCheckpoint shared = run_ups.checkpoint_before(scenario, null_observer);
+    const std::string alone = finished(RunUpCheckpoint(scenario), scenario);
+    touching_before += alone.find("\"touch_downs_before_loss\": 0") == std::string::npos;
     EXPECT_EQ(finished(shared, scenario), alone);
   }
   EXPECT_GT(touching_before, 3);
@@ -78,34 +78,34 @@ TEST(RunUps, ForgetTheWayThatWasInterrupted) {
     long steps_left = 1000;
   } monitor;
   const Scenario scenario{.until = 29.15, .tolerance = 1e-8};
-  const Departure stopped = run_ups.depart(scenario, monitor);
+  const RunUpCheckpoint stopped = run_ups.checkpoint_before(scenario, monitor);
   ASSERT_TRUE(stopped.simulation.stopped());
   // It does not go on by itself, and says that it was cut short.
-  const Account account = finish(stopped, scenario, StopOn::rolling, monitor);
+  const RunResult account = finish(stopped, scenario, StopOn::rolling, monitor);
   EXPECT_EQ(account.end.last.time_s, stopped.simulation.instant().time_s);
   EXPECT_TRUE(account.early.interrupted);
   EXPECT_FALSE(account.early.stop_reached);
   Observer null_observer;
-  EXPECT_EQ(finished(run_ups.depart(scenario, null_observer), scenario),
-            finished(Departure(scenario), scenario));
+  EXPECT_EQ(finished(run_ups.checkpoint_before(scenario, null_observer), scenario),
+            finished(RunUpCheckpoint(scenario), scenario));
 }
 
 TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
   RunUps run_ups;
   Observer null_observer;
   Scenario beyond{.until = 40};  // where the motor is off and the rotor slows down
-  beyond.parameters.separation_time = 38;
-  run_ups.depart(beyond, null_observer);
+  beyond.parameters.mass_loss_time = 38;
+  run_ups.checkpoint_before(beyond, null_observer);
   for (const double speed_Hz : {75., 20., 149.9, 150., 74.99, 2., 11., 151., 200.}) {
     Scenario scenario{.until = 30};
-    scenario.parameters.separation_time = 0;
+    scenario.parameters.mass_loss_time = 0;
     const auto found = run_ups.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
     const auto alone = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
     EXPECT_EQ(found.time_s, alone.time_s) << speed_Hz;
     EXPECT_EQ(found.time_s.has_value(), speed_Hz < 151);
     EXPECT_EQ(found.greatest_Hz, alone.greatest_Hz) << speed_Hz;
-    scenario.parameters.separation_time = found.time_s.value_or(1);
-    run_ups.depart(scenario, null_observer);  // leaves something on the way
+    scenario.parameters.mass_loss_time = found.time_s.value_or(1);
+    run_ups.checkpoint_before(scenario, null_observer);  // leaves something on the way
   }
 }
 
@@ -160,7 +160,7 @@ TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   RunUps run_ups;
   const auto steps = [&](const Scenario& scenario) {
     Steps monitor;
-    run_ups.depart(scenario, monitor);
+    run_ups.checkpoint_before(scenario, monitor);
     return monitor.count;
   };
   Scenario scenario{.tolerance = 1e-8};
@@ -171,7 +171,7 @@ TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   scenario.parameters.friction = 0.1;
   scenario.parameters.unbalance_factor = 2;
   EXPECT_LT(steps(scenario), all / 20);
-  scenario.parameters.separation_time = 28.4;
+  scenario.parameters.mass_loss_time = 28.4;
   EXPECT_LT(steps(scenario), all / 20);
   scenario.parameters.torque = 0.29;
   EXPECT_GT(steps(scenario), all / 3);

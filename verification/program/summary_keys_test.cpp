@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "figures/scenes/names.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/summary.hpp"
+#include "figures/input/names.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -27,9 +27,9 @@ class Landmarks : public Observer {
     const bool rolls = value("contact_state", at) == 2;
     if (at.event == Event::touch_down) {
       if (!said["first_contact_s"].is_number()) said["first_contact_s"] = at.time_s;
-      said["collisions"] = said["collisions"].get<long>() + 1;
-      if (!at.separated)
-        said["collisions_before_loss"] = said["collisions_before_loss"].get<long>() + 1;
+      said["touch_downs"] = said["touch_downs"].get<long>() + 1;
+      if (!at.mass_lost)
+        said["touch_downs_before_loss"] = said["touch_downs_before_loss"].get<long>() + 1;
     }
     if (rolls && !said["rolling_onset_s"].is_number()) {
       said["rolling_onset_s"] = at.time_s;
@@ -44,7 +44,7 @@ class Landmarks : public Observer {
     since_s_ = at.time_s;
     if (at.event == Event::motor_off) said["motor_off_s"] = at.time_s;
     if (at.event == Event::mass_loss) {
-      said["speed_at_separation_Hz"] = at.state[5] / turn;
+      said["speed_at_mass_loss_Hz"] = at.state[5] / turn;
       said["mass_loss_reached"] = true;
     }
     note_maxima(at);
@@ -52,8 +52,8 @@ class Landmarks : public Observer {
   double threshold(Extreme, const double&, const double&) const override { return 0; }
   void on_maximum(const Maximum& maximum) override { note_maxima(maximum.at); }
 
-  Json said = {{"collisions", 0},
-               {"collisions_before_loss", 0},
+  Json said = {{"touch_downs", 0},
+               {"touch_downs_before_loss", 0},
                {"max_displacement_before_loss_m", 0},
                {"peak_bearing_force_N", 0},
                {"mass_loss_reached", false},
@@ -67,7 +67,7 @@ class Landmarks : public Observer {
                {"peak_normal_force_before_loss_N", nullptr},
                {"max_displacement_m", nullptr},
                {"motor_off_s", nullptr},
-               {"speed_at_separation_Hz", nullptr}};
+               {"speed_at_mass_loss_Hz", nullptr}};
   double contact_s = 0;
 
  private:
@@ -80,13 +80,13 @@ class Landmarks : public Observer {
     return true;
   }
   void note_maxima(const Instant& at) {
-    raises(at.separated ? "max_displacement_m" : "max_displacement_before_loss_m",
+    raises(at.mass_lost ? "max_displacement_m" : "max_displacement_before_loss_m",
            value("rho_m", at));
     raises("peak_bearing_force_N", value("bearing_force_N", at));
     const double force = -value("normal_force_N", at);
     if (!(force > 0)) return;
     if (raises("peak_normal_force_N", force)) said["peak_time_s"] = at.time_s;
-    if (!at.separated) raises("peak_normal_force_before_loss_N", force);
+    if (!at.mass_lost) raises("peak_normal_force_before_loss_N", force);
   }
 
   const Scenario& scenario_;
@@ -115,23 +115,23 @@ class SummaryKeys : public CommandLine {};
 std::vector<Case> cases() {
   Scenario early{.until = 10.3, .tolerance = 1e-9};
   early.parameters.support_stiffness = 1.2e5;
-  early.parameters.separation_time = 10;
+  early.parameters.mass_loss_time = 10;
   Scenario none{.equations = Equations::consistent, .until = 9.65};
-  none.parameters.separation_time = 9.4;
+  none.parameters.mass_loss_time = 9.4;
   none.parameters.unbalance_factor = 2;
   Scenario whole{.start_speed_Hz = 40, .until = 0.5};
-  whole.parameters.separates = false;
+  whole.parameters.loses_mass = false;
   whole.parameters.mass = 6;
   Scenario before{.until = 3};  // and no loss after it
-  before.parameters.separates = false;
+  before.parameters.loses_mass = false;
   before.parameters.stator_radius = 0.061;
   Scenario rolling{.until = 31};
   rolling.parameters.motor_off_Hz = 149;
   return {{"--until 31 --motor-off-hz 149", rolling},
-          {"--support-stiffness 1.2e5 --separation-time 10 --until 10.3 --tolerance 1e-9", early},
-          {"--separation-time 9.4 --unbalance-factor 2 --equations consistent", none},
-          {"--start-speed-hz 40 --until 0.5 --no-separation --mass 6", whole},
-          {"--no-separation --until 3 --stator-radius 0.061", before},
+          {"--support-stiffness 1.2e5 --mass-loss-time 10 --until 10.3 --tolerance 1e-9", early},
+          {"--mass-loss-time 9.4 --unbalance-factor 2 --equations consistent", none},
+          {"--start-speed-hz 40 --until 0.5 --no-mass-loss --mass 6", whole},
+          {"--no-mass-loss --until 3 --stator-radius 0.061", before},
           {"--until 3", {.until = 3}}};
 }
 
@@ -151,14 +151,14 @@ TEST_F(SummaryKeys, SayWhatTheRunShows) {
     const double critical = std::sqrt(p.support_stiffness / p.mass) / turn;
     const double e = p.eccentricity, e_1 = p.unbalance_factor * e, r = p.rotor_radius;
     const double lost = p.mass * (e_1 - e) / (r + e_1), left = p.mass - lost;
-    const auto if_lost = [&](double value) { return p.separates ? Json(value) : Json(nullptr); };
+    const auto if_lost = [&](double value) { return p.loses_mass ? Json(value) : Json(nullptr); };
     expected["contact_time_s"] = landmarks.contact_s;
     expected["critical_speed_Hz"] = critical;
     expected["lost_mass_kg"] = if_lost(lost);
     expected["inertia_after_loss_kg_m2"] =
         if_lost(p.inertia - lost * (r + e) * (r + e) - left * (e_1 - e) * (e_1 - e));
-    const Json& at_loss = expected["speed_at_separation_Hz"];
-    expected["speed_ratio_at_separation"] =
+    const Json& at_loss = expected["speed_at_mass_loss_Hz"];
+    expected["speed_ratio_at_mass_loss"] =
         at_loss.is_null() ? Json(nullptr) : Json(at_loss.get<double>() / critical);
     expected["motor_off_reached"] = !expected["motor_off_s"].is_null();
     expected["final_time_s"] = end.last.time_s;

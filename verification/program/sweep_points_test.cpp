@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "figures/data/csv.hpp"
-#include "figures/sweep/dealer.hpp"
+#include "figures/sweep/block_scheduler.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -34,10 +34,10 @@ TEST_F(SweepPointsOf, AFileComeInItsOrder) {
   const SweepPoints points(sweep);
   ASSERT_EQ(sweep.points(), 24);
   for (long n = 0; n < 24; ++n) {
-    const auto& numbers = points(n).statement.numbers;
+    const auto& numbers = points(n).spec.numbers;
     EXPECT_NEAR(numbers.at("friction"), 0.3 + 0.2 * static_cast<double>(n / 6), 1e-15);
     EXPECT_NEAR(numbers.at("mass"), std::pow(10, (n / 2) % 3), 1e-12);
-    EXPECT_EQ(numbers.at("torque"), points(n % 2).statement.numbers.at("torque"));
+    EXPECT_EQ(numbers.at("torque"), points(n % 2).spec.numbers.at("torque"));
   }
   EXPECT_EQ(points(23).values[0], "0.9");  // which 0.3 + (0.9 - 0.3) is not
 }
@@ -47,7 +47,7 @@ std::vector<std::array<double, 2>> draws(const Sweep& sweep) {
   const SweepPoints points(sweep);
   std::vector<std::array<double, 2>> all;
   for (long n = 0; n < sweep.points(); ++n) {
-    const auto& numbers = points(n).statement.numbers;
+    const auto& numbers = points(n).spec.numbers;
     all.push_back({numbers.at("friction"), numbers.at("torque")});
   }
   return all;
@@ -91,11 +91,11 @@ TEST_F(SweepPointsOf, ANormalDistributionAreSo) {
 }
 
 // In their order, though the first one is slow; what the others have done meanwhile waits.
-TEST(Dealer, PassesRowsOnInOrder) {
+TEST(BlockScheduler, PassesRowsOnInOrder) {
   std::string seen, expected;
   std::atomic<long> worked = 0;
   long worked_while_slow = 0;
-  Dealer dealer(0, 40000, [&](std::string_view rows, long) { seen += rows; });
+  BlockScheduler scheduler(0, 40000, [&](std::string_view rows, long) { seen += rows; });
   for (long n = 0; n < 40000; ++n) expected += fmt::format("{} ", n);
   const auto make = [&]() -> Work {
     return [&](long n) {
@@ -107,18 +107,18 @@ TEST(Dealer, PassesRowsOnInOrder) {
       return fmt::format("{} ", n);
     };
   };
-  work(dealer, 3, make, [] {});
+  work(scheduler, 3, make, [] {});
   EXPECT_TRUE(seen == expected);
   EXPECT_GT(worked_while_slow, 1000);
   EXPECT_LT(worked_while_slow, 20000);  // memory is bounded
 }
 
-TEST(Dealer, EndsWithWhatTheWorkThrows) {
-  Dealer dealer(0, 1000, [](std::string_view, long) {});
+TEST(BlockScheduler, EndsWithWhatTheWorkThrows) {
+  BlockScheduler scheduler(0, 1000, [](std::string_view, long) {});
   const auto make = []() -> Work {
     return [](long n) -> std::string { return n == 500 ? throw std::runtime_error("at 500") : ""; };
   };
-  EXPECT_THROW(work(dealer, 2, make, [] {}), std::runtime_error);
+  EXPECT_THROW(work(scheduler, 2, make, [] {}), std::runtime_error);
 }
 
 // The map over the rounding of the inputs varies what is printed within its digits.

@@ -39,7 +39,7 @@ values = [0.3, 0.08]
 count = 8
 seed = 3
 [[sample.over]]
-quantity = "separation_speed_hz"
+quantity = "mass_loss_speed_hz"
 normal = [75, 15]
 [[sample.over]]
 quantity = "clearance"
@@ -110,7 +110,7 @@ TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
   const auto whole = results("whole.csv"), part = results("part.csv");
   ASSERT_EQ(part.size(), 2U);
   for (std::size_t n = 0; n < part.size(); ++n)
-    for (const char* column : {"start_speed_hz", "collisions", "outcome", "refusal"})
+    for (const char* column : {"start_speed_hz", "touch_downs", "outcome", "refusal"})
       EXPECT_EQ(part[n][column], whole[n][column]) << column;
   EXPECT_NE(part[0]["refusal"], "");
   EXPECT_EQ(part[1]["outcome"], "rolling");
@@ -242,7 +242,7 @@ TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
 TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
   for (const std::string options :
        {"--start-speed-hz 150 --until 0.01 --digits 6",
-        "--motor-off-hz 0 --separation-time 0 --until 0.01 --digits 5"}) {
+        "--motor-off-hz 0 --mass-loss-time 0 --until 0.01 --digits 5"}) {
     std::string keys = options.substr(2) + '\n';
     keys = std::regex_replace(keys, std::regex(" --"), "\n");
     keys =

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/columns.hpp"
-#include "figures/scenes/recorder.hpp"
-#include "model/simulation/energy.hpp"
-#include "model/simulation/simulation.hpp"
+#include "figures/record/columns.hpp"
+#include "figures/record/recorder.hpp"
+#include "model/results/energy.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -89,12 +89,12 @@ TEST(Column, IsWhatItsFormulaSays) {
       for (const bool motor_on : {false, true}) {
         Scenario scenario = of_its_own(equations, method);
         Instants instants;
-        for (const double separation_s : {0.0001, 0.099}) {  // before all contacts, after most
-          scenario.parameters.separation_time = separation_s;
+        for (const double mass_loss_s : {0.0001, 0.099}) {  // before all contacts, after most
+          scenario.parameters.mass_loss_time = mass_loss_s;
           run(scenario, towards_the_ring(scenario, motor_on), instants);
         }
         std::set<std::tuple<ContactState, bool>> seen;
-        for (const Instant& at : instants.all) seen.insert({at.contact, at.separated});
+        for (const Instant& at : instants.all) seen.insert({at.contact, at.mass_lost});
         EXPECT_EQ(seen.size(), 8U);  // free, indented, sliding, rolling
         for (const Column& column : all_columns()) compare(column, instants.all, scenario);
       }

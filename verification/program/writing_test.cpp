@@ -11,7 +11,7 @@ namespace {
 
 /// A short run, and one that takes longer than any test waits.
 const std::string short_run = "run --until 0.1";
-const std::string long_run = "run --no-separation --until 1e6 --columns time_s,rho_m";
+const std::string long_run = "run --no-mass-loss --until 1e6 --columns time_s,rho_m";
 /// Shell: waits, but not for ever, until the first rows of t.csv are in its draft.
 const std::string wait_for_rows =
     "for n in $(seq 300); do [ -s .t.csv.*.part ] && break; sleep 0.05; done";
@@ -98,9 +98,9 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
   EXPECT_EQ(content("t.csv"), "old");
   remove("t.csv");
   expect_refusal(short_run + " --trace - > /dev/full", "standard output: cannot be written: No");
-  expect_refusal("run --no-separation --until 0.1 --json > /dev/full",
+  expect_refusal("run --no-mass-loss --until 0.1 --json > /dev/full",
                  "standard output cannot be written: No space");
-  expect_refusal("run --no-separation --until 0.1 --json >&-",
+  expect_refusal("run --no-mass-loss --until 0.1 --json >&-",
                  "standard output cannot be written: Bad file");
   EXPECT_EQ(rotor(short_run + " --trace t.csv 2>&-").status, 0);  // nobody is told then
   EXPECT_TRUE(content("t.csv").starts_with("# Trace"));
@@ -138,10 +138,10 @@ TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
 TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
   write("fig01.toml",
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0, until_s = 1e5 }\n"
-        "[parameters]\nfriction = 0.05\nseparation_time = 1\nuntil = 1e5\n");
+        "[parameters]\nfriction = 0.05\nmass_loss_time = 1\nuntil = 1e5\n");
   for (const char* work :
-       {"run --torque 1e-6 --gravity 0 --separation-speed-hz 1",
-        "run --torque 1e-8 --support-damping 0 --start-speed-hz 55 --separation-speed-hz 55.003",
+       {"run --torque 1e-6 --gravity 0 --mass-loss-speed-hz 1",
+        "run --torque 1e-8 --support-damping 0 --start-speed-hz 55 --mass-loss-speed-hz 55.003",
         "figure --scenes . --out out"})
     EXPECT_EQ(shell(std::string("timeout --foreground --signal=INT --kill-after=10 0.5 $rotor ") +
                     work + "; echo status $?")
@@ -150,7 +150,7 @@ TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
         << work;
   // Even if nobody reads what it writes.
   EXPECT_NE(shell("mkfifo pipe; exec 4<>pipe; timeout --foreground --signal=INT --kill-after=10 1 "
-                  "$rotor run --until 1e5 --no-separation --trace pipe; echo status $?")
+                  "$rotor run --until 1e5 --no-mass-loss --trace pipe; echo status $?")
                 .output.find("interrupted"),
             std::string::npos);
   remove("fig01.toml");
@@ -251,7 +251,7 @@ TEST_F(Writing, TakesNoMemoryForALongTrace) {
   GTEST_SKIP() << "the sanitizer takes memory of its own";
 #endif
   // 200,000 rows of 16 columns are 26 MB as numbers alone.
-  EXPECT_EQ(shell("ulimit -v 30000; $rotor run --method rk4 --no-separation --step-run-up 1e-5 "
+  EXPECT_EQ(shell("ulimit -v 30000; $rotor run --method rk4 --no-mass-loss --step-run-up 1e-5 "
                   "--until 2 --trace /dev/null")
                 .status,
             0);

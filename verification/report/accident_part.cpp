@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/scene.hpp"
+#include "figures/input/scene.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -88,11 +88,11 @@ std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& fra
 
 Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
   Json all = Json::array();
-  for (const auto& [title, frame] : moments(frames, p.separation_time)) {
+  for (const auto& [title, frame] : moments(frames, p.mass_loss_time)) {
     Json still = drawn(frame, p);
     still["title"] = title;
     still["left"] = 244 * all.size();  // in a row
-    still["after_loss_ms"] = rounded(1e3 * (frame.time_s - p.separation_time), 3);
+    still["after_loss_ms"] = rounded(1e3 * (frame.time_s - p.mass_loss_time), 3);
     still["force_kN"] = fmt::format("{:.0f}", -frame.normal_N / 1e3);
     still["speed_Hz"] = fmt::format("{:.1f}", frame.speed_Hz);
     all.push_back(still);
@@ -109,7 +109,7 @@ Json accident_json(const Sources& sources) {
   const std::vector<Frame> frames = read_frames(sources.report / "accident.csv");
   Json data = Json::array();
   for (const Frame& f : frames)
-    data.push_back({rounded(1e3 * (f.time_s - p.separation_time), 3), rounded(1e3 * f.y_a_m, 4),
+    data.push_back({rounded(1e3 * (f.time_s - p.mass_loss_time), 3), rounded(1e3 * f.y_a_m, 4),
                     rounded(1e3 * f.x_a_m, 4), rounded(f.q3_rad - frames.front().q3_rad, 3),
                     rounded(f.normal_N / 1e3, 1), rounded(f.friction_N / 1e3, 1), f.state,
                     rounded(f.speed_Hz, 2)});

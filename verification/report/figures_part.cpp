@@ -4,7 +4,7 @@
 #include <regex>
 #include <set>
 
-#include "figures/scenes/scene.hpp"
+#include "figures/input/scene.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/report/document.hpp"
 
@@ -58,9 +58,9 @@ Json runs_json(const Scene& scene) {
                     {"method", name_of(run.scenario.method)},
                     {"friction", run.scenario.parameters.friction},
                     {"contact_stiffness", run.scenario.parameters.contact_stiffness},
-                    {"separation_s", run.scenario.parameters.separates
-                                         ? Json(run.scenario.parameters.separation_time)
-                                         : Json()},
+                    {"mass_loss_s", run.scenario.parameters.loses_mass
+                                        ? Json(run.scenario.parameters.mass_loss_time)
+                                        : Json()},
                     {"until_s", run.scenario.until}});
   return runs;
 }

@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/names.hpp"
+#include "figures/input/names.hpp"
 #include "verification/report/page.hpp"
 #include "verification/support/summary_of.hpp"
 
@@ -25,7 +25,8 @@ void add_verdicts(Json& values, const std::vector<Number>& judged) {
   }
   values["claims"] = verdicts_json(all);
   values["claims"]["numbers"] = judged.size();
-  for (const auto& [figure, its] : by_figure) values["figures"][std::to_string(figure)] = verdicts_json(its);
+  for (const auto& [figure, its] : by_figure)
+    values["figures"][std::to_string(figure)] = verdicts_json(its);
 }
 
 /// The largest normal force with each correction on its own, kN, or no contact.
@@ -35,7 +36,7 @@ Json corrections_json() {
     for (const GravityMoment moment : {GravityMoment::whole, GravityMoment::balanced})
       for (const double loss_s : {29.1, 19.1, 14.15}) {
         Scenario scenario{.equations = {jump, moment}, .until = loss_s + 0.25};
-        scenario.parameters.separation_time = loss_s;
+        scenario.parameters.mass_loss_time = loss_s;
         const auto peak_N = summary_of(scenario).peak_normal_force_N;
         all[std::string(name_of(jump))][std::string(name_of(moment))]
            [fmt::format("t_{:.0f}", std::floor(loss_s))] =

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <regex>
 
-#include "figures/scenes/audience.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/summary.hpp"
+#include "figures/runs/observer_group.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/law.hpp"
@@ -166,10 +166,10 @@ TEST_F(Accident, IsThePictureInTheReadme) {
   Scenario scenario{.until = 29.14};
   EventRecorder events;
   SummaryObserver summary(scenario);
-  Audience audience;
-  audience.add(events);
-  audience.add(summary);
-  rotor::run(scenario, audience);
+  ObserverGroup observers;
+  observers.add(events);
+  observers.add(summary);
+  rotor::run(scenario, observers);
   const Instant& onset = events.first(Event::rolling_onset);
   const Ring<double> ring(scenario.parameters);
   const Json& ends = accident["stills"][4];

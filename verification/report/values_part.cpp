@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figures/scenes/names.hpp"
+#include "figures/input/names.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "verification/report/document.hpp"
 #include "verification/support/observers.hpp"
@@ -18,13 +18,13 @@ Json number_or_nothing(const std::optional<double>& value, double scale) {
 
 Json run_json(const Summary& s) {
   Json all = {{"outcome", name_of(s.outcome)},
-              {"touch_downs", s.collisions},
+              {"touch_downs", s.touch_downs},
               {"peak_kN", number_or_nothing(s.peak_normal_force_N, 1e-3)},
               {"peak_s", number_or_nothing(s.peak_time_s, 1)},
               {"onset_s", number_or_nothing(s.rolling_onset_s, 1)},
               {"onset_Hz", number_or_nothing(s.rolling_onset_speed_Hz, 1)},
               {"onset_kN", number_or_nothing(s.rolling_onset_force_N, 1e-3)},
-              {"speed_at_loss_Hz", number_or_nothing(s.speed_at_separation_Hz, 1)},
+              {"speed_at_loss_Hz", number_or_nothing(s.speed_at_mass_loss_Hz, 1)},
               {"greatest_rho_mm", number_or_nothing(s.max_displacement_m, 1e3)},
               {"greatest_rho_before_mm", 1e3 * s.max_displacement_before_loss_m},
               {"final_Hz", s.final_speed_Hz}};
@@ -52,11 +52,11 @@ Json runs_json(const Equations& equations) {
           {"mu_008", run_of({.friction = 0.08}, 29.35)},
           {"mu_008_dies", run_of({.contact_damping = 1.2e4, .friction = 0.08}, 29.35)},
           {"mu_008_rolls", run_of({.contact_damping = 9510, .friction = 0.08}, 29.35)},
-          {"t_19", run_of({.separation_time = 19.1}, 19.35)},
-          {"t_14", run_of({.separation_time = 14.15}, 14.4)},
-          {"t_9", run_of({.separation_time = 9.4}, 11)},
-          {"t_2", run_of({.separation_time = 2.2}, 4)},
-          {"t_2_earlier", run_of({.separation_time = 2}, 6)},
+          {"t_19", run_of({.mass_loss_time = 19.1}, 19.35)},
+          {"t_14", run_of({.mass_loss_time = 14.15}, 14.4)},
+          {"t_9", run_of({.mass_loss_time = 9.4}, 11)},
+          {"t_2", run_of({.mass_loss_time = 2.2}, 4)},
+          {"t_2_earlier", run_of({.mass_loss_time = 2}, 6)},
           {"lowest_Hz", onset_speed_Hz(equations)}};
 }
 
@@ -68,9 +68,9 @@ Json balanced_json() {
 }
 
 /// What the second jump adds to the rotor's momentum, and to the energy of rotor and piece.
-Json separation_json() {
+Json mass_loss_json() {
   Scenario scenario;
-  scenario.until = scenario.parameters.separation_time;
+  scenario.until = scenario.parameters.mass_loss_time;
   EventRecorder seen;
   run(scenario, seen);
   const auto before = seen.before_mass_loss().motion();
@@ -110,7 +110,7 @@ Json values_json(const std::vector<Number>& numbers) {
           {"consistent", runs_json(Equations::consistent)},
           {"balanced", balanced_json()},
           {"draws", draws},
-          {"separation", separation_json()}};
+          {"mass_loss", mass_loss_json()}};
 }
 
 }  // namespace rotor

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "figures/data/files.hpp"
-#include "figures/scenes/scene.hpp"
-#include "model/simulation/event_method.ipp"
+#include "figures/input/scene.hpp"
+#include "model/methods/event_method.ipp"
 #include "verification/support/follow_with.hpp"
 #include "verification/support/program.hpp"
 #include "verification/support/reference_tables.hpp"
@@ -38,7 +38,7 @@ std::vector<Landmark> reference(const std::filesystem::path& table, const std::s
 
 /// The same from a state just after the mass loss, with the digits of S.
 template <class S>
-std::vector<Landmark> landmarks(double friction, const State<Extended>& separated,
+std::vector<Landmark> landmarks(double friction, const State<Extended>& after_loss,
                                 double tolerance) {
   struct : BasicObserver<S> {
     void on_instant(const BasicInstant<S>& at) override {
@@ -53,10 +53,10 @@ std::vector<Landmark> landmarks(double friction, const State<Extended>& separate
   } observer;
   const Scenario scenario{.parameters = {.friction = friction}};
   BasicInstant<S> at;
-  for (std::size_t i = 0; i < 6; ++i) at.state[i] = static_cast<S>(separated[i]);
-  at.state[2] = static_cast<S>(std::remainder(separated[2], 2 * std::numbers::pi_v<Extended>));
+  for (std::size_t i = 0; i < 6; ++i) at.state[i] = static_cast<S>(after_loss[i]);
+  at.state[2] = static_cast<S>(std::remainder(after_loss[2], 2 * std::numbers::pi_v<Extended>));
   at.body = MassLoss<S>(scenario.parameters).after;
-  at.separated = true;
+  at.mass_lost = true;
   at.motor_on = false;
   observer.add("mass_loss", at);
   const auto end = follow_with<S>(scenario, static_cast<S>(tolerance), at,
@@ -98,11 +98,11 @@ std::string errors(const std::string& precision, double friction,
 }
 
 /// Follows a disturbance of the position, so small that it stays linear.
-std::string growth(double friction, const State<Extended>& separated) {
+std::string growth(double friction, const State<Extended>& after_loss) {
   constexpr double disturbance = 1e-9, tolerance = 1e-16;  // relative to the clearance
-  auto disturbed = separated;
+  auto disturbed = after_loss;
   disturbed[0] += disturbance * 3e-3L;
-  const auto a = landmarks<Extended>(friction, separated, tolerance);
+  const auto a = landmarks<Extended>(friction, after_loss, tolerance);
   const auto b = landmarks<Extended>(friction, disturbed, tolerance);
   std::string csv;
   int contacts = 0;

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "figures/data/files.hpp"
-#include "figures/scenes/names.hpp"
+#include "figures/input/names.hpp"
 #include "verification/robustness/stress.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/follow.hpp"
@@ -109,7 +109,7 @@ Statistics statistics_of(long count, std::string& worst) {
   const auto begin = std::chrono::steady_clock::now();
   for (long n = 0; n < count; ++n) {
     Scenario scenario = random.scenario();
-    const Instant first = separated_at_speed(scenario, random.speed());
+    const Instant first = mass_lost_at_speed(scenario, random.speed());
     Finding found = inspect(scenario, first);
     statistics.touch_downs += found.touch_downs;
     statistics.right_hand_sides += found.right_hand_sides;

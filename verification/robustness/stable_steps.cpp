@@ -4,7 +4,7 @@
 #include <complex>
 
 #include "figures/data/files.hpp"
-#include "model/simulation/published_method.hpp"
+#include "model/methods/published_method.hpp"
 #include "verification/robustness/stress.hpp"
 
 namespace rotor {

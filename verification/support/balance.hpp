@@ -5,8 +5,8 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "model/simulation/observer.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/scenario/observer.hpp"
+#include "model/scenario/scenario.hpp"
 #include "verification/support/follow.hpp"
 
 namespace rotor {

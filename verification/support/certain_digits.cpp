@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "figures/scenes/certain_account.hpp"
-#include "model/simulation/extended/values.hpp"
+#include "figures/results/certified_result.hpp"
+#include "model/certified/values.hpp"
 
 namespace rotor {
 
@@ -16,7 +16,7 @@ std::string falsehood(const Comparison& found, int digits, const KnownValues& kn
   const auto is_count = [&](const char* name, double value) {
     if (is_course_sure && known.at(name) != value) text += fmt::format("{}; ", name);
   };
-  is_count("collisions", static_cast<double>(found.values.collisions));
+  is_count("touch_downs", static_cast<double>(found.values.touch_downs));
   is_count("outcome", static_cast<double>(found.values.outcome));
   is_count("events", static_cast<double>(found.events.size() - 1));
   for_each_named(found, [&](const std::string& name, const NamedEstimate& value) {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "model/simulation/extended/digits.hpp"
+#include "model/certified/digits.hpp"
 
 namespace rotor {
 

@@ -28,7 +28,7 @@ struct Rotor {
     m = p.mass;
     inertia = p.inertia;
     e = p.eccentricity;
-    if (at.separated) {
+    if (at.mass_lost) {
       const double e_1 = p.unbalance_factor * e;
       const double m_u = m * (e_1 - e) / (p.rotor_radius + e_1);
       m -= m_u;

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-#include "model/simulation/instant.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/scenario/instant.hpp"
+#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 

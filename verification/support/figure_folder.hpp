@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "figures/data/csv.hpp"
-#include "figures/scenes/names.hpp"
+#include "figures/input/names.hpp"
 
 namespace rotor {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "figures/scenes/scene.hpp"
+#include "figures/input/scene.hpp"
 
 namespace rotor {
 

@@ -16,12 +16,12 @@ Instant after_mass_loss(const Scenario& scenario) {
   return after_mass_loss_with<double>(scenario, scenario.tolerance);
 }
 
-Instant separated_at_speed(const Scenario& scenario, double speed) {
+Instant mass_lost_at_speed(const Scenario& scenario, double speed) {
   const Parameters& p = scenario.parameters;
   const MassLoss<double> loss(p);
   Instant at = at_rest(p);
   at.body = loss.after;
-  at.separated = true;
+  at.mass_lost = true;
   at.motor_on = speed < 2 * std::numbers::pi * p.motor_off_Hz;
   const double offset = std::min(loss.before.eccentricity, 0.9 * Ring<double>(p).clearance);
   at.state = {-offset, 0, 0, 0, loss.velocity_jump(speed), speed};

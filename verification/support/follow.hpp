@@ -1,7 +1,7 @@
 /// Runs that tests begin wherever they like.
 #pragma once
 
-#include "model/simulation/simulation.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/observers.hpp"
 
 namespace rotor {

@@ -1,9 +1,9 @@
 /// The same as follow.hpp in other precisions and by other steppers.
 #pragma once
 
-#include "model/simulation/event_method.hpp"
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/stages.hpp"
+#include "model/methods/event_method.hpp"
+#include "model/methods/stages.hpp"
+#include "model/run/simulation.hpp"
 
 namespace rotor {
 

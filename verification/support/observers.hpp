@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/simulation/observer.hpp"
+#include "model/scenario/observer.hpp"
 
 namespace rotor {
 

@@ -10,16 +10,16 @@ namespace rotor {
 /// In Hz, to 0.005 Hz: the motor drives, and the mass is lost the later the faster.
 inline double onset_speed_Hz(const Equations& equations) {
   Scenario scenario{.equations = equations, .tolerance = 1e-8};
-  const auto touches = [&](double separation_time) {
-    scenario.parameters.separation_time = separation_time;
-    scenario.until = separation_time + 0.1;  // the first swing out, a period of the supports
+  const auto touches = [&](double mass_loss_time) {
+    scenario.parameters.mass_loss_time = mass_loss_time;
+    scenario.until = mass_loss_time + 0.1;  // the first swing out, a period of the supports
     return summary_of(scenario).first_contact_s.has_value() ? 1. : -1.;
   };
   const auto close = [](double a, double b) { return b - a < 1e-3; };
   const auto [from, until] = boost::math::tools::bisect(touches, 5., 28., close);
-  scenario.parameters.separation_time = until;
+  scenario.parameters.mass_loss_time = until;
   scenario.until = until + 1e-3;
-  return *summary_of(scenario).speed_at_separation_Hz;
+  return *summary_of(scenario).speed_at_mass_loss_Hz;
 }
 
 }  // namespace rotor

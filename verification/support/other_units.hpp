@@ -2,7 +2,7 @@
 /// kilogram makes all forces tiny numbers: none of them is compared with a number of its own.
 #pragma once
 
-#include "model/simulation/scenario.hpp"
+#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -22,7 +22,7 @@ inline Parameters in_other_units(Parameters p) {
   p.stator_radius *= metre;
   p.motor_off_Hz /= second;
   p.torque *= newton * metre;
-  p.separation_time *= second;
+  p.mass_loss_time *= second;
   return p;
 }
 

@@ -21,7 +21,7 @@ PlaceOfLoss::PlaceOfLoss(const Parameters& p, double angle, double lost_mass)
                    after_.mass * shift_.squaredNorm();  // Eqs. (8), (11)
 }
 
-Instant PlaceOfLoss::separate(Instant at, Equations equations) const {
+Instant PlaceOfLoss::lose_mass(Instant at, Equations equations) const {
   State<double>& q = at.state;
   Vector<double> velocity(q[3], q[4]);
   if (equations.velocity_jump == VelocityJump::twice) velocity += q[5] * quarter_turn(shift_);
@@ -32,7 +32,7 @@ Instant PlaceOfLoss::separate(Instant at, Equations equations) const {
   q = {displacement.x(), displacement.y(), q[2] + std::atan2(sine, cosine),
        velocity.x(),     velocity.y(),     q[5]};
   at.body = after_;
-  at.separated = true;
+  at.mass_lost = true;
   at.event = Event::mass_loss;
   return at;
 }

@@ -2,7 +2,7 @@
 /// model/mechanics/mass_loss.hpp is the case of a point opposite to the unbalance.
 #pragma once
 
-#include "model/simulation/instant.hpp"
+#include "model/scenario/instant.hpp"
 
 namespace rotor {
 
@@ -21,7 +21,7 @@ class PlaceOfLoss {
 
   /// The instant after the loss. The axes O_a xy are laid anew, x towards the new mass centre.
   /// As printed, O gets the change of the mass centre's velocity once more.
-  Instant separate(Instant at, Equations equations) const;
+  Instant lose_mass(Instant at, Equations equations) const;
 
  private:
   double lost_mass_;

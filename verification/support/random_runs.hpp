@@ -4,7 +4,8 @@
 
 #include <stdexcept>
 
-#include "model/simulation/simulation.hpp"
+#include "model/run/simulation.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/random_scenarios.hpp"
 #include "verification/support/summary_of.hpp"
@@ -49,11 +50,11 @@ class RandomRuns {
         varied(*of);
       p.friction = sticks ? between(0.5, 3) : between(0.02, 0.4);
     }
-    p.separates = true;
-    p.separation_time = between(1e-3, 1e-2);
+    p.loses_mass = true;
+    p.mass_loss_time = between(1e-3, 1e-2);
     drawn.start_speed_Hz = is_ours ? between(40, 200) : between(5, 300);
     if (between(0, 4) < 1) p.motor_off_Hz = drawn.start_speed_Hz * (1 + between(1e-6, 1e-3));
-    drawn.until = p.separation_time + between(2e-3, sticks ? 2e-2 : 5e-2);
+    drawn.until = p.mass_loss_time + between(2e-3, sticks ? 2e-2 : 5e-2);
     if (kind_ % 4 == 1) {  // the clearance is about what the rotor reaches after its loss
       Scenario wide = drawn;
       wide.parameters.stator_radius = 100 * p.stator_radius;

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "model/mechanics/mass_loss.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -21,7 +21,7 @@ class RandomScenarios {
     do {
       draw(p);
     } while (MassLoss<double>(p).after.inertia <= 0);  // as any input is checked
-    p.separates = false;                               // the runs start just after it
+    p.loses_mass = false;                              // the runs start just after it
     scenario.equations = one_in(2) ? Equations::published : Equations::consistent;
     scenario.tolerance = 1e-9;
     return scenario;

@@ -1,8 +1,8 @@
 /// A run with contacts that takes milliseconds.
 #pragma once
 
-#include "model/simulation/extended/comparison.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/certified/comparison.hpp"
+#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -11,7 +11,7 @@ inline const GoesOn always = [](double /*time_s*/) { return true; };
 /// From steady motion through the mass loss into contact, and out of it.
 inline Scenario short_run(double until_s) {
   Scenario scenario{.equations = Equations::published, .start_speed_Hz = 150.5, .until = until_s};
-  scenario.parameters.separation_time = 1e-3;
+  scenario.parameters.mass_loss_time = 1e-3;
   scenario.parameters.motor_off_Hz = 151;
   return scenario;
 }

@@ -1,8 +1,8 @@
 /// Summaries of runs.
 #pragma once
 
-#include "model/simulation/simulation.hpp"
-#include "model/simulation/summary.hpp"
+#include "model/results/summary.hpp"
+#include "model/run/simulation.hpp"
 
 namespace rotor {
 

@@ -47,7 +47,7 @@ const sureness = new Sureness(at("sureness"), (curves) => {
 function turn(option, text, insteadOf) {
   const { [option]: before, ...others } = options;
   if (text !== null && insteadOf) delete others[insteadOf];
-  if (text !== null && option === "separation-time") delete others["separation-speed-hz"];
+  if (text !== null && option === "mass-loss-time") delete others["mass-loss-speed-hz"];
   options = text === null ? others : { ...others, [option]: text };
   refresh();
 }
@@ -106,7 +106,7 @@ function showTable() {
 /// Each is shifted so that its mass loss meets that of the picture.
 function showBehind() {
   const shifted = (other, colour) => ({ picture: other, colour,
-    later_s: other.separation_s && picture.separation_s ? other.separation_s - picture.separation_s : 0 });
+    later_s: other.mass_loss_s && picture.mass_loss_s ? other.mass_loss_s - picture.mass_loss_s : 0 });
   const all = drawn.map((draw) => shifted(draw, "draw"));
   if (compared && picture) all.push(shifted(compared, "compared"));
   plots.showBehind(all);
@@ -171,7 +171,7 @@ at("paper").addEventListener("click", () => use({}));
 const switches = [
   ["velocity-jump", "once"],
   ["gravity-moment", "balanced"],
-  ["no-separation", ""],
+  ["no-mass-loss", ""],
 ];
 
 /// The two corrections by their own names, whichever name they had together.
@@ -190,9 +190,9 @@ function showSwitches() {
 for (const [option, text] of switches)
   at(option).addEventListener("change", () => {
     const { [option]: before, ...others } = corrections();
-    if (at(option).checked && option === "no-separation") {
-      delete others["separation-time"];
-      delete others["separation-speed-hz"];
+    if (at(option).checked && option === "no-mass-loss") {
+      delete others["mass-loss-time"];
+      delete others["mass-loss-speed-hz"];
       others.until ??= String(picture?.until_s ?? 10);
     }
     use(at(option).checked ? { ...others, [option]: text } : others);

@@ -17,9 +17,9 @@ const inSeconds = (time_s) => `${time_s.toFixed(4)} s`;
 
 export function sentence(summary) {
   const parts = [`The rotor ${outcomes[summary.outcome]}.`];
-  const { collisions, first_contact_s, rolling_onset_s } = summary;
-  if (collisions > 0)
-    parts.push(`It touches down ${collisions === 1 ? "once" : `${collisions} times`}, first at ` +
+  const { touch_downs: touchDowns, first_contact_s, rolling_onset_s } = summary;
+  if (touchDowns > 0)
+    parts.push(`It touches down ${touchDowns === 1 ? "once" : `${touchDowns} times`}, first at ` +
       `${inSeconds(first_contact_s)}, and presses the ring with ` +
       `${inKilonewton(summary.peak_normal_force_N)} at most.`);
   if (rolling_onset_s !== null)
@@ -31,7 +31,7 @@ export function sentence(summary) {
 /// Rows of the table of numbers: what it is, and how a summary shows it.
 const rows = [
   ["outcome", (s) => s.outcome.replace("_", " ")],
-  ["touch-downs", (s) => String(s.collisions)],
+  ["touch-downs", (s) => String(s.touch_downs)],
   ["first contact", (s) => s.first_contact_s, inSeconds],
   ["onset of rolling", (s) => s.rolling_onset_s, inSeconds],
   ["speed then", (s) => s.rolling_onset_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
@@ -39,7 +39,7 @@ const rows = [
   ["when", (s) => s.peak_time_s, inSeconds],
   ["largest displacement", (s) => s.max_displacement_m, (rho) => `${(1e3 * rho).toFixed(3)} mm`],
   ["whirl in rolling", (s) => s.whirl_frequency_Hz, (f) => `${f.toFixed(1)} Hz`],
-  ["speed at the loss", (s) => s.speed_at_separation_Hz, (f) => `${f.toFixed(2)} Hz`],
+  ["speed at the loss", (s) => s.speed_at_mass_loss_Hz, (f) => `${f.toFixed(2)} Hz`],
   ["speed at the end", (s) => s.final_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
 ];
 

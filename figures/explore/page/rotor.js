@@ -75,7 +75,7 @@ export class RotorView {
     // x_a points down, y_a to the right; angles turn from x_a to y_a.
     const centre = [now.y_a_m * pixels_per_m, now.x_a_m * pixels_per_m];
     paintRing(ctx, ring, size);
-    const lost = this.#picture.separation_s !== null && this.#time_s >= this.#picture.separation_s;
+    const lost = this.#picture.mass_loss_s !== null && this.#time_s >= this.#picture.mass_loss_s;
     paintRotor(ctx, centre, rotor, now.q3_rad, lost);
     if (now.normal_force_N < 0) {
       const peak = Math.max(1, this.#picture.summary.peak_normal_force_N ?? 1);

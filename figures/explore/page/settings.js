@@ -1,7 +1,7 @@
 // Settings are what the command line would state: options of `rotor run` without their dashes, and
 // their texts. What is not stated is the paper's. The same options stand in the page's address.
 
-const flag = "no-separation"; // the one option without a text
+const flag = "no-mass-loss"; // the one option without a text
 
 export const optionOf = (name) => name.replaceAll("_", "-");
 

@@ -52,7 +52,7 @@ function sentences(drawn, refused) {
     .map(([outcome, count]) => `In ${count} of ${draw_count} draws the rotor ${outcomes[outcome]}.`);
   const peaks = summaries.map((summary) => summary.peak_normal_force_N).filter((force) => force !== null);
   if (peaks.length > 0) all.push(`Largest normal force: ${range(peaks, inKilonewton)}.`);
-  all.push(`Touch-downs: ${range(summaries.map((summary) => summary.collisions), String)}.`);
+  all.push(`Touch-downs: ${range(summaries.map((summary) => summary.touch_downs), String)}.`);
   if (refused > 0) all.push(`Draws that are no rotors: ${refused}.`);
   all.push(`Drawn is what stands at a printed value, over what its digits allow: ${drawn[0].drawn
     .map(({ quantity, from, to }) => `${quantity} ${from} … ${to}`).join(", ") || "nothing"}. What has been set ` +

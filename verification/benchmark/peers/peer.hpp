@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "model/phases/flight.hpp"
-#include "model/simulation/counters.hpp"
-#include "model/simulation/observer.hpp"
-#include "model/simulation/scenario.hpp"
+#include "model/scenario/counters.hpp"
+#include "model/scenario/observer.hpp"
+#include "model/scenario/scenario.hpp"
 #include "verification/benchmark/peers/paper_chart.hpp"
 
 namespace rotor {

@@ -1,0 +1,224 @@
+#include "figures/input/scenario_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "figures/data/text.hpp"
+#include "figures/runs/interruptible.hpp"
+#include "model/certified/digits.hpp"
+#include "model/scenario/start.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz";
+
+const std::vector<InputQuantity>& all_input_quantities() {
+  static const std::vector<InputQuantity> all = [] {
+    std::vector<InputQuantity> list;
+    const auto add = [&](std::string_view instead_of, Quantity quantity) {
+      list.push_back({quantity, instead_of});
+    };
+    for (const Quantity& quantity : quantities()) {
+      add("", quantity);
+      if (quantity.name == "stator_radius")
+        add(quantity.name,
+            {"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, 0, false});
+      if (quantity.name == "unbalance_factor")
+        add(quantity.name, {"lost_mass", "m_u", "kg", "mass that is lost", nullptr, 0, true});
+      if (quantity.name == "mass_loss_time")
+        add(quantity.name,
+            {mass_loss_speed, "f_1", "Hz", "speed at the mass loss", nullptr, 0, false});
+    }
+    return list;
+  }();
+  return all;
+}
+
+std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
+  const auto found = spec.numbers.find(name);
+  return found == spec.numbers.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Eq. (5) for k_u.
+double unbalance_factor(const Parameters& p, double lost_mass) {
+  if (!(p.eccentricity > 0))
+    throw InputError("lost_mass: a rotor without eccentricity has no unbalance that could grow");
+  if (!(lost_mass < p.mass))
+    throw InputError(
+        fmt::format("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass));
+  return 1 + lost_mass * (p.eccentricity + p.rotor_radius) /
+                 ((p.mass - lost_mass) * p.eccentricity);  // which is never below 1
+}
+
+/// The time between the mass loss and the end of a run that states none.
+constexpr double default_rub_s = 0.25;
+
+/// The scenario but for the time at which a speed is reached: then the mass is lost at the start.
+Scenario numbers_of(const ScenarioSpec& spec) {
+  for (const InputQuantity& s : input_quantities())
+    if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
+      throw InputError(fmt::format("{} and {}: one determines the other; state one of them",
+                                   s.quantity.name, s.instead_of));
+  if (spec.digits) {
+    if (number(spec, "tolerance"))
+      throw InputError("digits and tolerance: the first determines the second; state one of them");
+    for (const InputQuantity& s : input_quantities())
+      if (!s.instead_of.empty() && number(spec, s.quantity.name))
+        throw InputError(
+            fmt::format("digits and {}: a {} that follows from it is rounded, and digits are of "
+                        "what is stated; "
+                        "state {}",
+                        s.quantity.name, s.instead_of, s.instead_of));
+  }
+  Scenario scenario;
+  for (const Quantity& quantity : quantities())
+    if (const auto value = number(spec, quantity.name)) quantity.in(scenario) = *value;
+  Parameters& p = scenario.parameters;
+  p.loses_mass = spec.loses_mass.value_or(true);
+  scenario.equations = spec.equations.value_or(scenario.equations);
+  if (spec.velocity_jump) scenario.equations.velocity_jump = *spec.velocity_jump;
+  if (spec.gravity_moment) scenario.equations.gravity_moment = *spec.gravity_moment;
+  scenario.method = spec.method.value_or(scenario.method);
+  if (spec.digits && scenario.method == Method::rk4)
+    throw InputError(
+        "digits: method rk4 is of first order at contacts; only event can have any number of them");
+
+  if (const auto clearance = number(spec, "clearance"))
+    p.stator_radius = p.rotor_radius + *clearance;
+  if (const auto lost_mass = number(spec, "lost_mass"))
+    p.unbalance_factor = unbalance_factor(p, *lost_mass);
+
+  const bool at_speed = number(spec, mass_loss_speed).has_value();
+  const auto until = number(spec, "until");
+  if (!p.loses_mass) {
+    for (const std::string_view name : {std::string_view("mass_loss_time"), mass_loss_speed})
+      if (number(spec, name))
+        throw InputError(fmt::format("{}: there is no mass loss in this run", name));
+    if (!until) throw InputError("until: must be stated for a run without mass loss");
+  } else if (at_speed || (scenario.start_speed_Hz > 0 && !number(spec, "mass_loss_time"))) {
+    p.mass_loss_time = 0;
+  }
+  scenario.until = until.value_or(p.mass_loss_time + default_rub_s);
+  return scenario;
+}
+
+}  // namespace
+
+std::span<const InputQuantity> input_quantities() { return all_input_quantities(); }
+
+const InputQuantity* find_input_quantity(std::string_view name) {
+  const auto& all = all_input_quantities();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const InputQuantity& s) { return s.quantity.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
+  ScenarioSpec result = *this;
+  if (other.digits) result.numbers.erase("tolerance");
+  if (number(other, "tolerance")) result.digits = std::nullopt;
+  const auto determines = [](std::string_view name) {
+    const InputQuantity* const input_quantity = find_input_quantity(name);
+    return input_quantity->instead_of.empty() ? name : input_quantity->instead_of;
+  };
+  for (const auto& [name, value] : other.numbers)
+    std::erase_if(result.numbers, [&, stated = std::string_view(name)](const auto& lower) {
+      return determines(lower.first) == determines(stated);
+    });
+  result.numbers.insert(other.numbers.begin(), other.numbers.end());
+  // Above "no mass loss", a time or speed of it states that there is one; below it, none.
+  const auto is_of_loss = [&](const auto& number) {
+    return determines(number.first) == "mass_loss_time";
+  };
+  if (std::any_of(other.numbers.begin(), other.numbers.end(), is_of_loss))
+    result.loses_mass = true;
+  else if (other.loses_mass == false)
+    std::erase_if(result.numbers, is_of_loss);
+  if (other.loses_mass) result.loses_mass = other.loses_mass;
+  if (other.digits) result.digits = other.digits;
+  if (other.equations) {
+    result.equations = other.equations;
+    result.velocity_jump = std::nullopt;
+    result.gravity_moment = std::nullopt;
+  }
+  if (other.velocity_jump) result.velocity_jump = other.velocity_jump;
+  if (other.gravity_moment) result.gravity_moment = other.gravity_moment;
+  if (other.method) result.method = other.method;
+  return result;
+}
+
+Scenario scenario_of(const ScenarioSpec& spec) {
+  RunUps none;
+  return scenario_of(spec, none);
+}
+
+Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
+  Scenario scenario = numbers_of(spec);
+  Parameters& p = scenario.parameters;
+  if (const auto speed = number(spec, mass_loss_speed)) {
+    check(scenario);
+    if (*speed < scenario.start_speed_Hz)
+      throw InputError(fmt::format("{} = {} Hz: the rotor begins with {} Hz already",
+                                   mass_loss_speed, *speed, scenario.start_speed_Hz));
+    Interruptible monitor;
+    const auto until = number(spec, "until");
+    const SpeedReached reached = run_ups.time_at_speed(scenario, *speed, until, monitor);
+    if (is_interrupted()) throw Interrupted();
+    if (!reached.time_s)
+      throw InputError(fmt::format(
+          "{} = {} Hz: is not reached; until {:.6g} s{} the rotor has {:.6g} Hz at most",
+          mass_loss_speed, *speed, reached.looked_until_s,
+          reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz));
+    p.mass_loss_time = *reached.time_s;
+    scenario.until = until.value_or(p.mass_loss_time + default_rub_s);
+  }
+  check(scenario);
+  return scenario;
+}
+
+void check_numbers(const ScenarioSpec& spec) { check_numbers(numbers_of(spec)); }
+
+std::span<const std::string_view> named_inputs() {
+  static constexpr std::array<std::string_view, 4> all = {"equations", "velocity_jump",
+                                                          "gravity_moment", "method"};
+  return all;
+}
+
+int parse_digits(double number) {
+  if (!(number >= 1 && number <= most_digits && number == std::floor(number)))
+    throw InputError(
+        fmt::format("digits = {}: must be a whole number from 1 to {}", number, most_digits));
+  return static_cast<int>(number);
+}
+
+void state(ScenarioSpec& spec, std::string_view input_quantity, std::string_view name) {
+  if (input_quantity == "equations")
+    spec.equations = parse_equations(name);
+  else if (input_quantity == "velocity_jump")
+    spec.velocity_jump = parse_velocity_jump(name);
+  else if (input_quantity == "gravity_moment")
+    spec.gravity_moment = parse_gravity_moment(name);
+  else
+    spec.method = parse_method(name);
+}
+
+std::string option_of(std::string_view name) {
+  std::string option = "--" + std::string(name);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
+
+void state_number(ScenarioSpec& spec, const Quantity& quantity, const std::string& text) {
+  const auto value = number_in(text);
+  if (!value || !quantity.allows(*value))
+    throw InputError(fmt::format("{}: must be {}, not {}", option_of(quantity.name),
+                                 quantity.range(), shown(text)));
+  spec.numbers.insert_or_assign(std::string(quantity.name), *value);
+}
+
+}  // namespace rotor

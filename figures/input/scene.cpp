@@ -1,0 +1,169 @@
+#include "figures/input/scene.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "figures/data/text.hpp"
+#include "figures/input/toml_spec.hpp"
+
+namespace rotor {
+namespace {
+
+class SceneReader : TomlFile {
+ public:
+  SceneReader(const std::filesystem::path& file, Overrides overrides)
+      : TomlFile(file), overrides_(std::move(overrides)) {}
+
+  Scene read() {
+    const toml::table& root = this->root();
+    expect_keys(root, {"title", "columns", "window", "parameters", "run"});
+    Scene scene;
+    scene.file = path();
+    scene.title = text(root, "title").value_or("");
+    scene.columns = columns(root);
+    scene.runs = runs(
+        root,
+        stated_in(*this, table(root, "parameters"), {}).overridden_by(overrides_.of_parameters));
+    if (!overrides_.run.empty()) leave_out_others(scene.runs);
+    scene.window = window(root, scene);
+    return scene;
+  }
+
+ private:
+  std::vector<const Column*> columns(const toml::table& root) const {
+    const toml::node* node = root.get("columns");
+    if (!node) return every_column();
+    std::vector<std::string> names;
+    if (const toml::array* array = node->as_array())
+      for (const toml::node& item : *array) names.push_back(item.value_or<std::string>(""));
+    if (names.empty() || std::find(names.begin(), names.end(), "") != names.end())
+      fail(*node, "columns", "must be a list of names of columns, in quotes");
+    if (names.front() != "time_s" || names.size() == 1)
+      fail(*node, "columns", "must begin with \"time_s\" and have another column");
+    return at(*node, "columns", [&] { return parse_columns(names); });
+  }
+
+  SceneRun run(const std::string& name, const ScenarioSpec& stated, const toml::node& node,
+               std::string_view key) const {
+    const ScenarioSpec all = stated.overridden_by(overrides_.of_runs);
+    return {name, at(node, key, [&] { return scenario_of(all); }), all.states_equations(),
+            all.digits, stated.numbers.contains("until")};
+  }
+
+  std::vector<SceneRun> runs(const toml::table& root, const ScenarioSpec& base) const {
+    const toml::node* parameters = root.get("parameters");
+    const auto tables = this->tables(root, "run");
+    if (tables.empty()) return {run("run", base, parameters ? *parameters : root, "parameters")};
+    std::vector<SceneRun> all;
+    for (const toml::table* table : tables) {
+      const auto name = text(*table, "name");
+      if (!name || name->empty()) fail(*table, "name", "every [[run]] needs a name");
+      const auto same = [&](const SceneRun& other) { return other.name == *name; };
+      if (std::any_of(all.begin(), all.end(), same))
+        fail(*table, "name", fmt::format("there is a run \"{}\" already", shown(*name)));
+      all.push_back(
+          run(*name, base.overridden_by(stated_in(*this, *table, {"name"})), *table, "run"));
+    }
+    return all;
+  }
+
+  void leave_out_others(std::vector<SceneRun>& runs) const {
+    std::vector<std::string> names;
+    for (const SceneRun& run : runs) names.push_back(run.name);
+    std::erase_if(runs, [&](const SceneRun& run) { return run.name != overrides_.run; });
+    if (runs.empty())
+      throw InputError(fmt::format("{}: choose one of its runs with --run: {}", path().string(),
+                                   fmt::join(names, ", ")));
+  }
+
+  /// By options: one that states it, or any of a rotor if the scene leaves it open.
+  bool may_end_elsewhere(const SceneRun& run) const {
+    const ScenarioSpec& options = overrides_.of_runs;
+    return run.states_end ? options.numbers.contains("until")
+                          : !options.numbers.empty() || options.loses_mass.has_value();
+  }
+
+  Window window(const toml::table& root, const Scene& scene) const {
+    double shortest = scene.runs.front().scenario.until;
+    for (const SceneRun& run : scene.runs) shortest = std::min(shortest, run.scenario.until);
+
+    const toml::table& in = table(root, "window");
+    expect_keys(in, {"from_s", "until_s", "from", "length_s"});
+    if (const auto from = text(in, "from")) {
+      if (*from != "rolling_onset") fail(*in.get("from"), "from", "must be \"rolling_onset\"");
+      const auto length = time(in, "length_s");
+      if (!length || in.size() != 2)
+        fail(in, "window", "from goes with length_s, and nothing else");
+      return {.from_rolling_onset = true, .length_s = *length};
+    }
+    if (in.contains("length_s")) fail(in, "window", "length_s goes with from");
+    const double from = time(in, "from_s").value_or(0);
+    const auto stated_until = time(in, "until_s");
+    const double until = stated_until.value_or(shortest);
+    // Of runs whose ends options move is shown what of the window they reach.
+    const bool lies_in_runs =
+        std::all_of(scene.runs.begin(), scene.runs.end(), [&](const SceneRun& run) {
+          const double end_s = run.scenario.until;
+          return (from < end_s && until <= end_s) || may_end_elsewhere(run);
+        });
+    if (!lies_in_runs || (stated_until && from >= until))
+      fail(in.empty() ? static_cast<const toml::node&>(root) : *root.get("window"), "window",
+           fmt::format(
+               "must lie inside the run, with 0 <= from_s < until_s <= {} s; it goes from {} "
+               "s to {} s",
+               shortest, from, until));
+    if (!stated_until) return {.from_s = from};  // to the end of each run
+    return {.from_s = from, .length_s = until - from};
+  }
+
+  Overrides overrides_;
+};
+
+}  // namespace
+
+std::map<int, std::filesystem::path> figure_files(const std::filesystem::path& folder) {
+  std::map<int, std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    const std::size_t digits = std::min(name.size(), std::string_view("fig").size());
+    int number = 0;
+    std::from_chars(name.data() + digits, name.data() + name.size(), number);
+    if (name == fmt::format("fig{:02}.toml", number)) files[number] = entry.path();
+  }
+  return files;
+}
+
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
+  return SceneReader(file, overrides).read();
+}
+
+Window window_from(double from_s, const Scenario& scenario) {
+  if (!(from_s >= 0 && from_s < scenario.until))
+    throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", from_s,
+                                 scenario.until));
+  return {.from_s = from_s};
+}
+
+std::vector<const Column*> parse_columns(const std::vector<std::string>& names) {
+  std::vector<const Column*> columns;
+  for (const std::string& name : names) {
+    const Column* column = find_column(name);
+    if (!column) {
+      std::vector<std::string> allowed;
+      for (const Column& known : all_columns()) allowed.emplace_back(known.name);
+      throw InputError(fmt::format("there is no column \"{}\"{}; there are: {}", shown(name),
+                                   suggestion(name, allowed), fmt::join(allowed, ", ")));
+    }
+    if (std::find(columns.begin(), columns.end(), column) != columns.end())
+      throw InputError(fmt::format("column \"{}\" stands twice", name));
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+}  // namespace rotor

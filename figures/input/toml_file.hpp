@@ -1,0 +1,73 @@
+/// A TOML file that knows where in it a mistake stands.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "figures/input/names.hpp"
+
+namespace rotor {
+
+class TomlFile {
+ public:
+  using Keys = std::vector<std::string_view>;
+
+  /// Reads and parses a regular file of bounded size and depth. All throw InputError.
+  explicit TomlFile(std::filesystem::path file);
+
+  const toml::table& root() const { return root_; }
+  const std::filesystem::path& path() const { return file_; }
+
+  [[noreturn]] void fail(const toml::node& at, std::string_view key,
+                         std::string_view message) const;
+
+  void expect_keys(const toml::table& table, const Keys& allowed) const;
+
+  /// What a key is set to, if it is.
+  template <class T>
+  std::optional<T> value(const toml::table& in, std::string_view key, std::string_view kind) const {
+    const toml::node* node = in.get(key);
+    if (!node) return std::nullopt;
+    std::optional<T> found;
+    if constexpr (std::is_same_v<T, double>)
+      found = number(*node);
+    else if (node->is_boolean() == std::is_same_v<T, bool>)
+      found = node->value<T>();
+    if (!found) fail(*node, key, std::string("must be ") + std::string(kind));
+    return found;
+  }
+  /// If it is one: rounded, as every number, even where it is stated as a whole one.
+  static std::optional<double> number(const toml::node& node);
+  /// One line without control characters: it is shown in messages and pictures.
+  std::optional<std::string> text(const toml::table& in, std::string_view key) const;
+  /// In seconds: finite and not below zero.
+  std::optional<double> time(const toml::table& in, std::string_view key) const;
+  /// The sub-table of that name, empty if there is none.
+  const toml::table& table(const toml::table& in, std::string_view key) const;
+  /// The tables of that name, in their order; none if there are none.
+  std::vector<const toml::table*> tables(const toml::table& in, std::string_view key) const;
+
+  /// What a function throws without a place is reported at this node.
+  template <class F>
+  auto at(const toml::node& node, std::string_view key, F parse) const {
+    try {
+      return parse();
+    } catch (const std::exception& error) {
+      fail(node, key, error.what());
+    }
+  }
+
+ private:
+  std::string content() const;
+
+  std::filesystem::path file_;
+  toml::table root_;
+};
+
+}  // namespace rotor

@@ -1,0 +1,127 @@
+#include "figures/record/columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace rotor {
+namespace {
+
+double slip_velocity(View& view) {
+  const bool centred = view.motion().displacement.squaredNorm() == 0;  // no point K is nearest
+  return centred ? std::numeric_limits<double>::quiet_NaN() : view.rim_point().slip_velocity;
+}
+
+double whirl_frequency(View& view) {
+  const Motion<double>& m = view.motion();
+  const double square = m.displacement.squaredNorm();
+  return square == 0 ? std::numeric_limits<double>::quiet_NaN()
+                     : in_Hz(cross(m.displacement, m.velocity) / square);
+}
+
+constexpr std::array table = {
+    Column{"time_s", "time", [](View& v) { return v.at().time_s; }},
+    Column{"q1_m", "O along x of the rotating axes", [](View& v) { return v.at().state[0]; }},
+    Column{"q2_m", "O along y of the rotating axes", [](View& v) { return v.at().state[1]; }},
+    Column{"q3_rad", "angle of the rotor", [](View& v) { return v.at().state[2]; }},
+    Column{"q1_rate_m_per_s", "rate of q1", [](View& v) { return v.at().state[3]; }},
+    Column{"q2_rate_m_per_s", "rate of q2", [](View& v) { return v.at().state[4]; }},
+    Column{"q3_rate_rad_per_s", "rate of q3", [](View& v) { return v.at().state[5]; }},
+    Column{"rho_m", "distance of O from O_a",
+           [](View& v) { return Vector<double>(v.at().state[0], v.at().state[1]).norm(); },
+           Extreme::displacement},
+    Column{"x_a_m", "O along x_a (down) in the stator's frame",
+           [](View& v) { return v.displacement_in_stator_frame().x(); }},
+    Column{"y_a_m", "O along y_a in the stator's frame",
+           [](View& v) { return v.displacement_in_stator_frame().y(); }},
+    Column{"speed_Hz", "rotation speed f", [](View& v) { return in_Hz(v.at().state[5]); }},
+    Column{"normal_force_N", "F_n on the rotor, negative in compression",
+           [](View& v) { return v.normal_force(); }, Extreme::normal_force},
+    Column{"friction_force_N", "F_tau on the rotor, positive in the sense of q3",
+           [](View& v) { return v.friction(); }},
+    Column{"slip_velocity_m_per_s", "v_Ktau of the rim relative to the ring", slip_velocity},
+    Column{"kinetic_energy_J", "T of the rotor",
+           [](View& v) { return kinetic_energy(v.at().body, v.motion()); }},
+    Column{"bearing_force_N", "magnitude of k r_O + d v_O of the supports",
+           [](View& v) { return v.bearing_force().norm(); }, Extreme::bearing_force},
+    Column{"whirl_frequency_Hz", "of O about O_a, negative against the rotation", whirl_frequency},
+    Column{"contact_angle_rad", "direction of O from O_a in the stator's frame, from x_a",
+           [](View& v) {
+             const Vector<double> at = v.displacement_in_stator_frame();
+             return std::atan2(at.y(), at.x());
+           }},
+    Column{"motor_power_W", "power of the motor",
+           [](View& v) { return v.at().motor_on ? v.supports().torque * v.motion().speed : 0; }},
+    Column{"support_damping_power_W", "power of the supports' dampers, negative",
+           [](View& v) { return -v.supports().damping * v.motion().velocity.squaredNorm(); }},
+    Column{"friction_power_W", "power of F_tau at the rim, negative",
+           [](View& v) { return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0; }},
+    Column{"contact_damping_power_W",
+           "power of the contact's damper, negative; also while the ring comes back",
+           [](View& v) {
+             const bool is_clear = v.at().contact == ContactState::free;  // where K may not exist
+             return is_clear ? 0 : v.ring().damping_power(v.rim_point(), v.at().contact);
+           }},
+    Column{
+        "support_energy_J", "potential energy of the supports' springs",
+        [](View& v) { return v.supports().stiffness * v.motion().displacement.squaredNorm() / 2; }},
+    Column{"contact_energy_J", "potential energy of the indented ring",
+           [](View& v) {
+             const bool indented = v.at().contact != ContactState::free;
+             const double depth = indented ? v.rim_point().indentation : 0;
+             return v.ring().stiffness * depth * depth / 2;
+           }},
+    Column{"contact_state", "0 free, 1 sliding, 2 rolling, 3 free with the ring still indented",
+           [](View& v) { return static_cast<double>(v.at().contact); }},
+};
+
+}  // namespace
+
+const Motion<double>& View::motion() {
+  if (!motion_) motion_ = at_.motion();
+  return *motion_;
+}
+
+const RimPoint<double>& View::rim_point() {
+  if (!rim_point_) rim_point_ = context_.ring.rim_point(motion());
+  return *rim_point_;
+}
+
+bool View::in_contact() const { return at_.touches(); }
+
+double View::normal_force() { return in_contact() ? context_.ring.touching_force(rim_point()) : 0; }
+
+double View::friction() {
+  if (!in_contact()) return 0;
+  if (at_.contact == ContactState::rolling && context_.rolls)
+    return friction_without_slip(at_.body, ring(), motion(), rim_point(),
+                                 supports().loads(at_.body, motion(), at_.motor_on),
+                                 normal_force());
+  const int own = rim_point().slip_velocity > 0 ? 1 : -1;
+  return ring().sliding_friction(normal_force(), at_.direction == 0 ? own : at_.direction);
+}
+
+Vector<double> View::bearing_force() {
+  return supports().bearing_force(motion().displacement, motion().velocity);
+}
+
+Vector<double> View::displacement_in_stator_frame() {
+  return in_stator_frame({at_.state[0], at_.state[1]}, at_.state[2]);
+}
+
+std::span<const Column> all_columns() { return table; }
+
+std::vector<const Column*> every_column() {
+  std::vector<const Column*> all;
+  for (const Column& column : table) all.push_back(&column);
+  return all;
+}
+
+const Column* find_column(std::string_view name) {
+  const auto* const found =
+      std::find_if(table.begin(), table.end(), [name](const Column& c) { return c.name == name; });
+  return found == table.end() ? nullptr : found;
+}
+
+}  // namespace rotor

@@ -1,0 +1,65 @@
+#include "figures/results/provenance.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "figures/results/laws.hpp"
+
+namespace rotor {
+namespace {
+
+std::string describe(const Quantity& quantity, const Scenario& scenario) {
+  return fmt::format("{} = {}{}{}", quantity.name, quantity.of(scenario),
+                     quantity.unit.empty() ? "" : " ", quantity.unit);
+}
+
+std::string describe(const Equations& equations) {
+  if (equations == Equations::published || equations == Equations::consistent)
+    return std::string(name_of(equations));
+  return fmt::format("{} (velocity jump {}, gravity moment {})", name_of(equations),
+                     name_of(equations.velocity_jump), name_of(equations.gravity_moment));
+}
+
+std::string parameters(const Scenario& scenario) {
+  std::vector<std::string> all;
+  for (const Quantity& quantity : quantities()) all.push_back(describe(quantity, scenario));
+  if (!scenario.parameters.loses_mass) all.emplace_back("no mass loss");
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// What closed forms predict, if they know the rotor.
+std::string prediction(const Scenario& scenario) {
+  std::vector<std::string> all;
+  try {
+    const nlohmann::ordered_json known = laws(scenario);
+    for (const auto& [key, value] : known.items())
+      if (value.is_number()) all.push_back(fmt::format("{} = {}", key, value.dump()));
+  } catch (const std::exception&) {  // no mass loss, or supports that do not vibrate
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> provenance(const std::string& title, const Scene& scene) {
+  std::vector<std::string> lines = {title, "rotor " ROTOR_VERSION};
+  for (const SceneRun& run : scene.runs)
+    lines.push_back(fmt::format("{}: equations {}, method {}, {}", run.name,
+                                describe(run.scenario.equations), name_of(run.scenario.method),
+                                parameters(run.scenario)));
+  for (const SceneRun& run : scene.runs)
+    if (const std::string said = prediction(run.scenario); !said.empty())
+      lines.push_back(fmt::format("{}: by closed forms, {}", run.name, said));
+  for (const Column* column : scene.columns)
+    lines.push_back(fmt::format("{}: {}", column->name, column->meaning));
+  return lines;
+}
+
+std::vector<std::string_view> headings(std::string_view names,
+                                       const std::vector<const Column*>& columns) {
+  std::vector<std::string_view> all = {names};
+  for (const Column* column : columns) all.push_back(column->name);
+  return all;
+}
+
+}  // namespace rotor

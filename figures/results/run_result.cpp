@@ -1,0 +1,256 @@
+#include "figures/results/run_result.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "figures/input/names.hpp"
+#include "figures/runs/observer_group.hpp"
+
+namespace rotor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int schema = 2;  // 1 had neither outcome nor parameters
+
+Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+Json json_of(const std::optional<double>& value) { return value ? json_of(*value) : Json(); }
+Json json_of(Outcome outcome) { return name_of(outcome); }
+Json json_of(long count) { return count; }
+Json json_of(bool whether) { return whether; }
+
+/// What is said of a run beside its results.
+struct Circumstance {
+  std::string_view key, meaning;
+  Json allowed;  ///< as a schema says it
+  Json (*value)(const RunResult&);
+};
+
+Json type(const char* name) { return {{"type", name}}; }
+Json number_or_null() { return {{"type", {"number", "null"}}}; }
+template <class Names>
+Json one_of(const Names& names) {
+  return {{"type", "string"}, {"enum", names}};
+}
+
+Json remarks_of(const RunResult& account) {
+  Json sentences = Json::array();
+  for (const Remark& remark : remarks(account)) sentences.push_back(remark.sentence);
+  return sentences;
+}
+
+Json inputs_of(const RunResult& account) {
+  Json inputs;
+  for (const Quantity& quantity : quantities())
+    inputs[std::string(quantity.name)] = quantity.of(account.scenario);
+  inputs["no_mass_loss"] = !account.scenario.parameters.loses_mass;
+  return inputs;
+}
+
+const std::vector<Circumstance>& circumstances() {
+  using A = RunResult;
+  const auto with = [](Json names, const Json& more) {
+    names.push_back(more);
+    return names;
+  };
+  static const std::vector<Circumstance> all = {
+      {"stop_on",
+       "At what the run was to stop early",
+       {{"enum", with(all_names<StopOn>(), nullptr)}},
+       [](const A& a) { return a.early.stop_on ? Json(name_of(*a.early.stop_on)) : Json(); }},
+      {"stop_reached", "Whether it did", type("boolean"),
+       [](const A& a) { return Json(a.early.stop_reached); }},
+      {"remarks",
+       "What a reader has to know beside the numbers",
+       {{"type", "array"}, {"items", type("string")}},
+       remarks_of},
+      {"right_hand_sides", "Cost: evaluations of the equations of motion", type("integer"),
+       [](const A& a) { return Json(a.end.counters.right_hand_sides); }},
+      {"contact_evaluations", "Cost: of these, and of guards, those of the loads in contact",
+       type("integer"), [](const A& a) { return Json(a.end.counters.contact_evaluations); }},
+      {"steps", "Cost: steps that were kept", type("integer"),
+       [](const A& a) { return Json(a.end.counters.steps); }},
+      {"located_events", "Events", type("integer"),
+       [](const A& a) { return Json(a.end.counters.located_events); }},
+      {"equations",
+       "published (velocity jump twice, gravity moment whole), consistent (once, balanced) or "
+       "mixed",
+       one_of(with(all_names<Equations>(), "mixed")),
+       [](const A& a) { return Json(name_of(a.scenario.equations)); }},
+      {"velocity_jump", "How often the mass loss adds Delta_vy to the velocity of C",
+       one_of(all_names<VelocityJump>()),
+       [](const A& a) { return Json(name_of(a.scenario.equations.velocity_jump)); }},
+      {"gravity_moment", "balanced by the springs but for the part of the eccentricity, or whole",
+       one_of(all_names<GravityMoment>()),
+       [](const A& a) { return Json(name_of(a.scenario.equations.gravity_moment)); }},
+      {"method", "How the run was computed", one_of(all_names<Method>()),
+       [](const A& a) { return Json(name_of(a.scenario.method)); }},
+      {"tolerance", "Of event: error allowed in a step; null for rk4", number_or_null(),
+       [](const A& a) {
+         return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
+       }},
+      {"estimated_relative_error",
+       "With --estimate-error: the largest relative error of the real results, as another run "
+       "tells it; 1 if that takes another course. With --digits: the largest of all errors",
+       number_or_null(), [](const A& a) { return json_of(a.estimated_relative_error); }},
+      {"inputs", "All numbers of the scenario, in SI units but for speeds in Hz", type("object"),
+       inputs_of},
+      {"version", "Of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
+      {"schema",
+       "Of this summary; 1 had neither outcome nor inputs",
+       {{"const", schema}},
+       [](const A&) { return Json(schema); }}};
+  return all;
+}
+
+/// What the schema says of a result by its type.
+template <class T>
+Json allowed(T Summary::*) {
+  if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
+  if constexpr (std::is_same_v<T, long>) return type("integer");
+  if constexpr (std::is_same_v<T, bool>) return type("boolean");
+  Json types = {"number", "object"};  // with digits
+  if constexpr (std::is_same_v<T, std::optional<double>>) types.push_back("null");
+  return {{"type", types}, {"$ref", "#/$defs/estimate"}};
+}
+
+}  // namespace
+
+RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<StopOn> stop_on,
+                 Observer& others) {
+  Simulation& simulation = way.simulation;
+  SummaryObserver& summary = way.summary;
+  ObserverGroup observers;
+  observers.add(others);
+  std::optional<StopObserver> stop;
+  if (stop_on) observers.add(stop.emplace(*stop_on, scenario));
+  observers.on_instant(simulation.instant());
+  observers.add(summary);  // which has seen it
+  if (!simulation.stopped())
+    simulation.finish(observers);
+  else
+    summary.on_instant(simulation.instant());
+  const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
+  const bool stop_reached = stop && stop->is_reached();
+  return {scenario, summary.summary(), end, {stop_on, stop_reached, end.stopped && !stop_reached}};
+}
+
+Json to_json(const RunResult& account) {
+  Json json;
+  for (const auto& field : summary_fields<double>)
+    std::visit(
+        [&](auto member) { json[std::string(field.key)] = json_of(account.summary.*member); },
+        field.value);
+  for (const Circumstance& said : circumstances())
+    json[std::string(said.key)] = said.value(account);
+  if (account.early.interrupted) json["cut_short_at_s"] = account.summary.final_time_s;
+  return json;
+}
+
+Json summary_schema() {
+  Json properties, required;
+  const auto describe = [&](std::string_view key, std::string_view meaning, Json allowed) {
+    allowed["description"] = meaning;
+    properties[std::string(key)] = std::move(allowed);
+  };
+  describe("run", "Name of the run, if there are several", type("string"));
+  for (const auto& field : summary_fields<double>) {
+    describe(field.key, field.meaning,
+             std::visit([](auto member) { return allowed(member); }, field.value));
+    required.push_back(field.key);
+  }
+  for (const Circumstance& said : circumstances()) {
+    describe(said.key, said.meaning, said.allowed);
+    required.push_back(said.key);
+  }
+  describe("cut_short_at_s", "When the run was interrupted; only then", type("number"));
+  describe("digits",
+           "Only with --digits: how many were asked for; which values have fewer, and how many; "
+           "whether counts and outcome are those of exact arithmetic (if not, nothing is known of "
+           "values that hang on them); the precision of the numbers in the end; and by how much a "
+           "disturbance is multiplied from the first contact to the end, or as far as computations "
+           "agree",
+           type("object"));
+  describe("events", "Only with --digits: name, time and state of each event, and of the end",
+           type("array"));
+  describe("energy_J",
+           "Only with --energy, from just before the mass loss on: works of all causes, negative "
+           "where the rotor loses, and what is there at the end of each span; residual is what "
+           "does not add up",
+           type("object"));
+  const Json estimate = {
+      {"description",
+       "With --digits, instead of a number: how far it may be from the truth, null if nothing is "
+       "known of it"},
+      {"required", {"value", "error"}},
+      {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
+      {"additionalProperties", false}};
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"title", "Summary of a run, as `rotor run --json` prints it"},
+          {"description",
+           "Of a scene with several runs it prints {\"runs\": [...]}, each of them like this"},
+          {"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false},
+          {"$defs", {{"estimate", estimate}}}};
+}
+
+Json to_json(const EnergyObserver& energy) {
+  const auto of = [](const EnergyBalance& b) -> Json {
+    return {{"initial", b.initial},
+            {"motor", b.motor},
+            {"gravity", b.gravity},
+            {"support_damping", b.support_damping},
+            {"contact_damping", b.contact_damping},
+            {"friction", b.friction},
+            {"mass_loss", b.mass_loss},
+            {"kinetic", b.kinetic},
+            {"support_springs", b.support_springs},
+            {"contact_spring", b.contact_spring},
+            {"residual", b.residual()}};
+  };
+  Json json;
+  json["until_rolling"] = nullptr;
+  if (energy.until_rolling()) json["until_rolling"] = of(*energy.until_rolling());
+  json["until_end"] = nullptr;
+  if (energy.has_begun()) json["until_end"] = of(energy.balance());
+  return json;
+}
+
+std::vector<Remark> remarks(const RunResult& account) {
+  constexpr bool missed = true;
+  const Summary& summary = account.summary;
+  const EarlyEnd& early = account.early;
+  const Parameters& p = account.scenario.parameters;
+  std::vector<Remark> all;
+  if (p.loses_mass && !summary.mass_loss_reached)
+    all.push_back({fmt::format("the mass loss at {} s was not reached; the run ends at {} s",
+                               p.mass_loss_time, summary.final_time_s),
+                   missed});
+  if (early.stop_on && !early.stop_reached)
+    all.push_back({fmt::format("{}, at which the run was to stop, was not reached until {} s",
+                               name_of(*early.stop_on), summary.final_time_s),
+                   missed});
+  if (summary.touch_downs_before_loss > 0 && p.loses_mass)
+    all.push_back({fmt::format("the rotor touched the ring {} times before the mass loss",
+                               summary.touch_downs_before_loss)});
+  // The contact is linear and the ring round: both want indentations that are small.
+  constexpr double large = 0.1;
+  const double clearance = p.stator_radius - p.rotor_radius;
+  const double displacement =
+      std::max(summary.max_displacement_m.value_or(0), summary.max_displacement_before_loss_m);
+  for (const auto& [length, name] :
+       {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
+    if (displacement - clearance > large * length)
+      all.push_back(
+          {fmt::format("the ring is indented by {:.2g} of the {}: the model's linear "
+                       "contact is meant for less",
+                       (displacement - clearance) / length, name)});
+  return all;
+}
+
+}  // namespace rotor

@@ -1,0 +1,90 @@
+#include "figures/runs/run_ups.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "figures/runs/observer_group.hpp"
+
+namespace rotor {
+namespace {
+
+/// So many checkpoints are kept, some kB each,
+constexpr std::size_t most_checkpoints = 2048;
+/// that are so many steps apart, and so large a part of the way there.
+constexpr long least_steps = 16, parts_of_way = 64;
+
+double time_s(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.instant().time_s; }
+long steps(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.counters().steps; }
+
+/// A run-up that nothing ends.
+Scenario endless(Scenario run_up) {
+  run_up.until = std::numeric_limits<double>::max();
+  return run_up;
+}
+
+}  // namespace
+
+RunUpCheckpoint::RunUpCheckpoint(const Scenario& scenario)
+    : simulation(scenario), summary(scenario) {
+  summary.on_instant(simulation.instant());
+}
+
+RunUps::Family& RunUps::family(const Scenario& scenario) {
+  const Scenario run_up = endless(run_up_part(scenario));
+  const auto found = std::find_if(families_.begin(), families_.end(),
+                                  [&](const Family& family) { return family.run_up == run_up; });
+  if (found != families_.end()) {
+    families_.splice(families_.begin(), families_, found);
+  } else {
+    families_.push_front({run_up, {RunUpCheckpoint(run_up)}});
+    ++checkpoints_;
+  }
+  for (; checkpoints_ > most_checkpoints && families_.size() > 1; families_.pop_back())
+    checkpoints_ -= families_.back().checkpoints.size();
+  return families_.front();
+}
+
+RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& monitor,
+                                          double latest_s) {
+  const SummaryObserver fresh(scenario);
+  const double until_s =
+      std::min(latest_s, std::min(scenario.run_up_end(), fresh.time_of_speed_s()));
+  if (!scenario.loses_mass() || !(until_s > 0)) return RunUpCheckpoint(scenario);
+  std::vector<RunUpCheckpoint>& checkpoints = family(scenario).checkpoints;
+  const auto later = std::upper_bound(checkpoints.begin() + 1, checkpoints.end(), until_s,
+                                      [](double limit_s, const RunUpCheckpoint& checkpoint) {
+                                        return limit_s < time_s(checkpoint);
+                                      });
+  const RunUpCheckpoint& last = *(later - 1);
+  RunUpCheckpoint way = last;
+  ObserverGroup observers;
+  observers.add(monitor);
+  observers.add(way.summary);
+  way.simulation.run_up(until_s, observers);
+  const bool is_far = steps(way) - steps(last) >= least_steps + steps(last) / parts_of_way;
+  RunUpCheckpoint checkpoint = way;
+  if (is_far && !way.simulation.stopped()) {
+    checkpoints.insert(later, std::move(way));
+    ++checkpoints_;
+  }
+  checkpoint.simulation = checkpoint.simulation.with(scenario);
+  checkpoint.summary = checkpoint.summary.with(scenario);
+  return checkpoint;
+}
+
+SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
+                                   std::optional<double> until_s, Observer& monitor) {
+  const std::vector<RunUpCheckpoint>& checkpoints = family(run_up_to_speed(scenario)).checkpoints;
+  constexpr double ripple = 0.01;  // the speed rises, but for this
+  const auto faster = std::find_if(
+      checkpoints.begin() + 1, checkpoints.end(), [&](const RunUpCheckpoint& checkpoint) {
+        return in_Hz(checkpoint.simulation.instant().state[5]) > (1 - ripple) * speed_Hz;
+      });
+  const SpeedReached found =
+      rotor::time_at_speed((faster - 1)->simulation, scenario, speed_Hz, until_s, monitor);
+  if (found.time_s || faster - 1 == checkpoints.begin()) return found;
+  // The greatest speed may have been on the way there.
+  return rotor::time_at_speed(checkpoints.front().simulation, scenario, speed_Hz, until_s, monitor);
+}
+
+}  // namespace rotor

@@ -1,0 +1,122 @@
+/// One computation of a run in a precision, disturbed if asked for.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "model/certified/comparison.hpp"
+#include "model/methods/event_method.ipp"
+#include "model/methods/stages.hpp"
+#include "model/results/summary.ipp"
+#include "model/scenario/start.hpp"
+
+namespace rotor {
+
+/// Changes every number that is computed with by a share, each up or down as a bit of the signs
+/// says, so that no law of similarity hides it, and no rounding that runs have in common.
+template <class S>
+struct Disturbance {
+  S share{0};
+  unsigned signs = 0;
+
+  void disturb(RotorSystem<S>& rotor, BasicInstant<S>& start, MassLoss<S>& loss) const {
+    unsigned bits = signs;
+    for (S* of : {&rotor.supports.stiffness, &rotor.supports.damping, &rotor.supports.gravity,
+                  &rotor.supports.torque,    &rotor.ring.clearance,   &rotor.ring.rotor_radius,
+                  &rotor.ring.stiffness,     &rotor.ring.damping,     &rotor.ring.friction,
+                  &rotor.motor_off,          &start.state[0],         &start.state[1],
+                  &start.state[5],           &start.body.mass,        &start.body.inertia,
+                  &start.body.eccentricity,  &loss.lost_mass,         &loss.piece_distance,
+                  &loss.after.mass,          &loss.after.inertia,     &loss.after.eccentricity}) {
+      *of *= 1 + (bits % 2 == 0 ? share : S(-share));
+      bits /= 2;
+    }
+  }
+  S at_touch_downs() const { return signs % 2 == 0 ? share : S(-share); }
+};
+
+/// How a run is computed.
+template <class S>
+struct Settings {
+  S tolerance;
+  S first_steps{1};  ///< share of what they are otherwise
+  Disturbance<S> disturbance{};
+};
+
+template <class S>
+struct Computation {
+  BasicSummary<S> summary;
+  std::vector<BasicInstant<S>> events;
+  BasicInstant<S> before_loss;  ///< if that is among the events
+  BasicInstant<S> end;
+  Counters counters;
+  /// By how much flights missed the ring that came near it, m; by the number of events before.
+  std::map<std::size_t, S> misses;
+  bool stopped = false;  ///< because it was not to go on
+};
+
+/// Sees what a Computation wants of a run.
+template <class S>
+class CourseObserver : public BasicSummaryObserver<S> {
+ public:
+  CourseObserver(const Scenario& scenario, const GoesOn& goes_on)
+      : BasicSummaryObserver<S>(scenario),
+        clearance_(Ring<S>(scenario.parameters).clearance),
+        goes_on_(goes_on) {}
+
+  void on_instant(const BasicInstant<S>& at) override {
+    BasicSummaryObserver<S>::on_instant(at);
+    is_free_ = at.contact == ContactState::free;
+    if (at.event == Event::mass_loss) course.before_loss = previous_;
+    if (at.event != Event::none) course.events.push_back(at);
+    previous_ = at;
+  }
+  bool goes_on(const BasicProgress<S>& now) override {
+    return BasicSummaryObserver<S>::goes_on(now) && goes_on_(static_cast<double>(now.time_s));
+  }
+  S threshold(Extreme of, const S& from_s, const S& until_s) const override {
+    const S usual = BasicSummaryObserver<S>::threshold(of, from_s, until_s);
+    const S near = S(9) / 10 * clearance_;
+    return of == Extreme::displacement && is_free_ && near < usual ? near : usual;
+  }
+  void on_maximum(const BasicMaximum<S>& maximum) override {
+    BasicSummaryObserver<S>::on_maximum(maximum);
+    if (maximum.of != Extreme::displacement || !is_free_) return;
+    const S miss = clearance_ - maximum.at.motion().displacement.norm();
+    const auto [nearest, is_new] = course.misses.try_emplace(course.events.size(), miss);
+    if (miss < nearest->second) nearest->second = miss;
+  }
+
+  Computation<S> course;
+
+ private:
+  S clearance_;
+  const GoesOn& goes_on_;
+  bool is_free_ = true;
+  BasicInstant<S> previous_;
+};
+
+template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
+Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
+                       const GoesOn& goes_on) {
+  CourseObserver<S> observer(scenario, goes_on);
+  RotorSystem<S> rotor(scenario.parameters, scenario.equations);
+  BasicInstant<S> start = start_of<S>(scenario);
+  MassLoss<S> loss(scenario.parameters);
+  settings.disturbance.disturb(rotor, start, loss);
+  EventMethod<S, Stepper> method(rotor, settings.tolerance, start);
+  method.shorten_first_steps(settings.first_steps);
+  method.disturb_touch_downs(settings.disturbance.at_touch_downs());
+  observer.on_instant(start);
+  finish(method, scenario, loss, observer);
+  Computation<S> result = observer.course;
+  result.summary = observer.summary();
+  result.end = method.instant();
+  result.end.event = Event::none;
+  result.counters = method.counters();
+  result.stopped = method.stopped();
+  return result;
+}
+
+}  // namespace rotor

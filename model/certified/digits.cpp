@@ -1,0 +1,159 @@
+#include "model/certified/digits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/certified/quad.hpp"
+
+namespace rotor {
+namespace {
+
+struct Means {
+  Precision precision;
+  double epsilon;
+  std::optional<Comparison> (*compare)(const Scenario&, double, const GoesOn&);
+
+  /// A hundredth of it, which is the finest computation's, is still some tens of roundings.
+  double least_tolerance() const { return 4096 * epsilon; }
+};
+
+template <class S>
+Means means(Precision precision) {
+  return {precision, static_cast<double>(std::numeric_limits<S>::epsilon()), compare<S>};
+}
+
+/// The precisions that there are, the cheapest first.
+const std::vector<Means>& all_means() {
+  static const std::vector<Means> all = [] {
+    std::vector<Means> list = {means<double>(Precision::double_)};
+    if constexpr (std::numeric_limits<long double>::digits == 64)  // or it is one of the others
+      list.push_back(means<long double>(Precision::extended));
+    list.push_back(means<Quad>(Precision::quadruple));
+    return list;
+  }();
+  return all;
+}
+
+double allowed_error(double size, int digits) { return 0.5 * std::pow(10, -digits) * size; }
+
+/// How many times too large the errors are: that of the tolerance, that of rounding, and both.
+struct Excess {
+  double of_tolerance = 0, of_rounding = 0, of_both = 0;
+
+  void note(const NamedEstimate& value, double allowed) {
+    if (!value.estimate) return;
+    const auto raise = [allowed](double& greatest, double error) {
+      if (error > 0) greatest = std::max(greatest, error / allowed);
+    };
+    raise(of_tolerance, value.of_tolerance);
+    raise(of_rounding, value.of_rounding);
+    raise(of_both, value.estimate->error);
+  }
+};
+
+template <class Action>
+void for_each_estimate(const Comparison& comparison, const Action& action) {
+  for (const NamedEstimate& value : comparison.summary) action(value);
+  for (const EventEstimate& event : comparison.events)
+    for (const NamedEstimate& value : event.values) action(value);
+}
+
+Excess excess(const Comparison& comparison, int digits) {
+  Excess largest;
+  for_each_estimate(comparison, [&](const NamedEstimate& value) {
+    largest.note(value, allowed_error(value.size, digits));
+  });
+  return largest;
+}
+
+/// A miss that only some computations take for near is not near enough to be one of the margins.
+bool is_known(const NamedEstimate& margin) {
+  return margin.estimate && std::isfinite(margin.estimate->error);
+}
+
+/// What another comparison needs, as one tells that has not the digits.
+struct Needs {
+  double tolerance, epsilon;
+};
+
+Needs needs_after(const Comparison& comparison, double epsilon, int digits) {
+  // Of the errors that are allowed, what part of them is aimed at: tolerances are free, precisions
+  // are few.
+  constexpr double of_tolerance = 0.2, of_rounding = 0.7;
+  constexpr double if_unknown = 1e-4;  // where it cannot be told how much is missing
+  constexpr double least = 1e-12;
+  const auto factor = [&](double share, double excess) {
+    return std::max(least, std::min(1., share / excess));
+  };
+  if (!comparison.same_course) return {comparison.tolerance * if_unknown, 1};
+  Excess now;
+  for (const NamedEstimate& margin : comparison.margins)
+    if (is_known(margin)) now.note(margin, std::abs(margin.estimate->value));
+  if (now.of_both < 1) now = excess(comparison, digits);
+  const Needs needs = {comparison.tolerance * factor(of_tolerance, now.of_tolerance),
+                       epsilon * factor(of_rounding, now.of_rounding)};
+  const bool is_same = needs.tolerance == comparison.tolerance && needs.epsilon == epsilon;
+  return is_same ? Needs{comparison.tolerance / 10, epsilon} : needs;
+}
+
+}  // namespace
+
+bool Comparison::is_course_sure() const {
+  return same_course && std::none_of(margins.begin(), margins.end(), [](const auto& margin) {
+           return is_known(margin) && !(margin.estimate->value > margin.estimate->error);
+         });
+}
+
+void Comparison::invalidate_path_dependent_values() {
+  const auto forget = [](std::vector<NamedEstimate>& estimates) {
+    for (NamedEstimate& value : estimates)
+      if (value.estimate && value.of_tolerance > 0)
+        value.estimate->error = std::numeric_limits<double>::infinity();
+  };
+  forget(summary);
+  for (EventEstimate& event : events) forget(event.values);
+}
+
+int sure_digits(const NamedEstimate& value) {
+  int digits = most_digits;
+  while (digits > 0 && value.estimate &&
+         !(value.estimate->error <= allowed_error(value.size, digits)))
+    --digits;
+  return digits;
+}
+
+bool has_digits(const Comparison& comparison, int digits) {
+  return comparison.is_course_sure() && excess(comparison, digits).of_both <= 1;
+}
+
+std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
+                                        const GoesOn& goes_on) {
+  const std::vector<Means>& all = all_means();
+  // What the way multiplies errors by is not known yet: a thousand is usual. In double precision
+  // it can be learned from a run that shows both, errors of its steps and of its rounding.
+  constexpr double telling = 1e-10;
+  double tolerance = std::max(telling, std::pow(10, -digits - 3));
+  auto by = all.begin();
+  std::optional<Comparison> best;
+  for (;;) {
+    std::optional<Comparison> found = by->compare(scenario, tolerance, goes_on);
+    if (!found) break;
+    found->precision = by->precision;
+    best = std::move(found);
+    if (has_digits(*best, digits)) break;
+    const Needs needs = needs_after(*best, by->epsilon, digits);
+    const auto serves = [&](const Means& means) {
+      return means.least_tolerance() <= needs.tolerance && means.epsilon <= needs.epsilon;
+    };
+    by = std::find_if(by, all.end(), serves);
+    if (by == all.end()) {  // then as far as the last one goes
+      --by;
+      if (!(by->least_tolerance() < tolerance)) break;
+    }
+    tolerance = std::max(needs.tolerance, by->least_tolerance());
+  }
+  return best;
+}
+
+}  // namespace rotor

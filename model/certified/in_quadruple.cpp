@@ -1,0 +1,6 @@
+#include "model/certified/comparison.ipp"
+#include "model/certified/quad.hpp"
+
+namespace rotor {
+template std::optional<Comparison> compare<Quad>(const Scenario&, double, const GoesOn&);
+}  // namespace rotor

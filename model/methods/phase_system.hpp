@@ -1,0 +1,46 @@
+/// Phases and the integration library.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "model/integration/first_event.hpp"
+#include "model/scenario/counters.hpp"
+
+namespace rotor {
+
+/// A phase as the integration library sees it, its evaluations counted.
+template <class S, class Phase>
+class PhaseSystem {
+ public:
+  using Unknowns = typename Phase::Unknowns;
+  static constexpr std::size_t event_count = Phase::event_count;
+
+  PhaseSystem(const Phase& phase, Counters& counters) : phase_(phase), counters_(counters) {}
+
+  const Phase& phase() const { return phase_; }
+
+  void operator()(const Unknowns& x, Unknowns& rates, const S& time) const {
+    ++counters_.right_hand_sides;
+    if constexpr (Phase::contact_in_rates) ++counters_.contact_evaluations;
+    phase_(x, rates, time);
+  }
+  S event(std::size_t i, const Unknowns& x) const {
+    if (phase_.guard_takes_loads(i)) ++counters_.contact_evaluations;
+    return phase_.guard(i, x);
+  }
+  using Point = rotor::Point<S, Unknowns>;
+  std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
+    if constexpr (requires { phase_.event_bounds(from, to); })
+      return phase_.event_bounds(from, to);
+    else
+      return {};
+  }
+  Unknowns scale(const Unknowns& x) const { return phase_.scale(x); }
+
+ private:
+  const Phase& phase_;
+  Counters& counters_;
+};
+
+}  // namespace rotor

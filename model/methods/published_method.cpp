@@ -1,0 +1,163 @@
+#include "model/methods/published_method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace rotor {
+namespace {
+
+/// Eqs. (3)-(4) with the contact of Eqs. (15)-(25), friction against the slip of this very stage.
+class RightHandSide {
+ public:
+  RightHandSide(const Body<double>& body, const Supports<double>& supports,
+                const Ring<double>& ring, bool motor_on, Counters& counters)
+      : body_(body), supports_(supports), ring_(ring), motor_on_(motor_on), counters_(counters) {}
+
+  void operator()(const State<double>& q, State<double>& rates, double /*time*/) const {
+    ++counters_.right_hand_sides;
+    const auto motion = RotatingFrame<double>::motion(body_, q);
+    Loads<double> loads = supports_.loads(body_, motion, motor_on_);
+    if (!ring_.is_clear_of(motion)) loads += contact(motion);
+    rates = RotatingFrame<double>::rates(motion, q, acceleration(body_, motion, loads));
+  }
+
+ private:
+  Loads<double> contact(const Motion<double>& motion) const {
+    ++counters_.contact_evaluations;
+    const auto k = ring_.rim_point(motion);
+    const double normal = ring_.normal_force(k);
+    const int direction = k.slip_velocity > 0 ? 1 : -1;  // Eq. (23)
+    return ring_.loads(k, {normal, ring_.sliding_friction(normal, direction)});
+  }
+
+  const Body<double>& body_;
+  const Supports<double>& supports_;
+  const Ring<double>& ring_;
+  bool motor_on_;
+  Counters& counters_;
+};
+
+void require_finite(const State<double>& state, double time_s, double step) {
+  for (const double component : state)
+    if (!std::isfinite(component))
+      throw std::runtime_error(
+          fmt::format("the rk4 run diverged at t = {:.6f} s; its step of {} s is too long for this "
+                      "rotor: lower step_run_up or step_rub",
+                      time_s, step));
+}
+
+/// A remainder that differs from a step by rounding alone is a whole step, relative to the step.
+constexpr double rounding = 1e-6;
+
+}  // namespace
+
+PublishedMethod::PublishedMethod(const Scenario& scenario, const Instant& from)
+    : scenario_(scenario),
+      supports_(scenario.parameters, scenario.equations),
+      ring_(scenario.parameters) {
+  restart(from);
+}
+
+void PublishedMethod::restart(const Instant& from) {
+  at_ = from;
+  at_.event = Event::none;  // fixed steps locate none
+  at_.direction = 0;        // and know no phases
+  origin_s_ = at_.time_s;
+  steps_ = 0;
+  whirl_angle_ = at_.contact == ContactState::free ? 0 : RotatingFrame<double>::angle(at_.state);
+}
+
+PublishedMethod PublishedMethod::with(const Scenario& scenario) const {
+  PublishedMethod branch = *this;
+  branch.scenario_ = scenario;
+  branch.ring_ = Ring<double>(scenario.parameters);
+  return branch;
+}
+
+void PublishedMethod::set_step(double step) {
+  if (step == step_) return;
+  step_ = step;
+  origin_s_ = at_.time_s;
+  steps_ = 0;
+}
+
+double PublishedMethod::step_end_s() const {
+  return origin_s_ + static_cast<double>(steps_ + 1) * step_;
+}
+
+void PublishedMethod::run_up(double until_s, Observer& observer) {
+  set_step(scenario_.step_run_up);
+  while (!stopped_ && step_end_s() <= until_s + rounding * step_)
+    if (!take_step(step_, step_end_s(), false, observer)) break;
+}
+
+void PublishedMethod::approach(double until_s, Observer& observer) {
+  set_step(scenario_.step_rub);
+  while (!stopped_ && step_end_s() < until_s - rounding * step_)
+    take_step(step_, step_end_s(), true, observer);
+}
+
+void PublishedMethod::advance(double until_s, Observer& observer) {
+  approach(until_s, observer);
+  if (stopped_) return;
+  const double left = (until_s - at_.time_s) / step_;
+  if (left > rounding)
+    take_step(left > 1 - rounding ? step_ : left * step_, until_s, true, observer);
+  at_.time_s = until_s;
+}
+
+/// Returns whether the step has been taken: one that touches the ring is only if it `may_touch`.
+bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Observer& observer) {
+  boost::numeric::odeint::runge_kutta4<State<double>> stepper;
+  const Counters before = counters_;
+  State<double> state = at_.state;
+  stepper.do_step(RightHandSide(at_.body, supports_, ring_, at_.motor_on, counters_), state,
+                  at_.time_s, length);
+  ++counters_.steps;
+  require_finite(state, end_s, length);
+  const ContactState contact = contact_state(state, length);
+  const bool touched = counters_.contact_evaluations > before.contact_evaluations;
+  if (touched && !may_touch) {
+    counters_ = before;  // the step is another's to take
+    return false;
+  }
+
+  const bool begins = at_.contact == ContactState::free;
+  ++steps_;
+  at_.time_s = end_s;
+  at_.state = state;
+  at_.contact = contact;
+  if (state[5] >= 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
+  observer.on_instant(at_);
+  const double angle = RotatingFrame<double>::angle(state);
+  if (contact == ContactState::free)
+    whirl_angle_ = 0;
+  else if (begins)
+    whirl_angle_ = angle;
+  else
+    whirl_angle_ += std::remainder(angle - whirl_angle_, 2 * std::numbers::pi);
+  stopped_ = !observer.goes_on({at_.time_s, at_.state[5], whirl_angle_});
+  return true;
+}
+
+/// The method has no state of rolling: friction throws the slip to and fro about zero. The rim
+/// counts as rolling while friction is able to stop it within one step.
+ContactState PublishedMethod::contact_state(const State<double>& state, double step) {
+  const auto motion = RotatingFrame<double>::motion(at_.body, state);
+  if (ring_.is_clear_of(motion)) return ContactState::free;
+  ++counters_.contact_evaluations;
+  const auto k = ring_.rim_point(motion);
+  const double normal = ring_.normal_force(k);
+  if (normal == 0) return ContactState::indented;
+  const auto mobility = friction_mobility(at_.body, motion, k, ring_.rotor_radius);
+  const double slip_change =
+      ring_.friction * -normal * step * slip_mobility(motion, k, mobility, ring_.rotor_radius);
+  return std::abs(k.slip_velocity) <= slip_change ? ContactState::rolling : ContactState::sliding;
+}
+
+}  // namespace rotor

@@ -1,0 +1,56 @@
+/// The paper's integration: classical Runge-Kutta of fourth order with fixed steps, the friction's
+/// direction decided at every stage by Eq. (23). First order at every contact, and it chatters in
+/// rolling; kept exactly as published to be compared with. Source:
+/// "Overcritical high-speed rotor systems, full annular rub and accident",
+/// Sec. 3.
+#pragma once
+
+#include "model/mechanics/contact.hpp"
+#include "model/scenario/counters.hpp"
+#include "model/scenario/observer.hpp"
+#include "model/scenario/scenario.hpp"
+
+namespace rotor {
+
+/// A run, as far as it has got; it can be copied on its way, as one by the event method.
+class PublishedMethod {
+ public:
+  PublishedMethod(const Scenario& scenario, const Instant& from);
+
+  /// By steps of `step_rub` to `until_s`, in contact or not; the last one is shortened.
+  void advance(double until_s, Observer& observer);
+
+  /// By those of them that are whole and end before `until_s`.
+  void approach(double until_s, Observer& observer);
+
+  /// By whole steps of `step_run_up` that end before or at `until_s`, and before the step that
+  /// touches.
+  void run_up(double until_s, Observer& observer);
+
+  void restart(const Instant& from);
+  PublishedMethod with(const Scenario& scenario) const;
+
+  const Instant& instant() const { return at_; }
+  const Counters& counters() const { return counters_; }
+  bool stopped() const { return stopped_; }  ///< by an observer
+
+ private:
+  void set_step(double step);
+  double step_end_s() const;
+  bool take_step(double length, double end_s, bool may_touch, Observer& observer);
+  ContactState contact_state(const State<double>& state, double step);
+
+  Scenario scenario_;
+  Supports<double> supports_;
+  Ring<double> ring_;
+  Instant at_;
+  // Times are counted from the first step of a length, so that none depends on where others left
+  // the run.
+  double step_ = 0, origin_s_ = 0;
+  long steps_ = 0;          ///< since then
+  double whirl_angle_ = 0;  ///< rad
+  Counters counters_;
+  bool stopped_ = false;
+};
+
+}  // namespace rotor

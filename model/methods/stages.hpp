@@ -1,0 +1,46 @@
+/// The stages of a run by any method: run-up, mass loss, rub. The methods are EventMethod, in its
+/// own precision, and PublishedMethod.
+#pragma once
+
+#include "model/mechanics/mass_loss.hpp"
+#include "model/scenario/observer.hpp"
+#include "model/scenario/scenario.hpp"
+
+namespace rotor {
+
+/// Through the mass loss that a scenario states, if it is still to come.
+template <class Method, class S>
+void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
+                    BasicObserver<S>& observer) {
+  if (method.instant().mass_lost || !scenario.loses_mass()) return;
+  const S mass_loss_s(scenario.parameters.mass_loss_time);
+  method.run_up(mass_loss_s, observer);
+  method.advance(mass_loss_s, observer);
+  if (method.stopped()) return;
+  observer.on_instant(method.instant());
+  BasicInstant<S> at = method.instant();
+  at.state = loss.lose_mass(at.state, scenario.equations);
+  at.body = loss.after;
+  at.mass_lost = true;
+  const bool jumps = at.state != method.instant().state;
+  if (at.contact == ContactState::rolling && jumps) at.contact = ContactState::sliding;
+  method.restart(at);
+  BasicInstant<S> after = method.instant();
+  after.event = Event::mass_loss;
+  observer.on_instant(after);
+}
+
+/// To the end of a scenario, through its mass loss and all contacts.
+template <class Method, class S>
+void finish(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
+            BasicObserver<S>& observer) {
+  const S end(scenario.until);
+  pass_mass_loss(method, scenario, loss, observer);
+  if (!method.stopped()) {
+    if (!method.instant().mass_lost) method.run_up(end, observer);
+    method.advance(end, observer);
+  }
+  observer.on_instant(method.instant());
+}
+
+}  // namespace rotor

@@ -1,0 +1,76 @@
+#include "model/results/energy.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+
+namespace rotor {
+namespace {
+
+/// The powers of what has no store, W, in the order of EnergyBalance.
+Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<double>& ring,
+                                  const Instant& at) {
+  const Motion<double> m = at.motion();
+  double contact_damping = 0, contact_friction = 0;
+  if (at.contact != ContactState::free) {
+    const RimPoint<double> k = ring.rim_point(m);
+    contact_damping = ring.damping_power(k, at.contact);
+    if (at.contact == ContactState::sliding)
+      contact_friction =
+          k.slip_velocity * ring.sliding_friction(ring.elastic_force(k), at.direction);
+  }
+  return {at.motor_on ? supports.torque * m.speed : 0,
+          supports.gravity_moment(at.body, m) * m.speed,
+          -supports.damping * m.velocity.squaredNorm(), contact_damping, contact_friction};
+}
+
+}  // namespace
+
+EnergyObserver::EnergyObserver(const Scenario& scenario)
+    : supports_(scenario.parameters, scenario.equations),
+      ring_(scenario.parameters),
+      loses_mass_(scenario.loses_mass()) {}
+
+bool EnergyObserver::wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const {
+  return begun_;
+}
+
+void EnergyObserver::on_step(const DenseOutput& motion) {
+  using Rule = boost::math::quadrature::gauss<double, 7>;  // exact for polynomials of degree 13
+  const long parts = 1 + motion.arcs / 3;                  // of three radians
+  const double part = (motion.until_s - motion.from_s) / static_cast<double>(parts);
+  Eigen::Array<double, 5, 1> work = Eigen::Array<double, 5, 1>::Zero();
+  for (long n = 0; n < parts; ++n) {
+    const double middle = motion.from_s + part * (static_cast<double>(n) + 0.5);
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+      const double away = part / 2 * Rule::abscissa()[i], weight = part / 2 * Rule::weights()[i];
+      work += weight * powers(supports_, ring_, motion.at(middle + away));
+      if (i > 0) work += weight * powers(supports_, ring_, motion.at(middle - away));
+    }
+  }
+  balance_.motor += work[0];
+  balance_.gravity += work[1];
+  balance_.support_damping += work[2];
+  balance_.contact_damping += work[3];
+  balance_.friction += work[4];
+}
+
+void EnergyObserver::on_instant(const Instant& at) {
+  const double before = balance_.content();
+  take_stock(at);
+  if (!begun_) {
+    const bool is_lost_now = at.event == Event::mass_loss;
+    balance_.initial = is_lost_now ? before : balance_.content();
+    balance_.mass_loss = balance_.content() - balance_.initial;
+    begun_ = is_lost_now || !loses_mass_;
+  }
+  if (begun_ && at.contact == ContactState::rolling && !until_rolling_) until_rolling_ = balance_;
+}
+
+void EnergyObserver::take_stock(const Instant& at) {
+  const Motion<double> m = at.motion();
+  const double indentation = at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
+  balance_.kinetic = kinetic_energy(at.body, m);
+  balance_.support_springs = supports_.stiffness * m.displacement.squaredNorm() / 2;
+  balance_.contact_spring = ring_.stiffness * indentation * indentation / 2;
+}
+
+}  // namespace rotor

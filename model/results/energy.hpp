@@ -1,0 +1,60 @@
+/// Where a run's energy goes, by cause: quadrature of the powers along the motion, which the run
+/// itself does not need.
+#pragma once
+
+#include <optional>
+
+#include "model/mechanics/contact.hpp"
+#include "model/scenario/observer.hpp"
+#include "model/scenario/scenario.hpp"
+
+namespace rotor {
+
+/// All in J. The works are what the rotor has got since the beginning: negative where it has lost.
+struct EnergyBalance {
+  double initial = 0;  ///< of the rotor, its supports and the ring
+  // Work of:
+  double motor = 0;
+  double gravity = 0;
+  double support_damping = 0;
+  double contact_damping = 0;
+  double friction = 0;
+  double mass_loss =
+      0;  ///< what left with the piece; as printed, more comes with the velocity jump
+  // What is there now:
+  double kinetic = 0;
+  double support_springs = 0;
+  double contact_spring = 0;
+
+  double work() const {
+    return motor + gravity + support_damping + contact_damping + friction + mass_loss;
+  }
+  double content() const { return kinetic + support_springs + contact_spring; }
+  /// What does not add up, which is the error of run and quadrature.
+  double residual() const { return content() - initial - work(); }
+};
+
+/// From just before the mass loss on; in a run without one, from its start on.
+class EnergyObserver : public Observer {
+ public:
+  explicit EnergyObserver(const Scenario& scenario);
+
+  void on_instant(const Instant& at) override;
+  bool wants_dense_output(const double& from_s, const double& until_s) const override;
+  void on_step(const DenseOutput& motion) override;
+
+  bool has_begun() const { return begun_; }  ///< that the mass loss has been, if there is one
+  const EnergyBalance& balance() const { return balance_; }
+  const std::optional<EnergyBalance>& until_rolling() const { return until_rolling_; }
+
+ private:
+  void take_stock(const Instant& at);
+
+  Supports<double> supports_;
+  Ring<double> ring_;
+  bool loses_mass_, begun_ = false;
+  EnergyBalance balance_;
+  std::optional<EnergyBalance> until_rolling_;
+};
+
+}  // namespace rotor

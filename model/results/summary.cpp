@@ -1,0 +1,5 @@
+#include "model/results/summary.ipp"
+
+namespace rotor {
+template class BasicSummaryObserver<double>;
+}  // namespace rotor

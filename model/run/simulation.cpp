@@ -1,0 +1,104 @@
+#include "model/run/simulation.hpp"
+
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "model/methods/event_method.hpp"
+#include "model/methods/published_method.hpp"
+#include "model/methods/stages.hpp"
+#include "model/scenario/start.hpp"
+
+namespace rotor {
+namespace {
+
+using AnyMethod = std::variant<EventMethod<double>, PublishedMethod>;
+
+AnyMethod method_of(const Scenario& scenario, const Instant& from) {
+  switch (scenario.method) {
+    case Method::event:
+      return EventMethod<double>(scenario, scenario.tolerance, from);
+    case Method::rk4:
+      return PublishedMethod(scenario, from);
+  }
+  throw std::invalid_argument("unknown method");
+}
+
+}  // namespace
+
+struct Simulation::State {
+  Scenario scenario;
+  AnyMethod method;
+
+  template <class Action>
+  decltype(auto) visit(const Action& action) {
+    return std::visit(action, method);
+  }
+};
+
+Simulation::Simulation(const Scenario& scenario) : Simulation(scenario, start_of(scenario)) {}
+Simulation::Simulation(const Scenario& scenario, const Instant& from)
+    : state_(new State{scenario, method_of(scenario, from)}) {}
+Simulation::Simulation(const Simulation& other) : state_(new State(*other.state_)) {}
+Simulation::Simulation(Simulation&& other) noexcept = default;
+Simulation::~Simulation() = default;
+
+Simulation& Simulation::operator=(const Simulation& other) {
+  if (this != &other) state_ = std::make_unique<State>(*other.state_);
+  return *this;
+}
+
+void Simulation::run_up(double until_s, Observer& observer) {
+  state_->visit([&](auto& method) { method.run_up(until_s, observer); });
+}
+
+void Simulation::pass_mass_loss(Observer& observer) {
+  state_->visit([&](auto& method) {
+    rotor::pass_mass_loss(method, state_->scenario, MassLoss<double>(state_->scenario.parameters),
+                          observer);
+  });
+}
+
+void Simulation::approach(double until_s, Observer& observer) {
+  state_->visit([&](auto& method) { method.approach(until_s, observer); });
+}
+
+void Simulation::finish(Observer& observer) {
+  state_->visit([&](auto& method) {
+    rotor::finish(method, state_->scenario, MassLoss<double>(state_->scenario.parameters),
+                  observer);
+  });
+}
+
+Simulation Simulation::with(const Scenario& scenario) const {
+  Simulation branch = *this;
+  branch.state_->scenario = scenario;
+  branch.state_->method =
+      state_->visit([&](auto& method) -> AnyMethod { return method.with(scenario); });
+  return branch;
+}
+
+const Instant& Simulation::instant() const {
+  return state_->visit([](auto& method) -> const Instant& { return method.instant(); });
+}
+
+const Counters& Simulation::counters() const {
+  return state_->visit([](auto& method) -> const Counters& { return method.counters(); });
+}
+
+bool Simulation::stopped() const {
+  return state_->visit([](auto& method) { return method.stopped(); });
+}
+
+RunEnd run(const Scenario& scenario, Observer& observer) {
+  return run(scenario, start_of(scenario), observer);
+}
+
+RunEnd run(const Scenario& scenario, const Instant& from, Observer& observer) {
+  observer.on_instant(from);
+  Simulation simulation(scenario, from);
+  simulation.finish(observer);
+  return {simulation.instant(), simulation.counters(), simulation.stopped()};
+}
+
+}  // namespace rotor

@@ -1,0 +1,72 @@
+/// Who watches a run, and what of it there is to see.
+#pragma once
+
+#include <limits>
+
+#include "model/phases/phase.hpp"
+#include "model/scenario/instant.hpp"
+
+namespace rotor {
+
+/// A smooth part of a run, known at each of its times.
+template <class S>
+struct BasicDenseOutput {
+  S from_s, until_s;
+  long arcs;  ///< parts of equal length in which its curves swing by a radian at most
+
+  virtual ~BasicDenseOutput() = default;
+  virtual BasicInstant<S> at(const S& time_s) const = 0;
+
+ protected:
+  BasicDenseOutput(const S& from, const S& until, long arcs_in_it)
+      : from_s(from), until_s(until), arcs(arcs_in_it) {}
+};
+
+/// A maximum of one of the quantities that have them.
+template <class S>
+struct BasicMaximum {
+  Extreme of;
+  S bound;  ///< of the quantity there, which was known before it was located, m or N
+  BasicInstant<S> at;
+};
+
+/// How far a run has got after a step.
+template <class S>
+struct BasicProgress {
+  S time_s;
+  S speed;  ///< rad/s
+  /// Of O about O_a, rad; 0 in flight. q3 + atan2(q2, q1) where a contact begins, or the mass is
+  /// lost in contact, and continuous from there on.
+  S whirl_angle;
+};
+
+/// Watches a run. It is shown, in order: the start, both sides of every event, the end, and what it
+/// asks for, the maxima in a step before that step. A method with fixed steps shows the end of
+/// every step, and nothing in between.
+template <class S>
+class BasicObserver {
+ public:
+  virtual ~BasicObserver() = default;
+
+  virtual void on_instant(const BasicInstant<S>& /*at*/) {}
+
+  /// Asked after every step. A run that is not to go on ends there.
+  virtual bool goes_on(const BasicProgress<S>& /*now*/) { return true; }
+
+  /// Whether to be shown the motion between those times.
+  virtual bool wants_dense_output(const S& /*from_s*/, const S& /*until_s*/) const { return false; }
+  virtual void on_step(const BasicDenseOutput<S>& /*step*/) {}
+
+  /// Maxima between those times whose bounds are above it (m or N) are to be shown.
+  virtual S threshold(Extreme /*of*/, const S& /*from_s*/, const S& /*until_s*/) const {
+    return std::numeric_limits<S>::infinity();
+  }
+  virtual void on_maximum(const BasicMaximum<S>& /*maximum*/) {}
+};
+
+using DenseOutput = BasicDenseOutput<double>;
+using Maximum = BasicMaximum<double>;
+using Progress = BasicProgress<double>;
+using Observer = BasicObserver<double>;
+
+}  // namespace rotor

@@ -1,0 +1,136 @@
+#include "model/scenario/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "model/mechanics/mass_loss.hpp"
+
+namespace rotor {
+namespace {
+
+constexpr bool closed = true;
+constexpr bool open = false;
+
+/// A number of a scenario, or of its parameters.
+template <auto Member>
+double& in(Scenario& scenario) {
+  if constexpr (requires { scenario.*Member; })
+    return scenario.*Member;
+  else
+    return scenario.parameters.*Member;
+}
+
+constexpr std::array all_quantities = {
+    Quantity{"mass", "m", "kg", "rotor mass", in<&Parameters::mass>, 0, open},
+    Quantity{"inertia", "I_C", "kg m^2", "moment of inertia about the mass centre",
+             in<&Parameters::inertia>, 0, open},
+    Quantity{"eccentricity", "e_x", "m", "distance of the mass centre from the geometrical centre",
+             in<&Parameters::eccentricity>, 0, closed},
+    Quantity{"support_stiffness", "k", "N/m", "radial stiffness of both supports",
+             in<&Parameters::support_stiffness>, 0, closed},
+    Quantity{"support_damping", "d", "N s/m", "radial damping of both supports",
+             in<&Parameters::support_damping>, 0, closed},
+    Quantity{"gravity", "g", "m/s^2", "acceleration due to gravity", in<&Parameters::gravity>, 0,
+             closed},
+    Quantity{"torque", "M_mot", "N m", "torque of the motor until it is switched off",
+             in<&Parameters::torque>, 0, closed},
+    Quantity{"motor_off_hz", "f_max", "Hz", "rotation speed at which the motor is switched off",
+             in<&Parameters::motor_off_Hz>, 0, closed},
+    Quantity{"contact_stiffness", "k_t", "N/m", "stiffness of the contact zone",
+             in<&Parameters::contact_stiffness>, 0, open},
+    Quantity{"contact_damping", "d_t", "N s/m", "damping of the contact zone",
+             in<&Parameters::contact_damping>, 0, closed},
+    Quantity{"friction", "mu", "", "coefficient of Coulomb friction between rotor and ring",
+             in<&Parameters::friction>, 0, closed},
+    Quantity{"rotor_radius", "r", "m", "radius of the rotor", in<&Parameters::rotor_radius>, 0,
+             open},
+    Quantity{"stator_radius", "r_a", "m", "radius of the stator's contact ring",
+             in<&Parameters::stator_radius>, 0, open},
+    Quantity{"unbalance_factor", "k_u", "", "growth of the eccentricity by the mass loss",
+             in<&Parameters::unbalance_factor>, 1, closed},
+    Quantity{"mass_loss_time", "t_1", "s", "instant of the mass loss",
+             in<&Parameters::mass_loss_time>, 0, closed},
+    Quantity{"start_speed_hz", "", "Hz",
+             "speed at the start, in steady response to the unbalance; 0: at rest",
+             in<&Scenario::start_speed_Hz>, 0, closed},
+    Quantity{"until", "", "s", "end of the run", in<&Scenario::until>, 0, open},
+    Quantity{"tolerance", "", "", "event: error allowed in a step, relative to each phase's scale",
+             in<&Scenario::tolerance>, 1e-15, closed, 1e-3},
+    Quantity{"step_run_up", "h", "s", "rk4: step until the mass loss or the first contact",
+             in<&Scenario::step_run_up>, 0, open},
+    Quantity{"step_rub", "h", "s", "rk4: step from then on", in<&Scenario::step_rub>, 0, open},
+};
+
+void require(bool fulfilled, const std::string& message) {
+  if (!fulfilled) throw std::invalid_argument(message);
+}
+
+}  // namespace
+
+Scenario run_up_part(const Scenario& scenario) {
+  const Scenario standard;
+  Scenario part = scenario;
+  part.parameters.contact_stiffness = standard.parameters.contact_stiffness;
+  part.parameters.contact_damping = standard.parameters.contact_damping;
+  part.parameters.friction = standard.parameters.friction;
+  part.parameters.unbalance_factor = standard.parameters.unbalance_factor;
+  part.parameters.mass_loss_time = standard.parameters.mass_loss_time;
+  part.parameters.loses_mass = standard.parameters.loses_mass;
+  part.equations.velocity_jump = standard.equations.velocity_jump;
+  part.until = standard.until;
+  part.step_rub = standard.step_rub;
+  return part;
+}
+
+std::span<const Quantity> quantities() { return all_quantities; }
+
+bool Quantity::allows(double value) const {
+  return std::isfinite(value) && (least_allowed ? value >= least : value > least) &&
+         value <= greatest;
+}
+
+std::string Quantity::range() const {
+  return fmt::format("a finite number {} {}{}{}{}", least_allowed ? "not below" : "greater than",
+                     least,
+                     std::isfinite(greatest) ? fmt::format(" and not above {}", greatest) : "",
+                     unit.empty() ? "" : " ", unit);
+}
+
+void check_numbers(const Scenario& scenario) {
+  for (const Quantity& quantity : quantities()) {
+    const double value = quantity.of(scenario);
+    require(quantity.allows(value),
+            fmt::format("{} = {}: must be {}", quantity.name, value, quantity.range()));
+  }
+  const Parameters& p = scenario.parameters;
+  require(p.stator_radius > p.rotor_radius,
+          fmt::format("stator_radius = {} m: must be larger than rotor_radius = {} m",
+                      p.stator_radius, p.rotor_radius));
+  require(p.eccentricity < p.rotor_radius,
+          fmt::format("eccentricity = {} m: must be smaller than rotor_radius = {} m",
+                      p.eccentricity, p.rotor_radius));
+  if (scenario.method == Method::rk4) {
+    constexpr double most_steps = 1e10;
+    const auto require_few = [&](std::string_view name, double step) {
+      require(scenario.until / step <= most_steps,
+              fmt::format("{} = {} s: must be long enough for {} s to be {} steps at most", name,
+                          step, scenario.until, most_steps));
+    };
+    require_few("step_run_up", scenario.step_run_up);
+    require_few("step_rub", scenario.step_rub);
+    require(scenario.step_run_up <= scenario.until,
+            fmt::format("step_run_up = {} s: must not be longer than the run, {} s",
+                        scenario.step_run_up, scenario.until));
+  }
+  const MassLoss<double> loss(p);
+  require(
+      !scenario.loses_mass() || loss.after.inertia > 0,
+      fmt::format("unbalance_factor = {}: the moment of inertia left by the mass loss, {} kg m^2, "
+                  "must be greater than 0; lower the factor or raise inertia",
+                  p.unbalance_factor, loss.after.inertia));
+}
+
+}  // namespace rotor

@@ -1,9 +1,0 @@
-#include <cfloat>
-
-#include "model/simulation/extended/comparison.ipp"
-
-namespace rotor {
-#if LDBL_MANT_DIG == 64  // where it is not, it is double or Quad
-template std::optional<Comparison> compare<long double>(const Scenario&, double, const GoesOn&);
-#endif
-}  // namespace rotor

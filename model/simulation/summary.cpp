@@ -1,5 +1,0 @@
-#include "model/simulation/summary.ipp"
-
-namespace rotor {
-template class BasicSummaryObserver<double>;
-}  // namespace rotor
