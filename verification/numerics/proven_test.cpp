@@ -15,7 +15,7 @@ namespace rotor {
 namespace {
 
 using Json = nlohmann::json;
-constexpr int digits = 9;
+constexpr int digits = 9, inputs = 16;
 
 class Proven : public CommandLine {
  protected:
@@ -24,8 +24,9 @@ class Proven : public CommandLine {
     Json& found = runs_[command];
     if (!found.is_null()) return found;
     const std::regex provers_own(" --(bits|rounding) \\S+|^build/prove");
-    const auto [status, output] = rotor(fmt::format(
-        "run {} --digits {} --json", std::regex_replace(command, provers_own, ""), digits));
+    const auto [status, output] =
+        rotor(fmt::format("run {} --digits {} --json 2>errors",
+                          std::regex_replace(command, provers_own, ""), digits));
     EXPECT_EQ(status, 0) << output;
     found = Json::parse(output);
     int touch_downs = 0;
@@ -53,10 +54,10 @@ TEST_F(Proven, IntervalsHoldTheSureDigits) {
         run.at("digits").at("amplification_from_first_contact").is_null()
             ? 1
             : run.at("digits").at("amplification_from_first_contact").get<double>();
-    const double allowed =
-        is_count ? 0
-                 : found.at("error").get<double>() +
-                       std::abs(value) * std::numeric_limits<double>::epsilon() * (16 + growth);
+    const double allowed = is_count ? 0
+                                    : found.at("error").get<double>() +
+                                          std::abs(value) * std::numeric_limits<double>::epsilon() *
+                                              inputs * (1 + growth);
     const std::string what = fmt::format("{} of {}", row["quantity"], row["command"]);
     EXPECT_GE(value + allowed, static_cast<double>(row.number("lower"))) << what;
     EXPECT_LE(value - allowed, static_cast<double>(row.number("upper"))) << what;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace proof {
 
@@ -37,54 +36,48 @@ Ball dot(const Row& a, const Row& b) {
   return sum;
 }
 
-Matrix inverse(const Matrix& a) {
+Matrix inverse(Matrix a) {
   const auto n = static_cast<long>(a.size());
-  arb_mat_t matrix, result;
+  arb_mat_t matrix;
   arb_mat_init(matrix, n, n);
-  arb_mat_init(result, n, n);
-  for (long i = 0; i < n; ++i)
-    for (long j = 0; j < n; ++j)
-      arb_set(arb_mat_entry(matrix, i, j),
-              a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].get());
-  const bool regular = arb_mat_inv(result, matrix, Ball::bits) != 0;
-  Matrix inverse = a;
-  for (long i = 0; i < n; ++i)
-    for (long j = 0; j < n; ++j)
-      arb_set(inverse[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].get(),
-              arb_mat_entry(result, i, j));
+  const auto for_entries = [&](const auto& action) {
+    for (long i = 0; i < n * n; ++i)
+      action(arb_mat_entry(matrix, i / n, i % n),
+             a[static_cast<std::size_t>(i / n)][static_cast<std::size_t>(i % n)].get());
+  };
+  for_entries([](arb_ptr to, arb_ptr from) { arb_set(to, from); });
+  const bool regular = arb_mat_inv(matrix, matrix, Ball::bits) != 0;
+  for_entries([](arb_ptr from, arb_ptr to) { arb_set(to, from); });
   arb_mat_clear(matrix);
-  arb_mat_clear(result);
   if (!regular) throw Undecided("whether a matrix is singular");
-  return inverse;
+  return a;
 }
 
 Matrix orthonormal(const Matrix& a, const Row& sizes, const Row& scales) {
   const std::size_t n = a.size();
-  Matrix columns(n, Row(n));  // as rows
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) columns[j][i] = (a[i][j] / scales[i]).middle();
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), 0);
-  const auto size = [&](std::size_t j) {
-    return (sizes[j] * sizes[j] * dot(columns[j], columns[j])).middle();
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return (size(i) - size(j)).is_positive(); });
+  Matrix columns(n, Row(n)), result = columns;
+  std::vector<std::pair<Ball, std::size_t>> order;
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i < n; ++i) columns[j][i] = (a[i][j] / scales[i]).middle();
+    order.emplace_back(sizes[j] * sizes[j] * dot(columns[j], columns[j]), j);
+  }
+  std::sort(order.begin(), order.end(), [](const auto& x, const auto& y) {
+    return (x.first.middle() - y.first.middle()).is_positive();
+  });
   for (std::size_t k = 0; k < n; ++k) {
-    Row& column = columns[order[k]];
-    const auto length_left = [&] {  // as a share of what it was before the others were removed
+    Row& column = columns[order[k].second];
+    const auto share_left = [&] {  // of its length, when those before are removed
       const Ball before = sqrt(dot(column, column));
       for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
         for (std::size_t l = 0; l < k; ++l) {
-          const Row& other = columns[order[l]];
+          const Row& other = columns[order[l].second];
           const Ball along = dot(column, other).middle();
           for (std::size_t i = 0; i < n; ++i) column[i] = (column[i] - along * other[i]).middle();
         }
       return (sqrt(dot(column, column)) / before).middle();
     };
-    Ball least(1);  // below it is rounding
-    arb_mul_2exp_si(least.get(), least.get(), -Ball::bits / 2);
-    for (std::size_t unit = 0; !(length_left() - least).is_positive() && unit < n; ++unit) {
+    Ball least = power_of_two(-Ball::bits / 2);  // below it is rounding: then any other will do
+    for (std::size_t unit = 0; !(share_left() - least).is_positive() && unit < n; ++unit) {
       column = Row(n);
       column[unit] = 1;
       least = 1e-3;
@@ -92,7 +85,6 @@ Matrix orthonormal(const Matrix& a, const Row& sizes, const Row& scales) {
     const Ball length = sqrt(dot(column, column));
     for (std::size_t i = 0; i < n; ++i) column[i] = (column[i] / length).middle();
   }
-  Matrix result(n, Row(n));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) result[i][j] = (columns[j][i] * scales[i]).middle();
   return result;

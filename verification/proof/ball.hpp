@@ -113,6 +113,13 @@ static_assert(sizeof(Ball) == sizeof(arb_struct), "rows of balls are rows of arb
 /// The sum of the products a[i] b[k - i], i = first ... last.
 Ball convolution(const Ball* a, const Ball* b, long first, long last, long k);
 
+/// 2^n.
+inline Ball power_of_two(long n) {
+  Ball x(1);
+  arb_mul_2exp_si(x.get(), x.get(), n);
+  return x;
+}
+
 using Row = std::vector<Ball>;
 using Matrix = std::vector<Row>;
 
@@ -120,7 +127,7 @@ using Matrix = std::vector<Row>;
 Ball dot(const Row& a, const Row& b);
 
 /// Encloses the inverse. Throws Undecided if there may be none.
-Matrix inverse(const Matrix& a);
+Matrix inverse(Matrix a);
 /// About orthonormal columns that span what the first, the first two, ... columns of `a` span, the
 /// longest first: each is stretched by its size. Lengths and angles are those of rows in units of
 /// their scales. The result has exact entries.

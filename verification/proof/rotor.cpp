@@ -37,15 +37,20 @@ Body body(const Quantities& p, bool separated) {
   return {m_1, p.I - lost * arm * arm - m_1 * shift * shift, e_1, lost};  // Eq. (12)
 }
 
-/// O about O_a in the stator's axes, x downwards, the rotor's angle, their rates, and the time.
+/// C about O_a in the stator's axes, x downwards, the rotor's angle, their rates, and the time.
 struct State {
   Tape& tape;
-  Plane o{tape.state(), tape.state()};
+  Plane c{tape.state(), tape.state()};
   Term phi = tape.state();
   Plane v{tape.state(), tape.state()};
   Term w = tape.state(), t = tape.state();
 
-  std::vector<Term> all() const { return {o.x, o.y, phi, v.x, v.y, w, t}; }
+  /// Along the rotor's x axis, from O to C.
+  Plane unit() const {
+    const SineAndCosine angle(phi);
+    return {angle.cosine, angle.sine};
+  }
+  std::vector<Term> all() const { return {c.x, c.y, phi, v.x, v.y, w, t}; }
 };
 
 struct Phase {
@@ -82,23 +87,22 @@ Motion motion(const Case& of, const Phase& phase) {
   State z{tape};
   const Quantities p{tape};
   const Body b = body(p, phase.separated);
-  const SineAndCosine angle(z.phi);
-  const Plane e = b.e * Plane{angle.cosine, angle.sine};  // from O to C
-  const Term rho_squared = dot(z.o, z.o);
+  const Plane e = b.e * z.unit(), o = z.c - e, v = z.v - z.w * quarter_turn(e);
+  const Term rho_squared = dot(o, o);
 
   // Eq. (4), but with the moments about C. Gravity has one though its force is left out; x is down.
-  Plane force = -p.k * z.o - p.d * z.v;
-  Term moment = -(b.m * p.g * (of.whole_gravity_moment ? z.o.y + e.y : e.y)) - cross(e, force);
+  Plane force = -p.k * o - p.d * v;
+  Term moment = -(b.m * p.g * (of.whole_gravity_moment ? z.c.y : e.y)) - cross(e, force);
   if (phase.motor) moment = moment + p.M;
 
   if (phase.contact != Contact::free) {
     const Term rho = sqrt(rho_squared);
-    const Plane n = z.o / rho, t = quarter_turn(n);
+    const Plane n = o / rho, t = quarter_turn(n);
     const Plane arm = p.r * n - e;  // from C to K
-    const Term Delta = rho - p.c, Delta_rate = dot(n, z.v);
+    const Term Delta = rho - p.c, Delta_rate = dot(n, v);
     const Term F_n = -(p.k_t * Delta + p.d_t * Delta_rate);  // Eq. (21)
     motion.pressure = -F_n;
-    motion.slip = dot(t, z.v) + p.r * z.w;  // Eq. (19)
+    motion.slip = dot(t, v) + p.r * z.w;  // Eq. (19)
     if (phase.touches()) {
       force = force + F_n * n;
       moment = moment + F_n * cross(arm, n);
@@ -115,7 +119,7 @@ Motion motion(const Case& of, const Phase& phase) {
       // What keeps the slip: its rate without friction + F_tau / m_tau = 0. t' = -n (t.v) / rho.
       const Term alpha = moment / b.I;
       const Term without = dot(t, force) / b.m - alpha * dot(t, quarter_turn(e)) +
-                           z.w * z.w * dot(t, e) - dot(t, z.v) * Delta_rate / rho + p.r * alpha;
+                           z.w * z.w * dot(t, e) - dot(t, v) * Delta_rate / rho + p.r * alpha;
       F_tau = -(without / (1 / b.m + lever * lever / b.I));
       const Term limit = p.mu * motion.pressure;
       motion.watch(limit - F_tau, {"break_away", phase.in(Contact::sliding, -1), {0, 2}});
@@ -135,10 +139,9 @@ Motion motion(const Case& of, const Phase& phase) {
   if (!phase.separated) motion.watch(p.t_1 - z.t, {"mass_loss", separated});
   motion.watch(p.t_end - z.t, {"end", phase});
 
-  const Term alpha = moment / b.I;
-  const Plane a = force / b.m - alpha * quarter_turn(e) + z.w * z.w * e;  // of O
+  const Plane a = force / b.m;
   motion.states = z.all();
-  motion.rates = {z.v.x, z.v.y, z.w, a.x, a.y, alpha, tape.constant(1)};
+  motion.rates = {z.v.x, z.v.y, z.w, a.x, a.y, moment / b.I, tape.constant(1)};
   motion.tape->set_rates(motion.rates);
   motion.displacement_squared = rho_squared;
   return motion;
@@ -152,21 +155,24 @@ StateSet start(const Inputs& inputs) {
   const Quantities p{tape};
   const Term w = p.two_pi * p.f_0, spring = p.k - p.m * w * w, damper = p.d * w;
   const Term size = p.m * w * w * p.e / (spring * spring + damper * damper);
-  const Plane o = size * Plane{spring, -damper}, v = w * quarter_turn(o);
-  z.o = o, z.v = v, z.w = w;
+  z.c = size * Plane{spring, -damper} + p.e * z.unit();
+  z.v = w * quarter_turn(z.c);
+  z.w = w;
   return map(tape, z.all(), inputs, StateSet::at(Row(7), inputs));
 }
 
-/// O and the rotation go on as they are; as printed, O is given Delta_vy across the unbalance.
+/// O and the rotation go on as they are, and C is elsewhere. As printed, O is given Delta_vy across
+/// the unbalance.
 StateSet lose_mass(const Case& of, const Inputs& inputs, const StateSet& set) {
-  if (!of.jump_twice) return set;
   Tape tape;
   State z{tape};
   const Quantities p{tape};
   const Body b = body(p, true);
+  const Plane shift = (b.e - p.e) * z.unit();
   const Term jump = b.lost * z.w * (p.r + p.e) / b.m;  // Eq. (14)
-  const SineAndCosine angle(z.phi);
-  z.v = z.v + jump * Plane{-angle.sine, angle.cosine};
+  z.c = z.c + shift;
+  z.v = z.v + z.w * quarter_turn(shift);  // Eq. (1)
+  if (of.jump_twice) z.v = z.v + jump * quarter_turn(z.unit());
   return map(tape, z.all(), inputs, set);
 }
 
@@ -197,7 +203,7 @@ class Greatest {
       return raise(upper_, hull(first, last).upper());
     }
     // Shorter parts would not be narrower.
-    if (depth == 0 || (5 * there.radius() - 4 * range.radius()).is_positive())
+    if (depth == 0 || (9 * there.radius() - 8 * range.radius()).is_positive())
       return raise(upper_, range.upper());
     see_part(step, term, from, middle, depth - 1);
     see_part(step, term, middle, until, depth - 1);

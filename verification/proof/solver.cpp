@@ -10,62 +10,58 @@ namespace {
 /// All numbers from zero to x.
 Ball from_zero_to(const Ball& x) { return hull(Ball(0), x); }
 
-/// 2^n.
-Ball power_of_two(long n) {
-  Ball x(1);
-  arb_mul_2exp_si(x.get(), x.get(), n);
-  return x;
-}
-
-/// Centres, or balls with their slopes along the directions of a set: states, then parameters.
-std::vector<Dual> at_centre(const StateSet& set, const Inputs& inputs) {
+/// States, then parameters.
+std::vector<Dual> values(const Row& states, const Row& inputs) {
   std::vector<Dual> all;
-  for (const Ball& x : set.centre) all.push_back({x});
-  for (const Ball& x : inputs.centre) all.push_back({x});
+  for (const Row* row : {&states, &inputs})
+    for (const Ball& x : *row) all.push_back({x});
   return all;
 }
-std::vector<Dual> over(const StateSet& set, const Inputs& inputs) {
-  std::vector<Dual> all;
-  const Row hull = set.hull();
-  const std::vector<std::size_t> wide = inputs.wide();
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    all.push_back({hull[i], set.by_input[i]});
-    all.back().slopes.insert(all.back().slopes.end(), set.frame[i].begin(), set.frame[i].end());
-  }
-  for (std::size_t i = 0; i < inputs.centre.size(); ++i) {
-    all.push_back({inputs.centre[i] + Ball::within(inputs.half[i]), Row(set.directions().size())});
-    const auto place = std::find(wide.begin(), wide.end(), i);
-    if (place != wide.end())
-      all.back().slopes[static_cast<std::size_t>(place - wide.begin())] = inputs.half[i];
-  }
-  return all;
-}
+/// Balls of all that they can be.
 std::vector<Dual> anywhere(const Row& states, const Inputs& inputs) {
-  std::vector<Dual> all;
-  for (const Ball& x : states) all.push_back({x});
-  for (std::size_t i = 0; i < inputs.centre.size(); ++i)
-    all.push_back({inputs.centre[i] + Ball::within(inputs.half[i])});
+  Row balls = inputs.centre;
+  for (std::size_t i = 0; i < balls.size(); ++i) balls[i] += Ball::within(inputs.half[i]);
+  return values(states, balls);
+}
+/// The same with their slopes along the directions of a set.
+std::vector<Dual> over(const StateSet& set, const Inputs& inputs) {
+  std::vector<Dual> all = anywhere(set.hull(), inputs);
+  const std::size_t n = set.centre.size();
+  std::size_t direction = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i < n) {
+      all[i].slopes = set.by_input[i];
+      all[i].slopes.insert(all[i].slopes.end(), set.frame[i].begin(), set.frame[i].end());
+    } else {
+      all[i].slopes = Row(set.by_input[0].size() + n);
+      const Ball& half = inputs.half[i - n];
+      if (!half.is_exactly_zero()) all[i].slopes[direction++] = half;
+    }
+  }
   return all;
 }
 
-Form form_of(const Series& centre, const Series& set, Term term, std::size_t k,
-             std::size_t directions) {
-  Form form{centre(term, k), Row(directions)};
-  for (std::size_t d = 0; d < directions; ++d) form.slopes[d] = set.slope(term, k, d);
-  return form;
+/// The coefficients of terms over a set, from those at its centre and the slopes all over it.
+std::vector<Form> forms_of(const Series& centre, const Series& all, const std::vector<Term>& terms,
+                           std::size_t k) {
+  std::vector<Form> forms;
+  for (const Term term : terms) {
+    forms.push_back({centre(term, k), Row(all.directions())});
+    for (std::size_t d = 0; d < all.directions(); ++d)
+      forms.back().slopes[d] = all.slope(term, k, d);
+  }
+  return forms;
 }
 
 }  // namespace
 
-std::vector<std::size_t> Inputs::wide() const {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < half.size(); ++i)
-    if (!half[i].is_exactly_zero()) places.push_back(i);
-  return places;
+std::size_t Inputs::wide() const {
+  return static_cast<std::size_t>(
+      std::count_if(half.begin(), half.end(), [](const Ball& x) { return !x.is_exactly_zero(); }));
 }
 
 Row StateSet::directions() const {
-  Row all(by_input.empty() ? 0 : by_input[0].size(), Ball::within(1));
+  Row all(by_input[0].size(), Ball::within(1));
   all.insert(all.end(), rest.begin(), rest.end());
   return all;
 }
@@ -79,13 +75,13 @@ Row StateSet::hull() const {
 
 StateSet StateSet::at(const Row& state, const Inputs& inputs) {
   std::vector<Form> forms;
-  const Row directions(inputs.wide().size(), Ball::within(1));
+  const Row directions(inputs.wide(), Ball::within(1));
   for (const Ball& x : state) forms.push_back({x, Row(directions.size())});
   return of(forms, directions, inputs);
 }
 
 StateSet StateSet::of(const std::vector<Form>& forms, const Row& directions, const Inputs& inputs) {
-  const std::size_t n = forms.size(), wide = inputs.wide().size();
+  const std::size_t n = forms.size(), wide = inputs.wide();
   StateSet set{Row(n), Matrix(n, Row(wide)), Matrix(n, Row(n)), Row(n)};
   Row left(n);  // what is not in the new centre, nor in the new slopes by inputs
   for (std::size_t i = 0; i < n; ++i) {
@@ -120,22 +116,20 @@ StateSet StateSet::of(const std::vector<Form>& forms, const Row& directions, con
   return set;
 }
 
-StateSet map(const Tape& tape, const std::vector<Term>& values, const Inputs& inputs,
+StateSet map(const Tape& tape, const std::vector<Term>& terms, const Inputs& inputs,
              const StateSet& set) {
   const Row directions = set.directions();
-  const Series centre(tape, at_centre(set, inputs), 0, 0);
+  const Series centre(tape, values(set.centre, inputs.centre), 0, 0);
   const Series all(tape, over(set, inputs), 0, directions.size());
-  std::vector<Form> forms;
-  for (const Term term : values) forms.push_back(form_of(centre, all, term, 0, directions.size()));
-  return StateSet::of(forms, directions, inputs);
+  return StateSet::of(forms_of(centre, all, terms, 0), directions, inputs);
 }
 
-Ball range(const Tape& tape, Term value, const Inputs& inputs, const StateSet& set) {
+Ball range(const Tape& tape, Term term, const Inputs& inputs, const StateSet& set) {
   const Row directions = set.directions();
-  const Series centre(tape, at_centre(set, inputs), 0, 0);
+  const Series centre(tape, values(set.centre, inputs.centre), 0, 0);
   const Series all(tape, over(set, inputs), 0, directions.size());
-  const Form form = form_of(centre, all, value, 0, directions.size());
-  return common(form.centre + dot(form.slopes, directions), all(value, 0));
+  const Form form = forms_of(centre, all, {term}, 0)[0];
+  return common(form.centre + dot(form.slopes, directions), all(term, 0));
 }
 
 Settings::Settings()
@@ -147,7 +141,7 @@ Step::Step(const Flow& flow, const Inputs& inputs, const StateSet& set, const Se
       inputs_(inputs),
       directions_(set.directions()),
       settings_(settings),
-      at_centre_(*flow.tape, at_centre(set, inputs), settings.order, 0),
+      at_centre_(*flow.tape, values(set.centre, inputs.centre), settings.order, 0),
       over_set_(*flow.tape, over(set, inputs), settings.order, directions_.size()),
       over_box_(at_centre_) {
   const Row start = set.hull();
@@ -253,11 +247,15 @@ std::optional<Step::Crossing> Step::crossing(std::size_t guard, const Ball& posi
   if (!rate.is_negative() || (positive_until - about).is_positive()) return std::nullopt;
   const Ball until = (about + 2 * (value / rate).size() + 16 * rounding).upper();
   if (!(length_ - until).is_positive()) return std::nullopt;
+  // Each solution has its zero between the two, and one only if the slope keeps its sign.
   const Ball slope = between(g, positive_until, until, 1);
-  if (!slope.is_negative()) return std::nullopt;  // not transversal
-  const Ball when = about - value / slope;        // Newton, for all solutions
-  if (!(when - positive_until).is_positive() || !(until - when).is_positive()) return std::nullopt;
-  return Crossing{guard, about, when.lower(), when.upper()};
+  if (!slope.is_negative() || !range(g, positive_until).is_positive() ||
+      !range(g, until).is_negative())
+    return std::nullopt;
+  const Ball when = about - value / slope;  // Newton, for all solutions
+  const Ball from = when.lower(), to = when.upper();
+  return Crossing{guard, about, (from - positive_until).is_positive() ? from : positive_until,
+                  (until - to).is_positive() ? to : until};
 }
 
 /// From the set at one time, close to it, along f by tau = -g / g' and the second order.
@@ -269,7 +267,7 @@ StateSet Step::section(const Crossing& crossing) const {
   Row box;
   for (const Term term : flow_.states)
     box.push_back(range(term, hull(crossing.about, hull(crossing.from, crossing.until))));
-  const Series centre(*flow_.tape, at_centre(near, inputs_), 1, 0);
+  const Series centre(*flow_.tape, values(near.centre, inputs_.centre), 1, 0);
   const Series all(*flow_.tape, over(near, inputs_), 1, count);
   const Series second(*flow_.tape, anywhere(box, inputs_), 2, 0);
 
@@ -279,15 +277,12 @@ StateSet Step::section(const Crossing& crossing) const {
     time.slopes[d] = (all(g, 0) * all.slope(g, 1, d) / all(g, 1) - all.slope(g, 0, d)) / all(g, 1);
   const Ball first_order = time.centre + dot(time.slopes, directions);
   const Ball left = -(tau * tau) * second(g, 2) / all(g, 1);
-  std::vector<Form> forms;
-  for (std::size_t i = 0; i < flow_.states.size(); ++i) {
+  std::vector<Form> forms = forms_of(centre, all, flow_.states, 0);
+  for (std::size_t i = 0; i < forms.size(); ++i) {
     const Term z = flow_.states[i];
-    Form form{centre(z, 0) + centre(z, 1) * time.centre, Row(count)};
-    form.centre += all(z, 1) * left + tau * tau * second(z, 2);
+    forms[i].centre += centre(z, 1) * time.centre + all(z, 1) * left + tau * tau * second(z, 2);
     for (std::size_t d = 0; d < count; ++d)
-      form.slopes[d] =
-          all.slope(z, 0, d) + all.slope(z, 1, d) * first_order + all(z, 1) * time.slopes[d];
-    forms.push_back(form);
+      forms[i].slopes[d] += all.slope(z, 1, d) * first_order + all(z, 1) * time.slopes[d];
   }
   return StateSet::of(forms, directions, inputs_);
 }

@@ -16,7 +16,7 @@ namespace proof {
 struct Inputs {
   Row centre, half, scale;
 
-  std::vector<std::size_t> wide() const;
+  std::size_t wide() const;  ///< how many have a width
 };
 
 /// A value that depends on the directions x of a set: it lies in centre + slopes x.
@@ -49,10 +49,10 @@ struct Flow {
 };
 
 /// The values of terms of no time, such as a reset, over a set. States come first in the tape.
-StateSet map(const Tape& tape, const std::vector<Term>& values, const Inputs& inputs,
+StateSet map(const Tape& tape, const std::vector<Term>& terms, const Inputs& inputs,
              const StateSet& set);
 /// A ball of one of them.
-Ball range(const Tape& tape, Term value, const Inputs& inputs, const StateSet& set);
+Ball range(const Tape& tape, Term term, const Inputs& inputs, const StateSet& set);
 
 /// How to integrate.
 struct Settings {
@@ -88,8 +88,6 @@ class Step {
   std::optional<Crossing> crossing(std::size_t guard, const Ball& positive_until) const;
   /// The set on the surface where the guard vanishes.
   StateSet section(const Crossing& crossing) const;
-
-  const Flow& flow() const { return flow_; }
 
  private:
   bool enclose(const Row& start, const Ball& length);

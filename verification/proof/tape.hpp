@@ -91,7 +91,7 @@ class Series {
   Series(const Tape& tape, const std::vector<Dual>& inputs, std::size_t order,
          std::size_t directions);
 
-  std::size_t order() const { return order_; }
+  std::size_t directions() const { return rows_ - 1; }
   /// The k-th coefficient, and its derivative in a direction.
   const Ball& operator()(Term t, std::size_t k) const { return row(t.index, 0)[k]; }
   const Ball& slope(Term t, std::size_t k, std::size_t direction) const {

@@ -13,10 +13,11 @@ table=$2
   done <<'THEOREMS'
 --start-speed-hz 150 --friction 0.3 --equations published --until 0.03 --bits 96
 --start-speed-hz 150 --friction 0.3 --equations consistent --until 0.04 --bits 96
---start-speed-hz 150 --friction 0.3 --equations consistent --until 0.034 --bits 64 --rounding 3e-6
+--start-speed-hz 150 --friction 0.3 --equations published --until 0.03 --bits 64 --rounding 3e-7
+--start-speed-hz 150 --friction 0.3 --equations consistent --until 0.034 --bits 64 --rounding 3e-7
 --start-speed-hz 75 --friction 0.3 --equations published --until 0.08 --bits 96
 --start-speed-hz 75 --friction 0.3 --equations consistent --until 0.25 --bits 96
---start-speed-hz 75 --friction 0.3 --equations consistent --until 0.25 --bits 64 --rounding 0.08
+--start-speed-hz 75 --friction 0.3 --equations consistent --until 0.25 --bits 64 --rounding 0.23
 --start-speed-hz 150 --friction 0.2 --equations published --until 0.05 --bits 128
 --start-speed-hz 150 --friction 0.2 --equations consistent --until 0.05 --bits 128
 --start-speed-hz 150 --friction 0.08 --equations published --until 0.25 --bits 128

@@ -112,6 +112,19 @@ TEST_P(Prover, EnclosesAllOscillatorsOfABox) {
   EXPECT_TRUE((Ball(0.06) - x.radius()).is_positive()) << x.radius().to_double();
 }
 
+// A section needs what is of second order.
+TEST_P(Prover, EnclosesAllFallsOfABox) {
+  inputs_.centre = {1};
+  inputs_.half = {0.05};
+  const Line line(
+      10, 1, [](Term, const auto& p) { return -p[0]; }, itself);
+  const Row floor = followed(line, at({0.5, 0, 0})).set.hull();
+  for (const double gravity : {0.95, 0.97, 1.03, 1.05}) {
+    EXPECT_TRUE(floor[1].contains(-sqrt(Ball(gravity)).middle())) << gravity;
+    EXPECT_TRUE(floor[2].contains((1 / sqrt(Ball(gravity))).middle())) << gravity;
+  }
+}
+
 // Without it the sum of a short series lies aside by more than rounding.
 TEST_P(Prover, NeedsTheRemainder) {
   settings_.order = 4;
