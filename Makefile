@@ -64,6 +64,9 @@ EXPLORE_PACKAGES := emscripten node-acorn chromium $(if $(shell command -v npm),
 # Sweeps over many machines; with it a program takes 30 ms longer to start.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
+# Ball arithmetic with FLINT and Arb.
+PROVE_PACKAGES := libflint-dev libflint-arb-dev
+
 installed = $(shell dpkg-query -W -f='$${db:Status-Abbrev}$${Package}\n' $(1) 2>/dev/null | sed -n 's/^ii *//p')
 missing   = $(filter-out $(call installed,$(1)),$(1))
 define install
@@ -80,7 +83,7 @@ endef
 .PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws deps-mutants deps-clang deps-portable deps-mpi deps-explore explore check-explore explore-preview mpi stress \
-        sanitize portable deps-ranking ranking clean
+        sanitize portable deps-ranking ranking deps-prove prove clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -110,6 +113,9 @@ deps-report: deps ## install what make check-report needs (optional)
 	$(call install,$(REPORT_PACKAGES))
 	@mkdir -p $(BUILD)/check-report && cp verification/report/package*.json $(BUILD)/check-report
 	@cd $(BUILD)/check-report && npm ci --ignore-scripts --no-audit --no-fund
+
+deps-prove: deps ## install what make prove needs (optional)
+	$(call install,$(PROVE_PACKAGES))
 
 deps-mpi: deps ## install what make mpi needs (optional)
 	$(call install,$(MPI_PACKAGES))
@@ -252,6 +258,12 @@ ranking: build ## redraw reference-data/ranking.csv: which input decides each nu
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(RANKING_PACKAGES))),$(error Missing package: $(RANKING_PACKAGES) (make deps-ranking installs it)))
 	$(call build-target,ranking)
 	@$(BUILD)/ranking reference-data 512
+
+prove: build ## prove what happens by ball arithmetic: reference-data/proven.csv (minutes)
+	$(if $(and $(shell command -v dpkg-query),$(call missing,$(PROVE_PACKAGES))),$(error Missing packages: $(call missing,$(PROVE_PACKAGES)) (make deps-prove installs them)))
+	$(call build-target,prove prover-tests)
+	@$(BUILD)/prover-tests --gtest_brief=1
+	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
 reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (minutes)
 	$(call build-target,reasons)

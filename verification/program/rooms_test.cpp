@@ -54,6 +54,7 @@ const std::map<std::string, Names>& allowed() {
       {"verification/numerics", of_verification},
       {"verification/paper", of_verification},
       {"verification/program", of_verification},
+      {"verification/proof", {}},
       {"verification/robustness", of_verification},
       {"verification/benchmark", of_verification},
       {"verification/report", with(of_verification, {"verification/paper"})},

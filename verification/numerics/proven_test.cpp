@@ -1,0 +1,69 @@
+/// The engine against what is proven: reference-data/proven.csv, which verification/proof/ makes by
+/// ball arithmetic from equations of its own.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "figures/data/csv.hpp"
+#include "verification/support/command_line.hpp"
+
+namespace rotor {
+namespace {
+
+using Json = nlohmann::json;
+constexpr int digits = 9, inputs = 16;
+
+class Proven : public CommandLine {
+ protected:
+  /// What the program finds of a run that something is proven of.
+  const Json& run_of(const std::string& command) {
+    Json& found = runs_[command];
+    if (!found.is_null()) return found;
+    const std::regex provers_own(" --(bits|rounding) \\S+|^build/prove");
+    const auto [status, output] =
+        rotor(fmt::format("run {} --digits {} --json 2>errors",
+                          std::regex_replace(command, provers_own, ""), digits));
+    EXPECT_EQ(status, 0) << output;
+    found = Json::parse(output);
+    int touch_downs = 0;
+    for (const Json& event : found.at("events"))
+      if (event.at("event") == "touch_down")
+        found[fmt::format("touch_down_{}_s", ++touch_downs)] = event.at("time_s");
+    return found;
+  }
+
+ private:
+  std::map<std::string, Json> runs_;
+};
+
+TEST_F(Proven, IntervalsHoldTheSureDigits) {
+  const auto rows = read_csv(ROTOR_REFERENCE_DATA "/proven.csv");
+  EXPECT_GT(rows.size(), 50U);
+  for (const CsvRow& row : rows) {
+    const Json& run = run_of(row["command"]);
+    const Json& found = run.at(row["quantity"]);
+    const bool is_count = found.is_number();
+    const double value = (is_count ? found : found.at("value")).get<double>();
+    // What the program's digits leave open, and that its inputs are not the decimals but the
+    // doubles next to them. Contacts multiply the difference.
+    const double growth =
+        run.at("digits").at("amplification_from_first_contact").is_null()
+            ? 1
+            : run.at("digits").at("amplification_from_first_contact").get<double>();
+    const double allowed = is_count ? 0
+                                    : found.at("error").get<double>() +
+                                          std::abs(value) * std::numeric_limits<double>::epsilon() *
+                                              inputs * (1 + growth);
+    const std::string what = fmt::format("{} of {}", row["quantity"], row["command"]);
+    EXPECT_GE(value + allowed, static_cast<double>(row.number("lower"))) << what;
+    EXPECT_LE(value - allowed, static_cast<double>(row.number("upper"))) << what;
+    EXPECT_LT(allowed, is_count ? 1 : std::abs(value) * 1e-5) << what;  // or it would say nothing
+  }
+}
+
+}  // namespace
+}  // namespace rotor
