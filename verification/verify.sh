@@ -8,8 +8,7 @@ data=reference-data
 mkdir -p "$report"
 failed=0
 verification/tests.sh "$build" || failed=1
-"$build/report-numbers" "$report" $data \
-  $data/assumptions.csv "$report" | tee "$report/report.txt" || failed=1
+"$build/report-numbers" $data "$report" | tee "$report/report.txt" || failed=1
 "$build/stress" rotors 300 "$report" | tee -a "$report/report.txt" || failed=1
 echo
 echo "This report: $report/report.txt"

@@ -17,10 +17,10 @@ const std::filesystem::path data = ROTOR_REFERENCE_DATA;
 constexpr double two_pi = 2 * std::numbers::pi;
 
 TEST(PopulationB, PrintsEveryConditioningNumber) {
-  constexpr long count = 2000;
+  constexpr long count = 1000;
   const PopulationDraws draws(Population::b, data, count);
   EXPECT_LT(draws.proposals_a_draw(), 50);
-  for (long n = 0; n < count; n += n < 20 ? 1 : 40) {  // the run-ups take time
+  for (long n = 0; n < count; n += n < 20 ? 1 : 20) {  // the run-ups take time
     const PaperInputs inputs = draws(n, Equations::published);
     const auto& of = inputs.spec.numbers;
     const double m = of.at("mass"), e = of.at("eccentricity"), r = of.at("rotor_radius"),
@@ -64,7 +64,7 @@ TEST(PopulationB, LiesWithinItsProposals) {
 // side of the stored quantiles as many values as there must be.
 TEST(Ensembles, AreWhatRunsGive) {
   const Ensembles all = read_ensembles(data / "ensembles.csv");
-  constexpr long count = 30;
+  constexpr long count = 24;
   for (const auto& [name, population] : {std::pair("a", Population::a), {"b", Population::b}}) {
     const PopulationDraws draws(population, data, count);
     for (const Set& set : sets) {

@@ -18,36 +18,27 @@ constexpr double early_s = 5e-3;  ///< of rolling that is measured
 }  // namespace
 
 void PaperInputs::set(const std::string& input, double value) {
-  static const std::map<std::string, double PaperInputs::*> own = {
-      {"mu_high", &PaperInputs::mu_high},
-      {"mu_intermediate", &PaperInputs::mu_intermediate},
-      {"mu_low", &PaperInputs::mu_low},
-      {"t_operating", &PaperInputs::t_operating},
-      {"t_100", &PaperInputs::t_100},
-      {"t_75", &PaperInputs::t_75},
-      {"t_50", &PaperInputs::t_50},
-      {"t_critical", &PaperInputs::t_critical},
-      {"rolling_Hz", &PaperInputs::rolling_Hz},
-      {"rolling_rho", &PaperInputs::rolling_rho},
-      {"onset_Hz", &PaperInputs::onset_Hz},
-      {"energy_left", &PaperInputs::energy_left},
-      {"energy_before", &PaperInputs::energy_before},
-      {"shortest_s", &PaperInputs::shortest_s},
-      {"longest_s", &PaperInputs::longest_s}};
+  using In = PaperInputs;
+  static const std::map<std::string, double In::*> own = {{"mu_high", &In::mu_high},
+                                                          {"mu_intermediate", &In::mu_intermediate},
+                                                          {"mu_low", &In::mu_low},
+                                                          {"t_operating", &In::t_operating},
+                                                          {"t_100", &In::t_100},
+                                                          {"t_75", &In::t_75},
+                                                          {"t_50", &In::t_50},
+                                                          {"t_critical", &In::t_critical},
+                                                          {"rolling_Hz", &In::rolling_Hz},
+                                                          {"rolling_rho", &In::rolling_rho},
+                                                          {"onset_Hz", &In::onset_Hz},
+                                                          {"energy_left", &In::energy_left},
+                                                          {"energy_before", &In::energy_before},
+                                                          {"shortest_s", &In::shortest_s},
+                                                          {"longest_s", &In::longest_s}};
   const auto found = own.find(input);
   if (found != own.end())
     this->*(found->second) = value;
   else
     spec.numbers.insert_or_assign(input, value);
-}
-
-double run_up_time(const ScenarioSpec& spec, double speed_Hz) {
-  RunUps run_ups;
-  Observer null_observer;
-  const auto reached =
-      run_ups.time_at_speed(scenario_of(spec, run_ups), speed_Hz, std::nullopt, null_observer);
-  if (!reached.time_s) throw std::runtime_error("the run-up does not reach that speed");
-  return *reached.time_s;
 }
 
 /// Takes down what a run shows. The method with fixed steps shows no events: they are read off the
@@ -118,12 +109,9 @@ PaperRun::PaperRun(const Scenario& scenario, RunUps& run_ups) : scenario_(scenar
   last_ = account.end.last;
 }
 
-std::optional<Instant> PaperRun::at_peak() const { return onset_ ? peak_ : std::nullopt; }
-
 std::size_t PaperRun::touch_downs_before_rolling() const {
   if (!onset_) return 0;
-  const auto after = std::find_if(touch_downs_.begin(), touch_downs_.end(),
-                                  [this](const Instant& at) { return at.time_s > onset_->time_s; });
+  const auto after = std::ranges::upper_bound(touch_downs_, onset_->time_s, {}, &Instant::time_s);
   return static_cast<std::size_t>(after - touch_downs_.begin());
 }
 
@@ -131,10 +119,6 @@ std::optional<Instant> PaperRun::touch_down_before_rolling(std::size_t from_last
   const std::size_t before = touch_downs_before_rolling();
   if (before <= from_last) return std::nullopt;
   return touch_downs_[before - 1 - from_last];
-}
-
-std::optional<Instant> PaperRun::last_touch_down() const {
-  return touch_downs_.empty() ? std::nullopt : std::optional(touch_downs_.back());
 }
 
 std::vector<PaperRun::Collision> PaperRun::collisions() const {
@@ -198,8 +182,8 @@ std::optional<PaperRun::Rolling> PaperRun::measured(double duration_s) const {
   const auto whirl_turns = [&](const Sample& s) {
     return std::abs(s.turned + s.q3 - a.q3) / two_pi;
   };
-  double least = a.rho, greatest = a.rho, integral = 0, first = 0, last = 0, first_s = 0,
-         last_s = 0;
+  double least = a.rho, greatest = a.rho, integral = 0;
+  double first = 0, last = 0, first_s = 0, last_s = 0;
   for (auto s = samples_.begin(); s != end; ++s) {
     least = std::min(least, s->rho);
     greatest = std::max(greatest, s->rho);

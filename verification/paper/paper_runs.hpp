@@ -25,9 +25,6 @@ struct PaperInputs {
   void set(const std::string& input, double value);
 };
 
-/// When the run-up of a rotor reaches a speed, s. Throws std::runtime_error if it does not.
-double run_up_time(const ScenarioSpec& spec, double speed_Hz);
-
 /// A run with its events, and what is measured along it.
 class PaperRun {
  public:
@@ -41,13 +38,15 @@ class PaperRun {
   /// Where slip ends for the first time; and where the force is greatest. Empty if it does not
   /// roll.
   const std::optional<Instant>& onset() const { return onset_; }
-  std::optional<Instant> at_peak() const;
+  std::optional<Instant> at_peak() const { return onset_ ? peak_ : std::nullopt; }
 
   /// Touch-downs before rolling, of which there are so many; counted from the last one (0)
   /// backwards; empty if there are fewer.
   std::size_t touch_downs_before_rolling() const;
   std::optional<Instant> touch_down_before_rolling(std::size_t from_last) const;
-  std::optional<Instant> last_touch_down() const;
+  std::optional<Instant> last_touch_down() const {
+    return touch_downs_.empty() ? std::nullopt : std::optional(touch_downs_.back());
+  }
   /// The collisions that end by a release.
   struct Collision {
     double duration_s, speed_gain;  ///< the gain in rad/s

@@ -84,6 +84,16 @@ void add(Sweep& sweep, const std::string& input, double least, double greatest) 
   sweep.sample.over.push_back({input, Distribution::uniform, least, greatest});
 }
 
+/// When the run-up of a rotor reaches a speed, s.
+double run_up_time(const ScenarioSpec& spec, double speed_Hz) {
+  RunUps run_ups;
+  Observer null_observer;
+  const auto reached =
+      run_ups.time_at_speed(scenario_of(spec, run_ups), speed_Hz, std::nullopt, null_observer);
+  if (!reached.time_s) throw std::runtime_error("the run-up does not reach that speed");
+  return *reached.time_s;
+}
+
 /// The torque with which the motor is switched off at a time. The time is nearly that of a constant
 /// torque, so that each step multiplies the error by what the losses take, a thousandth.
 double torque_for(const PaperInputs& inputs, double off_s) {
