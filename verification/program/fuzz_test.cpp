@@ -8,6 +8,7 @@
 
 #include "figures/data/text.hpp"
 #include "figures/input/scene.hpp"
+#include "model/scenario/start.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {

@@ -8,7 +8,7 @@ import { inWords, stateAt } from "../../figures/explore/page/motion.js";
 import { numbersOf, sentence, textsOf } from "../../figures/explore/page/outcome.js";
 
 const summary = {
-  outcome: "no_contact", collisions: 7, first_contact_s: 29.1046, rolling_onset_s: 29.1277, rolling_onset_speed_Hz: 45.148,
+  outcome: "no_contact", touch_downs: 7, first_contact_s: 29.1046, rolling_onset_s: 29.1277, rolling_onset_speed_Hz: 45.148,
   peak_normal_force_N: 454827, peak_time_s: 29.12786, max_displacement_m: 0.0035675, whirl_frequency_Hz: -595.61,
   speed_at_mass_loss_Hz: 149.9925, final_speed_Hz: 23.035, remarks: ["the ring is round"],
 };

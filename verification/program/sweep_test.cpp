@@ -103,10 +103,10 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
 TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
   const std::string axis = "[[axis]]\nquantity = \"start_speed_hz\"\nvalues = [10, 150]\n";
   write("whole.toml", "[parameters]\nclearance = 1e-3\n" + axis);
-  write("part.toml", "columns = [\"collisions\", \"outcome\"]\n" + content("whole.toml"));
+  write("part.toml", "columns = [\"touch_downs\", \"outcome\"]\n" + content("whole.toml"));
   ASSERT_EQ(rotor("sweep whole.toml --out whole.csv").status, 0);
   ASSERT_EQ(rotor("sweep part.toml --out part.csv").status, 0);
-  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz,collisions,outcome,refusal");
+  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz,touch_downs,outcome,refusal");
   const auto whole = results("whole.csv"), part = results("part.csv");
   ASSERT_EQ(part.size(), 2U);
   for (std::size_t n = 0; n < part.size(); ++n)

@@ -97,7 +97,7 @@ struct DrawnPicture {
       if (tag.starts_with("<g transform=\"translate(")) {
         group = between(at, "<g ", ">");
       } else if (tag.starts_with("<g id=\"gnuplot_plot_")) {
-        const bool is_first = tag.substr(20).starts_with("1\"");
+        const bool is_first = tag.size() > 21 && tag[20] == '1' && (tag[21] < '0' || tag[21] > '9');
         if (is_first) in_inset = y_is_old && !curves.empty();  // which has no grid of its own
         in_curve = !in_inset;
         y_is_old = true;
