@@ -22,6 +22,8 @@ table=$2
 --start-speed-hz 150 --friction 0.2 --equations consistent --until 0.05 --bits 128
 --start-speed-hz 150 --friction 0.08 --equations published --until 0.25 --bits 128
 --start-speed-hz 150 --friction 0.08 --equations consistent --until 0.25 --bits 128
+--friction 0.3 --equations published --until 29.13 --bits 128
+--friction 0.3 --equations consistent --until 29.135 --bits 128
 THEOREMS
 } >"$prove.csv"
 mv "$prove.csv" "$table"
