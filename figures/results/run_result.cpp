@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 2;  // 1 had neither outcome nor parameters
+constexpr int schema =
+    3;  // 1 had neither outcome nor inputs, 2 other names of mass loss and touch-down
 
 Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 Json json_of(const std::optional<double>& value) { return value ? json_of(*value) : Json(); }
@@ -100,7 +101,7 @@ const std::vector<Circumstance>& circumstances() {
        inputs_of},
       {"version", "Of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
       {"schema",
-       "Of this summary; 1 had neither outcome nor inputs",
+       "Of this summary; 2 spoke of separation and collisions, 1 had neither outcome nor inputs",
        {{"const", schema}},
        [](const A&) { return Json(schema); }}};
   return all;
