@@ -40,7 +40,7 @@ set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
 beneath = 3.4                                       # its width beneath a curve that it may equal
 set style line first_place pointtype 6 pointsize 1 linecolor rgb black linewidth 1.5
 set style line lost pointtype 2 pointsize 1.2 linecolor rgb vermilion linewidth 2
-set style line law linecolor rgb "#7a0177" linewidth 1.2 dashtype (10, 3, 2, 3)
+set style line law linecolor rgb "#7a0177" linewidth 1.2 dashtype (10, 6, 1, 6)
 set style line reading linecolor rgb grey linewidth 0.8
 
 set border linewidth 0.8
@@ -81,8 +81,10 @@ said(run, what) = system(sprintf("sed -n 's/^# %s: %s.*/\\1/p' '%s'", run, what,
 number(run, name) = read(said(run, ".* ".name." = \\([-+.e0-9]*\\)"))
 read(text) = strstrt(text, "e") == 0 ? real(text) : \
   real(text[:strstrt(text, "e") - 1])*10.0**int(text[strstrt(text, "e") + 1:])    # gnuplot refuses 5e-06
-# Where the closed form puts the largest force in rolling, kN, if it knows one, and its label:
-law_kN(run) = said(run, ".*\\(law_peak_force_N\\)") eq "" ? 0 : 1e-3*number(run, "law_peak_force_N")
+# Where the closed form puts the largest force in rolling, kN, if its frictions say that the rotor rolls, and its label:
+friction_above(run, name) = number(run, "friction") > number(run, name)
+law_kN(run) = said(run, ".*\\(law_peak_force_N\\)") eq "" ? 0 : friction_above(run, "law_whirl_friction") && \
+  friction_above(run, "law_forward_friction") ? 1e-3*number(run, "law_peak_force_N") : 0
 mark_law(run, place) = law_kN(run) > 0 ? sprintf("set arrow 9 from graph 0,first %g to graph 1,first %g nohead linestyle law; ".\
   "set label 9 'closed form of rolling: %.0f kN' at %s textcolor rgb '#7a0177'", \
   -law_kN(run), -law_kN(run), law_kN(run), place) : "unset arrow 9; unset label 9"

@@ -14,8 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema =
-    3;  // 1 had neither outcome nor inputs, 2 other names of mass loss and touch-down
+constexpr int schema = 3;
 
 Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 Json json_of(const std::optional<double>& value) { return value ? json_of(*value) : Json(); }

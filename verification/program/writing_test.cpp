@@ -137,7 +137,7 @@ TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
 // Searches for a speed within turns and over hours, and figures.
 TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
   write("fig01.toml",
-        "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0, until_s = 1e5 }\n"
+        "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 99999, until_s = 1e5 }\n"
         "[parameters]\nfriction = 0.05\nmass_loss_time = 1\nuntil = 1e5\n");
   for (const char* work :
        {"run --torque 1e-6 --gravity 0 --mass-loss-speed-hz 1",

@@ -24,6 +24,8 @@ table=$2
 --start-speed-hz 150 --friction 0.08 --equations consistent --until 0.25 --bits 128
 --friction 0.3 --equations published --until 29.13 --bits 128
 --friction 0.3 --equations consistent --until 29.135 --bits 128
+--friction 0.2 --equations published --until 29.15 --bits 128
+--friction 0.2 --equations consistent --until 29.15 --bits 128
 THEOREMS
 } >"$prove.csv"
 mv "$prove.csv" "$table"

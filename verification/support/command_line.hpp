@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -30,6 +31,7 @@ class CommandLine : public InFolder {
   Outcome shell(const std::string& command) const {
     const std::string whole =
         "cd '" + folder_.string() + "' && rotor='" ROTOR_PROGRAM "' && { " + command + "\n} 2>&1";
+    std::signal(SIGHUP, SIG_DFL);  // which is ignored where nohup has started the tests
     FILE* pipe = ::popen(whole.c_str(), "r");
     std::string output;
     std::array<char, 4096> buffer{};

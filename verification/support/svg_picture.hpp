@@ -135,7 +135,7 @@ struct DrawnPicture {
   Tics x;
   std::vector<DrawnCurve> curves;
   bool side_by_side = false;  ///< panels with x axes of their own, of which only the last is known
-  Points squares;  ///< symbols of points that were read off, the key's included
+  Points squares;             ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
 };
