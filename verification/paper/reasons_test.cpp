@@ -11,8 +11,8 @@
 #include "figures/data/csv.hpp"
 #include "figures/scenes/account.hpp"
 #include "figures/scenes/statement.hpp"
-#include "figures/sweep/sweep.hpp"
 #include "model/theory/whirl.hpp"
+#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
