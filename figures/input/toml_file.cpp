@@ -90,7 +90,7 @@ std::optional<double> TomlFile::number(const toml::node& node) {
 }
 
 std::optional<std::string> TomlFile::text(const toml::table& in, std::string_view key) const {
-  const auto found = value<std::string>(in, key, "a string in quotes");
+  auto found = value<std::string>(in, key, "a string in quotes");
   if (found && *found != one_line(*found))
     fail(*in.get(key), key,
          fmt::format("must be one line, without control characters; not \"{}\"", shown(*found)));

@@ -169,11 +169,11 @@ std::string read_picture(const fs::path& path, const Format& format) {
 /// Without the user's own settings, and in a locale whose letters gnuplot can write.
 void run_gnuplot(const DraftFolder& drafts) {
   ::setenv("LC_ALL", "C.UTF-8", 1);
+  const char* const style = ROTOR_SCENES "/style.gp";
+  const char* const script = ROTOR_SCENES "/../program/plot.gp";
   int status = 0;
   try {
-    status = status_of({"gnuplot", "--default-settings", "settings.gp", ROTOR_SCENES "/style.gp",
-                        ROTOR_SCENES "/../program/plot.gp"},
-                       drafts);
+    status = status_of({"gnuplot", "--default-settings", "settings.gp", style, script}, drafts);
   } catch (const std::system_error& error) {
     throw std::runtime_error(
         fmt::format("gnuplot, which draws, cannot be started: {}", error.what()));

@@ -108,7 +108,7 @@ const std::vector<Circumstance>& circumstances() {
 
 /// What the schema says of a result by its type.
 template <class T>
-Json allowed(T Summary::*) {
+Json allowed(T Summary::* /*of*/) {
   if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
   if constexpr (std::is_same_v<T, long>) return type("integer");
   if constexpr (std::is_same_v<T, bool>) return type("boolean");
