@@ -73,7 +73,9 @@ TEST(Ensembles, AreWhatRunsGive) {
       for (const Number& number : judged())
         for (const Reading& reading : number.readings) {
           if (number.kind == Kind::method) continue;
-          const auto& [s, holds] = all.at({set.name, name, number.id, reading.name});
+          const Stored& stored = all.at({set.name, name, number.id, reading.name});
+          const Spread& s = stored.spread;
+          const double holds = stored.holds;
           const auto share = [&](const std::function<bool(double)>& counts) {
             return static_cast<double>(std::ranges::count_if(anew.at(reading.name), counts)) /
                    count;

@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <map>
+
 #include "figures/data/csv.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -122,8 +124,8 @@ TEST_F(Writing, LeavesNothingBehindWhenItsReaderGoesAway) {
 }
 
 TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
-  for (const auto& [signal, expected] :
-       std::vector<std::pair<std::string, int>>{{"INT", 130}, {"TERM", 143}, {"HUP", 129}}) {
+  const std::map<std::string, int> statuses = {{"INT", 130}, {"TERM", 143}, {"HUP", 129}};
+  for (const auto& [signal, expected] : statuses) {
     write("t.csv", "precious");
     const std::string output =
         with_rows("", "ls -A | wc -l; kill -" + signal + " %1; wait %1; echo status $?").output;
@@ -195,7 +197,7 @@ TEST_F(Writing, LetsOneOfTwoProcessesWinWhole) {
 // Relative ones from where they stand; those that lead nowhere so far, too.
 TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   ASSERT_EQ(shell("mkdir -p other/sub && ln -s target other/link && ln -s other/sub up").status, 0);
-  for (const mode_t mode : {0600, 0664}) {
+  for (const mode_t mode : {0600U, 0664U}) {
     write("other/target", "old");
     ASSERT_EQ(::chmod((folder_ / "other/target").c_str(), mode), 0);
     EXPECT_EQ(shell("umask 077; $rotor " + short_run + " --trace other/link").status, 0);
