@@ -39,7 +39,7 @@
   const frame_ms = (frames[last][0] - frames[0][0]) / last * data.slower;
   function step(now) {
     if (!playing) return;
-    const next = Math.min(last, from + Math.floor((now - begun) / frame_ms));
+    const next = Math.min(last, from + Math.floor(Math.max(0, now - begun) / frame_ms));
     if (next !== index) show(next);
     if (next === last) return play(false);
     requestAnimationFrame(step);
