@@ -104,8 +104,8 @@ TEST_P(Run, LeavesNothingThatTurnsAboveTheTolerance) {
     std::array<S, 2> rest{};  // where the springs balance what is left that stands still
     for (int k = 0; k < 16; ++k) {
       const auto left = rates(2 * std::numbers::pi_v<S> * k / 16, {});
-      rest[0] += left[3] / 16 * rotor.body.mass / rotor.supports.stiffness;
-      rest[1] += left[4] / 16 * rotor.body.mass / rotor.supports.stiffness;
+      rest[0] += left[3] / 16 * rotor.body.mass / rotor.supports.springs.force(S(1));
+      rest[1] += left[4] / 16 * rotor.body.mass / rotor.supports.springs.force(S(1));
     }
     // Of the default tolerance 1e-11, in the scales of flight: clearance / 300, speed / 5000.
     const S length = 1e-11L * 3e-3L / 300;
