@@ -55,9 +55,8 @@ PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
 # A browser that checks the reviewer's page, Node.js to drive it, and a dictionary for its words. Node.js
 # of other makers brings npm along, and does not bear Debian's.
 REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
-# The page with knobs: a compiler for browsers and what its optimiser parses with; npm, which some nodes
-# bring along, gets what figures/explore/package.json names; the page's check drives chromium.
-EXPLORE_PACKAGES := emscripten node-acorn chromium $(if $(shell command -v npm),,npm)
+# The engine in the page: a compiler for browsers and what its optimiser parses with.
+EXPLORE_PACKAGES := emscripten node-acorn
 # Sweeps over many machines; with it a program takes 30 ms longer to start.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
@@ -79,7 +78,7 @@ endef
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
-        laws deps-mutants deps-clang deps-portable deps-mpi deps-explore explore check-explore explore-preview mpi stress \
+        laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
         sanitize portable deps-prove prove clean
 
 help: ## list all targets
@@ -115,7 +114,7 @@ deps-prove: deps ## install what make prove needs (optional)
 deps-mpi: deps ## install what make mpi needs (optional)
 	$(call install,$(MPI_PACKAGES))
 
-deps-explore: deps ## install what make explore and make check-explore need (optional)
+deps-explore: deps ## install what make explore needs (optional)
 	$(call install,$(EXPLORE_PACKAGES))
 
 # On a system without dpkg, CMake and gnuplot speak for themselves.
@@ -172,13 +171,14 @@ map-theory: build
 	$(call build-target,map-theory)
 $(BUILD)/map-theory: map-theory
 
-# An ensemble at each point wants a tenth of the points.
+# An ensemble at each point wants a tenth of the points, ten at least.
 $(MAP_OUT)/%.toml: figures/maps/%.toml
-	@mkdir -p $(@D); sed -e 's/^points = 400$$/points = $(POINTS)/;t' -e "s/^points = 40$$/points = $$(($(POINTS) / 10))/" $< > $@
+	@mkdir -p $(@D); sed -e 's/^points = 400$$/points = $(POINTS)/;t' -e "s/^points = 40$$/points = $$(($(POINTS) < 100 ? 10 : $(POINTS) / 10))/" $< > $@
 $(MAP_OUT)/%.csv: $(MAP_OUT)/%.toml $(ROTOR)
 	@$(ROTOR) sweep $< --out $@
-$(MAP_OUT)/%-theory.csv: $(MAP_OUT)/%.toml $(BUILD)/map-theory
-	@$(BUILD)/map-theory $< > $@
+# Lines are as fine on a coarse map.
+$(MAP_OUT)/%-theory.csv: figures/maps/%.toml $(BUILD)/map-theory
+	@mkdir -p $(@D); $(BUILD)/map-theory $< > $@
 $(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
 	@awk -f figures/maps/shares.awk $< > $@
 MAP_STYLE := figures/maps/map.gp figures/paper/style.gp
@@ -194,7 +194,7 @@ verify: build ## build, run all tests, and hold the published numbers against ou
 	@verification/verify.sh $(BUILD)
 
 # Both sets of equations are drawn, each by a make of its own.
-report: build ## the reviewer's page: build/report/index.html, one file that needs no network
+report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## the reviewer's page: build/report/index.html, one file that needs no network
 	$(call build-target,report-page report-numbers)
 	@for set in published consistent; do \
 	  $(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=$$set; done
@@ -221,15 +221,12 @@ mpi: build ## build build/mpi/rotor, which mpirun spreads over machines, and com
 	$(call build-target,rotor-mpi)
 	@verification/program/mpi.sh $(BUILD)/mpi/rotor
 
-explore: need-deps ## make build/report/explore.html, the engine with knobs in one page for the browser
+engine: need-deps
 	@figures/explore/build.sh $(BUILD)
+explore: engine report ## the page with the engine in it, compiled for the browser: drag on its map to rerun the accident
 
-check-explore: build explore ## turn the knobs in a browser without a screen, and compare with the program
-	@node verification/program/explore.mjs $(BUILD)/report/explore.html $(ROTOR) $(BUILD)/explore/npm "$$(command -v chromium)"
-
-explore-preview: explore ## take the README's picture of that page anew
-	@node figures/explore/preview.mjs $(BUILD)/report/explore.html $(BUILD)/explore/npm "$$(command -v chromium)" \
-	  figures/explore/preview.png
+check-explore: explore ## turn the page's knobs in a browser, and compare with the program (make deps-report)
+	@node verification/program/explore.mjs $(BUILD)/report/index.html $(ROTOR) $(BUILD)/check-report "$$(command -v chromium)"
 
 portable: build ## build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)

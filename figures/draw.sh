@@ -14,5 +14,7 @@ if ! tail -c 16 "$output.part" | grep -aq '</svg>\|%%EOF\|IEND'; then
   echo "$output: gnuplot has not drawn the whole picture" >&2
   exit 1
 fi
+# Browsers smooth the cells of maps into colours that mean nothing, unless a style forbids it.
+[ "${output##*.}" != svg ] || sed -i "s/<image /<image style='image-rendering:pixelated' /" "$output.part"
 mv "$output.part" "$output"
 echo "$output"

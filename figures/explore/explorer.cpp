@@ -19,9 +19,6 @@ namespace {
 /// Before the mass loss a picture shows so many seconds, unless it is told where to begin.
 constexpr double shown_before_loss_s = 0.02;
 
-/// As close are curves on a screen to the motion, relative to their range: half a pixel.
-constexpr double closeness = 1e-3;
-
 /// Draws need but the digits that are printed, and less of their curves.
 constexpr double tolerance_of_draws = 1e-8, closeness_of_draws = 5e-3;
 
@@ -66,7 +63,7 @@ class WorkLog : public Observer {
 /// What there is to see of a run.
 const std::vector<const Column*>& columns_of_picture() {
   static const auto all = parse_columns(
-      {"time_s", "normal_force_N", "speed_Hz", "q1_m", "q2_m", "rho_m", "x_a_m", "y_a_m", "q3_rad",
+      {"time_s", "normal_force_N", "friction_force_N", "speed_Hz", "x_a_m", "y_a_m", "q3_rad",
        "contact_state", "kinetic_energy_J", "support_energy_J", "contact_energy_J"});
   return all;
 }
@@ -134,7 +131,7 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
   return picture;
 }
 
-Picture Explorer::run(const Options& options, Observer& monitor) {
+Picture Explorer::run(const Options& options, Observer& monitor, double closeness) {
   const Settings settings = settings_of(options);
   const Scenario scenario = scenario_of(settings.spec, run_ups_);
   return picture({scenario, beginning(settings, scenario), closeness, columns_of_picture()},

@@ -29,7 +29,8 @@ class Explorer {
  public:
   explicit Explorer(std::vector<CsvRow> printed_inputs);
 
-  Picture run(const Options& options, Observer& monitor);
+  /// As close are its curves to the motion, relative to their range: half a pixel of a screen.
+  Picture run(const Options& options, Observer& monitor, double closeness = 1e-3);
 
   /// One of `count` runs over the printed digits, for its outcome and the curves over time.
   Picture draw(const Options& options, long n, long count, Observer& monitor);

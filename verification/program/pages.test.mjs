@@ -1,63 +1,118 @@
-// Units, signs and names of what the pages show, for known numbers: `node --test` runs it.
+// Units, signs and names of what the page shows, of numbers that are known: `node --test` runs it.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import test from "node:test";
 
-import { plots } from "../../figures/explore/page/curves.js";
-import { inWords, stateAt } from "../../figures/explore/page/motion.js";
+import { panels, ticks } from "../../figures/explore/page/curves.js";
+import { inMilliseconds, inRotorAxes, inWords, stateAt, whirlAt } from "../../figures/explore/page/motion.js";
 import { numbersOf, sentence, textsOf } from "../../figures/explore/page/outcome.js";
+import { stacked } from "../../figures/explore/page/plots.js";
+import { column, Recorded } from "../../figures/explore/page/recorded.js";
+import { forceTip } from "../../figures/explore/page/rotor.js";
+import { addressOf, commandOf, inSet, setOf, settingsIn } from "../../figures/explore/page/settings.js";
+import { bandsOf, storyOf } from "../../figures/explore/page/story.js";
 
 const summary = {
   outcome: "no_contact", touch_downs: 7, first_contact_s: 29.1046, rolling_onset_s: 29.1277, rolling_onset_speed_Hz: 45.148,
   peak_normal_force_N: 454827, peak_time_s: 29.12786, max_displacement_m: 0.0035675, whirl_frequency_Hz: -595.61,
   speed_at_mass_loss_Hz: 149.9925, final_speed_Hz: 23.035, remarks: ["the ring is round"],
+  inputs: { mass: 5, support_stiffness: 2e4, eccentricity: 1.5e-4, unbalance_factor: 3, stator_radius: 0.063, rotor_radius: 0.06 },
 };
 
-test("the explorer shows numbers in their units", () => {
+test("numbers are in their units", () => {
   assert.deepEqual(numbersOf(summary).map(([, text]) => text), ["no contact", "7", "29.1046 s", "29.1277 s", "45.15 Hz",
     "454.8 kN", "29.1279 s", "3.567 mm", "-595.6 Hz", "149.99 Hz", "23.04 Hz"]);
   assert.equal(new Map(numbersOf({ ...summary, whirl_frequency_Hz: null })).get("whirl in rolling"), "–");
-  const words = sentence(summary);
+  const told = sentence(summary);
   for (const part of ["7 times", "29.1046 s", "454.8 kN", "29.1277 s, 23.1 ms after", "Remark: the ring is round."])
-    assert.ok(words.includes(part), words);
+    assert.ok(told.includes(part), told);
 });
 
-test("the explorer's events have forces as magnitudes", () => {
+test("forces of events are magnitudes", () => {
   assert.deepEqual(textsOf({ time_s: 29.1, event: "break_away", normal_force_N: -12340, slip_velocity_m_per_s: -1.5 }),
     ["29.1000 s", "break-away", "12.3 kN", "-1.50 m/s"]);
 });
 
-test("the explorer's state is that between two rows", () => {
-  const motion = { time_s: [1, 2], speed_Hz: [100, 90], normal_force_N: [0, -8000], contact_state: [2, 2] };
-  assert.equal(inWords(stateAt(motion, 1.25)), "t = 1.25000 s, rolling, f = 97.5 Hz, F_n = -2 kN");
+test("a state is that between two rows, in milliseconds after the loss", () => {
+  const motion = { time_s: [1, 2], speed_Hz: [100, 90], normal_force_N: [0, -8000], contact_state: [2, 0] };
+  assert.equal(inWords(stateAt(motion, 1.25), 1.2), "50.00 ms after the loss: rolling, 97.5 Hz, 2 kN");
+  assert.equal(inMilliseconds(29.099, 29.1).toFixed(3), "-1.000");
 });
 
-test("the explorer's curves are in the units of their axes, and losses positive", () => {
-  const motion = { time_s: [0, 1, 2], normal_force_N: [0, -2000, 0], speed_Hz: [150, 149, 148], rho_m: [1e-3, 2e-3, 3e-3],
-    q1_m: [-1e-3, 0, 1e-3], kinetic_energy_J: [5, 4, 3], contact_energy_J: [0, 1, 0], support_energy_J: [1, 2, 3] };
-  const works = { time_s: [0, 2], friction: [0, -4], contact_damping: [0, -2], support_damping: [0, -1], motor: [0, 6] };
-  const curves = Object.fromEntries(plots.flatMap(({ unit, curves: of }) =>
-    of.map((curve) => [`${curve.label}, ${unit}`, curve.of({ motion, works })])));
+test("the whirl has the sign of its sense, and the rotor's axes turn with it", () => {
+  const time_s = Array.from({ length: 101 }, (_, n) => n * 1e-5), turn = (t) => -2 * Math.PI * 600 * t; // against the rotation
+  const motion = { time_s, x_a_m: time_s.map((t) => Math.cos(turn(t))), y_a_m: time_s.map((t) => Math.sin(turn(t))) };
+  assert.ok(Math.abs(whirlAt(motion, 5e-4) + 600) < 1);
+  const [q1, q2] = inRotorAxes({ x_a_m: 3 * Math.cos(0.7), y_a_m: 3 * Math.sin(0.7), q3_rad: 0.7 }); // along the rotor's own axis
+  assert.ok(Math.abs(q1 - 3) < 1e-12 && Math.abs(q2) < 1e-12);
+});
+
+test("curves are in the units of their axes, losses positive, and areas are stacked", () => {
+  const motion = { time_s: [0, 1, 2], normal_force_N: [0, -2000, 0], speed_Hz: [150, 149, 148],
+    kinetic_energy_J: [5000, 4000, 3000], contact_energy_J: [0, 1000, 0], support_energy_J: [1000, 2000, 3000] };
+  const works = { time_s: [0, 2], friction: [0, -4000], contact_damping: [0, -2000], support_damping: [0, -1000], motor: [0, 6] };
+  const curves = Object.fromEntries(panels.flatMap(({ unit, curves: of }) =>
+    of.map((curve) => [`${curve.label}, ${unit}`, curve.of({ motion, works }).map((value) => value + 0)])));
   assert.deepEqual(curves, {
-    "F_n, kN": [0, -2, 0], "f, Hz": [150, 149, 148], "kinetic, J": [5, 4, 3], "in the ring, J": [0, 1, 0],
-    "in the supports, J": [1, 2, 3], "to friction, J": [-0, 2, 4], "to the ring's damper, J": [-0, 1, 2],
-    "to the supports' dampers, J": [-0, 0.5, 1], "from the motor, J": [0, 3, 6], "rho, mm": [1, 2, 3], "q1, mm": [-1, 0, 1],
+    "normal force, kN": [0, 2, 0], "speed, Hz": [150, 149, 148], "motion, kJ": [5, 4, 3], "supports, kJ": [1, 2.5, 4],
+    "ring, kJ": [0, 1, 0], "ring's damper, kJ": [0, 1, 2], "lost to friction, kJ": [0, 2, 4],
   });
+  assert.deepEqual(stacked([[1, 2], [10, 20], [100, 200]]), [[1, 2], [11, 22], [111, 222]]);
 });
 
-test("the report's film shows the force on the rotor, its size, time and speed", () => {
-  const elements = {};
-  const element = () => ({ style: {}, set: {}, setAttribute(name, value) { this.set[name] = value; }, addEventListener() {} });
-  const document = { getElementById: (id) => elements[id] ??= element() };
-  // At rest, then 1 mm to the right (y_a) with 20 kN inwards and 5 kN of friction.
-  const data = { first_angle: 0, ring_mm: 50, rotor_mm: 49, enlarged: 10, per_kN: 0.5, slower: 100,
-    frames: [[-1.5, 1, 0, 0, -20, 5, 2, 149.96], [0, 0, 0, 0, 0, 0, 0, 150]] };
-  document.getElementById("film-data").textContent = JSON.stringify(data);
-  const script = readFileSync(new URL("../report/page.js", import.meta.url), "utf8");
-  new Function("document", "matchMedia", script)(document, () => ({ matches: false }));
-  const text = (id) => elements[`film-${id}`].textContent;
-  assert.deepEqual(["ms", "kN", "Hz", "state"].map(text), ["−1.50 ms", "20 kN", "150.0 Hz", "rolling without slip"]);
-  const { x1, y1, x2, y2 } = elements["film-force"].set;
-  assert.deepEqual([x1, y1], [100, 0]); // where the rim touches the ring
-  assert.deepEqual([x2 - x1, y2 - y1], [-10, -2.5]); // inwards, and along the ring
+test("ticks are round, within their range, and no two have the same text", () => {
+  for (let n = 0; n < 200; ++n) {
+    const length = 10 ** (-4 + n / 20), least = Math.sin(n) * 30, all = ticks(least, least + length, 6);
+    assert.ok(all.length >= 2 && all.length <= 8, `${all.length} ticks`);
+    assert.equal(new Set(all.map(({ text }) => text)).size, all.length, all.map(({ text }) => text).join(" "));
+    for (const { value, text } of all) {
+      assert.ok(value >= least - 1e-6 * length && value <= least + 1.000001 * length);
+      assert.ok(Math.abs(Number(text.replace("−", "-")) - value) < 1e-3 * length);
+    }
+  }
+});
+
+test("the force on the rotor points inwards, and along the ring by friction", () => {
+  // Contact at the right (y_a): a positive friction acts in the sense of rotation, from down to right, so upwards.
+  assert.deepEqual(forceTip([100, 0], [1, 0], -20, 5), [80, -5]);
+});
+
+test("a column is the same behind its steps", () => {
+  const bytes = new Uint8Array(Uint16Array.from([0, 65535, 13107]).buffer);
+  assert.deepEqual([...column([-1, 4, btoa(String.fromCharCode(...bytes))])], [-1, 4, 0]);
+  const recorded = new Recorded([{ options: { friction: "0.2" } }]);
+  assert.ok(recorded.has({ friction: "0.200", equations: "published" }) && !recorded.has({}));
+});
+
+const rolling = { summary, from_s: 29.08, until_s: 29.15, mass_loss_s: 29.1, events: [
+  ["mass_loss", 29.1], ["touch_down", 29.105], ["release", 29.1053], ["touch_down", 29.114], ["release", 29.1143],
+  ["touch_down", 29.125], ["rolling_onset", 29.1277]].map(([event, time_s]) => ({ event, time_s })) };
+
+test("flight, impacts, sliding and rolling follow each other without gaps", () => {
+  assert.deepEqual(bandsOf(rolling).map(({ name, from_s, until_s }) => [name, from_s, until_s]),
+    [["flight", 29.08, 29.105], ["impacts", 29.105, 29.125], ["sliding", 29.125, 29.1277], ["rolling", 29.1277, 29.15]]);
+  const freed = { ...rolling, events: rolling.events.slice(0, 5) };
+  assert.deepEqual(bandsOf(freed).map(({ name }) => name), ["flight", "impacts", "flight"]);
+  assert.deepEqual(bandsOf({ ...rolling, events: [] }).map(({ name }) => name), ["flight"]);
+});
+
+test("the story has six moments in their order, with the run's numbers", () => {
+  const story = storyOf(rolling);
+  assert.equal(story.length, 6);
+  story.slice(1).forEach(({ time_s }, n) => assert.ok(time_s >= story[n].time_s, story[n].title));
+  const text = story.map((moment) => moment.title + moment.text).join(" ");
+  for (const part of ["150 Hz", "15 times", "0.3 mm", "3.0 mm", "5.0 ms later", "7 impacts", "45.1 Hz", "455 kN", "9300 times"])
+    assert.ok(text.includes(part), `${part}: ${text}`);
+  const motion = { time_s: [29, 29.1, 29.2, 29.3], x_a_m: [5, 0, 1, 3], y_a_m: [0, 0, 2, 0] };
+  const clear = storyOf({ ...rolling, motion, events: [] });
+  assert.deepEqual([clear.length, clear.at(-1).time_s], [3, 29.3]); // when it is farthest out after the loss
+});
+
+test("an address keeps settings and view, and its command is that of one program", () => {
+  assert.deepEqual(settingsIn(addressOf({ friction: "0.2", "no-mass-loss": "" }, { at: "-1.5", frame: "ring" })),
+    [{ friction: "0.2", "no-mass-loss": "" }, { at: "-1.5", frame: "ring" }]);
+  for (const hash of ["#friction=0.2&x%3Btouch%20p%3B%23=1", "#friction=0.2%3Btouch%20p", "#%24(touch p)=&until=1`p`",
+    "#until=29.2%0Atouch%20p%0A&a%0Ap=1", "#friction='&until='", "#--=%1b[2J&\u202e=1"])
+    assert.match(commandOf(settingsIn(hash)[0]), /^build\/rotor run( --[a-z-]+ [\w.+-]+)* --energy --json$/);
+  assert.deepEqual([{}, { equations: "consistent" }, { "velocity-jump": "once" }].map(setOf), ["published", "consistent", null]);
+  assert.deepEqual(inSet({ friction: "0.2", "velocity-jump": "once" }, "published"), { friction: "0.2" });
 });

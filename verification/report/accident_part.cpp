@@ -1,12 +1,11 @@
-/// The accident in slow motion: frames for the animation, stills for paper and for readers who ask
-/// for rest.
+/// Six moments of the accident as stills: for paper, the README, and browsers without scripts.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "figures/data/csv.hpp"
-#include "figures/input/scene.hpp"
+#include "figures/explore/explorer.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -14,7 +13,6 @@ namespace {
 
 // On the page the ring's radius is 100.
 constexpr double enlarged = 5;  ///< the clearance
-constexpr double slower = 500;  ///< than in time
 constexpr double arrow_per_N = 60 / 455e3;
 
 struct Frame {
@@ -22,13 +20,15 @@ struct Frame {
   int state;
 };
 
-std::vector<Frame> read_frames(const std::filesystem::path& trace) {
+std::vector<Frame> frames_of(const Picture& picture) {
+  std::map<std::string, std::size_t> column;
+  for (const auto& name : picture.told["motion"]) column.emplace(name, column.size());
   std::vector<Frame> frames;
-  for (const CsvRow& row : read_csv(trace)) {
-    const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
-    frames.push_back({number("time_s"), number("y_a_m"), number("x_a_m"), number("q3_rad"),
-                      number("normal_force_N"), number("friction_force_N"), number("speed_Hz"),
-                      static_cast<int>(number("contact_state"))});
+  for (std::size_t n = 0; n < picture.motion.rows(); ++n) {
+    const auto at = [&](const char* name) { return picture.motion.row(n)[column.at(name)]; };
+    frames.push_back({at("time_s"), at("y_a_m"), at("x_a_m"), at("q3_rad"), at("normal_force_N"),
+                      at("friction_force_N"), at("speed_Hz"),
+                      static_cast<int>(at("contact_state"))});
   }
   return frames;
 }
@@ -102,29 +102,10 @@ Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
 
 }  // namespace
 
-Json accident_json(const Sources& sources) {
-  const Scenario scenario =
-      read_scene(sources.texts.parent_path() / "accident.toml").runs[0].scenario;
-  const Parameters& p = scenario.parameters;
-  const std::vector<Frame> frames = read_frames(sources.report / "accident.csv");
-  Json data = Json::array();
-  for (const Frame& f : frames)
-    data.push_back({rounded(1e3 * (f.time_s - p.mass_loss_time), 3), rounded(1e3 * f.y_a_m, 4),
-                    rounded(1e3 * f.x_a_m, 4), rounded(f.q3_rad - frames.front().q3_rad, 3),
-                    rounded(f.normal_N / 1e3, 1), rounded(f.friction_N / 1e3, 1), f.state,
-                    rounded(f.speed_Hz, 2)});
-  const double duration_s = frames.back().time_s - frames.front().time_s;
-  return {{"slower", static_cast<long>(slower)},
-          {"enlarged", static_cast<long>(enlarged)},
-          {"arrow_per_kN", 1e3 * arrow_per_N},
-          {"lasts_s", fmt::format("{:.1f}", duration_s * slower)},
-          {"first_angle_rad", rounded(frames.front().q3_rad, 6)},
-          {"ring_mm", 1e3 * p.stator_radius},
-          {"rotor_mm", 1e3 * p.rotor_radius},
-          {"stills", stills_json(read_frames(sources.report / "accident-moments.csv"), p)},
-          {"last", static_cast<long>(frames.size()) - 1},
-          {"frames", data},
-          {"frames_text", data.dump()}};
+Json accident_json() {
+  Observer nobody;
+  const Picture picture = Explorer({}).run({{"from", "29.095"}, {"until", "29.14"}}, nobody, 1e-6);
+  return {{"stills", stills_json(frames_of(picture), Parameters{})}};
 }
 
 }  // namespace rotor

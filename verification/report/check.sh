@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `make check-report` does: the page in a browser, the numbers that its script and the explorer's
-# tell, then the spelling of page and README.
+# What `make check-report` does: the page in a browser, its scripts' functions, then the spelling of page
+# and README.
 set -uo pipefail
 build=$1
 page=$build/report/index.html
@@ -13,9 +13,9 @@ else
   failed=1
 fi
 
-told=$(node --test verification/program/pages.test.mjs) || { echo "$told" >&2; failed=1; }
+tests=$(node --test verification/program/pages.test.mjs) || { echo "$tests" >&2; failed=1; }
 
-# Beside the page stand the data of the equations that their folder names.
+# The data beside the page are of the equations that their folder names.
 for set in published consistent; do
   for figure in "$build/report/figures/$set"/fig*.csv; do
     grep -q "^# .*equations $set" "$figure" || { echo "check-report: $figure is not of the $set equations" >&2; failed=1; }

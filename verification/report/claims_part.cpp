@@ -15,31 +15,44 @@ namespace {
 /// As keys of the document.
 constexpr std::array set_keys = {"as_printed", "corrected"};
 
-Json number_or_nothing(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-Json number_or_nothing(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-Json population_json(const Stored& stored) {
-  const Spread& spread = stored.spread;
-  return {{"draws", spread.draws},
-          {"valued_in_percent", number_or_nothing(100 * spread.valued)},
-          {"median", number_or_nothing(spread.median)},
-          {"low", number_or_nothing(spread.low)},
-          {"high", number_or_nothing(spread.high)},
-          {"is_range", std::isfinite(spread.low)},
-          {"holds_in_percent", number_or_nothing(100 * stored.holds)}};
+/// In a unit, without digits that nobody needs; in powers of ten where the paper is.
+std::string shown(const std::optional<double>& value, const Number& number) {
+  if (!value || !std::isfinite(*value)) return "";
+  const double size = std::abs(*value);
+  const bool in_powers = number.printed.find('e') != std::string::npos;
+  std::string text = size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
+                     : size >= 1e4                          ? fmt::format("{:.0f}", *value)
+                     : in_powers && size < 1e-3             ? fmt::format("{:.2e}", *value)
+                                                            : fmt::format("{:.4g}", *value);
+  if (const auto zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
+  return text + ' ' + number.unit;
 }
 
-Json reading_json(const Reading& reading) {
-  std::string words = reading.name;
-  std::ranges::replace(words, '_', ' ');
-  const Reading::InSet& in = reading.in[0];
-  return {{"name", reading.name},
-          {"words", words},
-          {"converged", number_or_nothing(in.converged)},
-          {"published_method", number_or_nothing(in.by_rk4)},
-          {"corrected_value", number_or_nothing(reading.in[1].converged)},
-          {"a", population_json(in.a)},
-          {"b", population_json(in.b)}};
+/// What the paper says: a number, or a word with what we allow it.
+std::string printed(const Number& number) {
+  if (!number.printed.empty()) return number.printed + ' ' + number.unit;
+  const Allowed allowed = number.allowed();
+  if (allowed.greatest() < 1e-3) return number.rule;
+  return fmt::format("{}: {:g} {} {}", number.rule,
+                     number.rule == "major" ? allowed.least() : allowed.greatest(), number.unit,
+                     number.rule == "major" ? "at least" : "at most");
+}
+
+/// Where a value is along a strip, in percent of its width: what is allowed takes the middle
+/// quarter, and what lies beyond an end is at it.
+double place(const Allowed& allowed, double value) {
+  const double off = (value - allowed.middle) / allowed.half;
+  return std::round(500 + 125 * std::clamp(off, -3.9, 3.9)) / 10;
+}
+Json mark(const Allowed& allowed, const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return {};
+  return {{"at", fmt::format("{}", place(allowed, *value))},
+          {"is_beyond", allowed.off(*value) > 3.9}};
+}
+Json bar(const Allowed& allowed, const Stored& stored) {
+  if (!std::isfinite(stored.spread.low)) return {};
+  const double from = place(allowed, stored.spread.low), to = place(allowed, stored.spread.high);
+  return {{"from", fmt::format("{}", from)}, {"wide", fmt::format("{:.1f}", to - from)}};
 }
 
 /// With its class of the page's style.
@@ -47,31 +60,49 @@ Json verdict_json(const std::string& verdict) {
   return {{"says", verdict}, {"mark", verdict == "within rounding" ? "rounding" : verdict}};
 }
 
+/// A number by the reading that fits it best.
 Json number_json(const Number& number) {
-  Json readings = Json::array();
-  for (const Reading& reading : number.readings) readings.push_back(reading_json(reading));
   const Allowed allowed = number.allowed();
+  const bool has_strip = number.rule != "is", is_drawn = number.kind != Kind::method;
+  const auto here_of = [&](const Reading& reading) {
+    return is_drawn ? reading.in[0].converged : reading.in[0].by_rk4;
+  };
+  const Reading& reading = *std::ranges::min_element(number.readings, {}, [&](const Reading& one) {
+    const auto value = here_of(one);
+    return value ? allowed.off(*value) : INFINITY;
+  });
+  const auto here = here_of(reading);
   Json all = {{"id", number.id},
               {"says", number.says},
-              {"printed", number.printed},
-              {"unit", number.unit},
-              {"rule", number.rule},
+              {"place", number.place},
+              {"printed", printed(number)},
               {"least", allowed.least()},
               {"greatest", allowed.greatest()},
-              {"is_interval", number.rule != "major" && number.rule != "is"},
-              {"is_bound", number.rule == "major"},
-              {"is_drawn", number.kind != Kind::method},
-              {"conditions", number.conditions},
-              {"reason", number.reason},
-              {"readings", readings}};
+              {"here", shown(here, number)},
+              {"corrected_value", shown(reading.in[1].converged, number)},
+              {"holds_a_in_percent", is_drawn ? Json(100 * reading.in[0].a.holds) : Json()},
+              {"holds_b_in_percent", is_drawn ? Json(100 * reading.in[0].b.holds) : Json()},
+              {"reason", number.reason}};
+  if (has_strip)
+    all["strip"] = {{"a", is_drawn ? bar(allowed, reading.in[0].a) : Json()},
+                    {"b", is_drawn ? bar(allowed, reading.in[0].b) : Json()},
+                    {"here", mark(allowed, here)},
+                    {"corrected", mark(allowed, reading.in[1].converged)}};
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const Verdict verdict = verdict_of(number, set);
     all[set_keys[set]] = verdict_json(verdict.says);
-    all[set_keys[set]]["off_a"] = number_or_nothing(verdict.off_a);
-    all[set_keys[set]]["off_b"] = number_or_nothing(verdict.off_b);
+    all[set_keys[set]]["off"] = std::isfinite(verdict.off_b) ? verdict.off_b : verdict.off_a;
   }
   return all;
 }
+
+/// How bad: refuted, within rounding, reproduced; among equals by how far off.
+std::pair<int, double> severity(const Json& judged) {
+  const auto says = judged.at("as_printed").at("says").get<std::string>();
+  const double off = judged.at("as_printed").value("off", 0.);
+  return {says == "refuted" ? 2 : says == "within rounding" ? 1 : 0, std::isfinite(off) ? off : 0};
+}
+bool is_worse(const Json& one, const Json& other) { return severity(one) > severity(other); }
 
 }  // namespace
 
@@ -81,9 +112,9 @@ Json claims_json(const std::vector<Number>& numbers) {
   for (const Number& number : numbers) {
     if (!claims.contains(number.claim)) {
       order.push_back(number.claim);
-      claims[number.claim] = {{"id", number.claim},
-                              {"figures", Json::array()},
-                              {"place", number.place},
+      claims[number.claim] = {{"claim", number.claim},    {"opens", Json()},
+                              {"changes", Json()},        {"says", number.says},
+                              {"figures", Json::array()}, {"place", number.place},
                               {"numbers", Json::array()}};
     }
     Json& claim = claims[number.claim];
@@ -98,7 +129,25 @@ Json claims_json(const std::vector<Number>& numbers) {
     for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set))
       claims[claim][set_keys[set]] = verdict_json(verdict);
   Json all = Json::array();
-  for (const std::string& id : order) all.push_back(claims[id]);
+  for (const std::string& id : order) {
+    Json& claim = claims[id];
+    Json& numbers_of = claim["numbers"];
+    std::stable_sort(numbers_of.begin(), numbers_of.end(), is_worse);
+    claim["as_printed"]["off"] = numbers_of[0]["as_printed"]["off"];
+    claim["worst"] = numbers_of[0];
+    const auto says = claim["says"].get<std::string>();
+    if (says != claim["worst"]["says"])
+      claim["worst"]["says"] = says + ": " + claim["worst"]["says"].get<std::string>();
+    claim["many"] = numbers_of.size() > 1 ? Json(numbers_of.size()) : Json();
+    if (!claim["figures"].empty()) {
+      const int figure = claim["figures"][0];
+      claim["opens"] = {{"name", fmt::format("fig{:02}", figure)}, {"number", figure}};
+    }
+    if (claim["as_printed"]["says"] != claim["corrected"]["says"])
+      claim["changes"] = claim["corrected"];
+    all.push_back(claim);
+  }
+  std::stable_sort(all.begin(), all.end(), is_worse);
   return all;
 }
 

@@ -19,12 +19,20 @@ std::vector<const Json*> all_of(const Json& claims) {
   return all;
 }
 
-/// Claims that belong to no figure.
-Json without_figure(const Json& claims) {
-  Json rest = Json::array();
-  for (const Json& claim : claims)
-    if (claim.at("figures").empty()) rest.push_back(claim);
-  return rest;
+/// Claims by their verdict in the equations as printed, the worst first.
+Json groups_json(const Json& claims) {
+  Json groups = Json::array();
+  for (const auto& [verdict, mark] : {std::pair("refuted", "refuted"),
+                                      {"within rounding", "rounding"},
+                                      {"reproduced", "reproduced"}}) {
+    Json group = {{"verdict", verdict}, {"mark", mark}, {"claims", Json::array()}};
+    for (const Json& claim : claims)
+      if (claim.at("as_printed").at("says") == verdict) group["claims"].push_back(claim);
+    group["count"] = group["claims"].size();
+    group["is_open"] = verdict != std::string("reproduced");
+    groups.push_back(group);
+  }
+  return groups;
 }
 
 Json register_json(const std::filesystem::path& assumptions) {
@@ -52,18 +60,25 @@ Json sensitivity_json(const std::vector<Number>& numbers) {
   return rows;
 }
 
-/// The runs of both sets beside each other.
-Json comparison_json(const Json& values) {
+/// Largest forces at three speeds on one scale, kN.
+Json forces_json(const Json& values) {
   Json rows = Json::array();
-  for (const char* set : {"published", "consistent"}) {
-    Json runs = Json::array();
-    for (const char* run : {"mu_03", "mu_02", "mu_008", "t_19", "t_14"}) {
-      const Json& of = values.at(set).at(run);
-      const Json& peak = of.at("peak_kN");
-      runs.push_back({{"touch_downs", of.at("touch_downs").dump() + " touch-downs"},
-                      {"peak", peak.is_null() ? "" : fmt::format("{:.1f}", peak.get<double>())}});
-    }
-    rows.push_back({{"name", set}, {"runs", runs}});
+  for (const auto& [run, printed] :
+       {std::pair("mu_03", "peak_force"), {"t_19", "peak_100"}, {"t_14", "peak_75"}}) {
+    const Json& of = values.at("published").at(run);
+    Json row = {{"speed_Hz", fmt::format("{:.0f}", of.at("speed_at_loss_Hz").get<double>())}};
+    row["bars"] = Json::array();
+    const auto add = [&](const char* mark, const char* name, const Json& kN) {
+      row["bars"].push_back(
+          {{"mark", mark},
+           {"name", name},
+           {"kN", kN.is_null() ? "no contact" : fmt::format("{:.0f} kN", kN.get<double>())},
+           {"percent", kN.is_null() ? "0" : fmt::format("{:.1f}", kN.get<double>() / 5)}});
+    };
+    add("paper", "paper", std::stod(values.at("printed").at(printed).get<std::string>()));
+    for (const auto& [set, name] : {std::pair("published", "here"), {"consistent", "corrected"}})
+      add(set, name, values.at(set).at(run).at("peak_kN"));
+    rows.push_back(row);
   }
   return rows;
 }
@@ -84,24 +99,13 @@ Json read_json(const std::filesystem::path& file) {
   }
 }
 
-Json table_json(const std::filesystem::path& csv) {
-  std::istringstream lines(content_of(csv));
-  Json rows = Json::array();
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    Json cells = Json::array();
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    rows.push_back(cells);
-  }
-  return rows;
-}
-
 Json document(const Sources& sources) {
   const std::vector<Number> judged = judged_numbers(sources.reference_data);
   const Json claims = claims_json(judged);
   const Json values = values_json(judged);
   const Json words = with_numbers(read_json(sources.texts), values);
+  Json names;
+  for (const Number& number : judged) names[number.id] = number.says;
   Json all = {{"title", words.at("title")},
               {"paper", words.at("paper")},
               {"verdict", verdicts_json(all_of(claims))},
@@ -109,11 +113,10 @@ Json document(const Sources& sources) {
               {"words", words},
               {"values", values},
               {"figures", figures_json(sources, claims)},
-              {"comparison", comparison_json(values)},
-              {"other", {{"claims", without_figure(claims)}}},
-              {"accident", accident_json(sources)},
+              {"forces", forces_json(values)},
+              {"groups", groups_json(claims)},
               {"tests", tests_json(sources)},
-              {"studies", studies_json(sources)},
+              {"studies", studies_json(sources, names)},
               {"assumptions", register_json(sources.reference_data / "assumptions.csv")},
               {"provenance", provenance_json(sources)}};
   for (Json& figure : all["figures"])

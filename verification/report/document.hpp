@@ -31,11 +31,14 @@ Json document(const Sources& sources);
 Json claims_json(const std::vector<Number>& numbers);
 Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
-Json accident_json(const Sources& sources);
-Json studies_json(const Sources& sources);
+Json studies_json(const Sources& sources, const Json& names);  ///< names: of numbers, in words
 Json tests_json(const Sources& sources);
 Json machine_json();
 Json provenance_json(const Sources& sources);
+
+/// Stills of the accident, and what the page's instrument shows: recorded runs and maps.
+Json accident_json();
+Json instrument_json(const std::filesystem::path& report);
 
 /// How many of them have which verdict in each set of equations, in words and as a mark.
 Json verdicts_json(const std::vector<const Json*>& claims);
@@ -45,8 +48,5 @@ std::string content_of(const std::filesystem::path& file);
 
 /// A JSON file. Throws std::runtime_error, naming it, for what is none.
 Json read_json(const std::filesystem::path& file);
-
-/// The rows of a CSV as lists of cells, the first one being the header.
-Json table_json(const std::filesystem::path& csv);
 
 }  // namespace rotor

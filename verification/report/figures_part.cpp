@@ -1,6 +1,8 @@
 /// The figures: pictures of both sets of equations, claims, statements of their scenes.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <regex>
 #include <set>
 
@@ -11,11 +13,42 @@
 namespace rotor {
 namespace {
 
-/// The figures whose story the corrected equations change.
-const std::set<int> told_twice = {3, 4, 5, 6, 7, 12, 13, 14, 15, 16};
+/// The figures that the corrected equations change.
+const std::set<int> in_both_sets = {3, 4, 5, 6, 7, 12, 13, 14, 15, 16};
 
 std::string replaced(const std::string& text, const char* pattern, const std::string& by) {
   return std::regex_replace(text, std::regex(pattern), by);
+}
+
+/// A number of tenths, without what a path can do without.
+std::string in_tenths(long tenths) {
+  std::string text = fmt::format("{:g}", 0.1 * static_cast<double>(tenths));
+  if (const auto zero = text.find("0."); zero == 0 || (zero == 1 && text[0] == '-'))
+    text.erase(zero, 1);
+  return text;
+}
+
+/// A path of gnuplot's in steps of a tenth of a pixel, each from the place before.
+std::string in_steps(const std::string& path) {
+  std::string steps;
+  long x = 0, y = 0;
+  std::istringstream words(path);
+  for (std::string word; words >> word;) {
+    const std::size_t comma = word.find(',');
+    if (comma == std::string::npos) {  // the path closes
+      steps += word;
+      continue;
+    }
+    const long to_x = std::lround(10 * std::stod(word.substr(1, comma - 1))),
+               to_y = std::lround(10 * std::stod(word.substr(comma + 1)));
+    const bool moves = word[0] == 'M';
+    const std::string right = in_tenths(moves ? to_x : to_x - x),
+                      down = in_tenths(moves ? to_y : to_y - y);
+    steps += (moves ? "M" : "l") + right + (down[0] == '-' ? "" : ",") + down;
+    x = to_x;
+    y = to_y;
+  }
+  return steps;
 }
 
 /// A picture of gnuplot's as a part of a page: as wide as there is room, with names of its own, and
@@ -30,7 +63,16 @@ std::string inline_svg(std::string svg, const std::string& name, const std::stri
                  "<svg viewBox=\"$1\" role=\"img\" aria-labelledby=\"" + label_id +
                      "\" xmlns=\"http://www.w3.org/2000/svg\" "
                      "xmlns:xlink=\"http://www.w3.org/1999/xlink\">");
-  return replaced(svg, "[ \t]*\n\\s*", "\n");
+  svg = replaced(svg, "[ \t]*\n\\s*", "\n");
+  std::string small;
+  const std::string path = " d='";
+  std::size_t at = 0;
+  for (std::size_t begin; (begin = svg.find(path, at)) != std::string::npos;) {
+    const std::size_t from = begin + path.size(), to = svg.find('\'', from);
+    small += svg.substr(at, from - at) + in_steps(svg.substr(from, to - from));
+    at = to;
+  }
+  return small + svg.substr(at);
 }
 
 Json picture_json(const Sources& sources, int figure, const std::string& equations) {
@@ -51,17 +93,33 @@ Json picture_json(const Sources& sources, int figure, const std::string& equatio
           {"csv_file", fmt::format("figures/{}/{}.csv", equations, name)}};
 }
 
+/// What the page's instrument states to show a run.
+std::string moment_of(const Scenario& scenario) {
+  std::string options;
+  for (const auto& [quantity, instead_of] : input_quantities())
+    if (quantity.in && quantity.name != "until" &&
+        quantity.of(scenario) != quantity.of(Scenario{})) {
+      std::string name(quantity.name);
+      std::ranges::replace(name, '_', '-');
+      options += fmt::format("{}{}={}", options.empty() ? "" : "&", name, quantity.of(scenario));
+    }
+  return options + '/';
+}
+
 Json runs_json(const Scene& scene) {
   Json runs = Json::array();
   for (const SceneRun& run : scene.runs)
-    runs.push_back({{"name", run.name},
-                    {"method", name_of(run.scenario.method)},
-                    {"friction", run.scenario.parameters.friction},
-                    {"contact_stiffness", run.scenario.parameters.contact_stiffness},
-                    {"mass_loss_s", run.scenario.parameters.loses_mass
-                                        ? Json(run.scenario.parameters.mass_loss_time)
-                                        : Json()},
-                    {"until_s", run.scenario.until}});
+    runs.push_back(
+        {{"name", scene.runs.size() > 1 ? run.name : ""},
+         {"moment", moment_of(run.scenario)},
+         {"is_moment", run.scenario.method == Method::event && run.scenario.parameters.loses_mass},
+         {"method", name_of(run.scenario.method)},
+         {"friction", run.scenario.parameters.friction},
+         {"contact_stiffness", run.scenario.parameters.contact_stiffness},
+         {"mass_loss_s", run.scenario.parameters.loses_mass
+                             ? Json(run.scenario.parameters.mass_loss_time)
+                             : Json()},
+         {"until_s", run.scenario.until}});
   return runs;
 }
 
@@ -73,16 +131,16 @@ Json figures_json(const Sources& sources, const Json& claims) {
     const std::string name = fmt::format("fig{:02}", number);
     const auto file = sources.scenes / (name + ".toml");
     const Scene scene = read_scene(file);
-    Json its_claims = Json::array();
     std::vector<const Json*> judged;
+    Json its_claims = Json::array();
     for (const Json& claim : claims)
       for (const Json& figure : claim.at("figures"))
         if (figure == number) {
-          its_claims.push_back(claim);
           judged.push_back(&claim);
+          its_claims.push_back({{"claim", claim.at("claim")}, {"says", claim.at("says")}});
         }
     Json pictures = Json::array({picture_json(sources, number, "published")});
-    if (told_twice.contains(number))
+    if (in_both_sets.contains(number))
       pictures.push_back(picture_json(sources, number, "consistent"));
     const auto curves = read_curves(sources.report / "figures" / "published" / (name + ".csv"));
     const Json digitised = digitised_json(sources.reference_data, number, curves);
@@ -91,8 +149,6 @@ Json figures_json(const Sources& sources, const Json& claims) {
                    {"title", scene.title},
                    {"verdict", verdicts_json(judged)},
                    {"pictures", pictures},
-                   {"is_told_twice", told_twice.contains(number)},
-                   {"is_whirl", number == 7 || number == 10},
                    {"runs", runs_json(scene)},
                    {"scene", content_of(file)},
                    {"scene_file", "figures/paper/" + name + ".toml"},

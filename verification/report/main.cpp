@@ -1,6 +1,11 @@
 /// Writes the reviewer's page and the document behind it:
 ///   report-page SOURCES BUILD OUT COMMIT DATE this-machine|archive
 /// OUT holds what stands beside the page; index.html, report.json and machine.json come to it.
+#include <fmt/format.h>
+
+#include <regex>
+#include <set>
+
 #include "figures/data/files.hpp"
 #include "verification/report/page.hpp"
 #include "verification/support/program.hpp"
@@ -8,34 +13,66 @@
 namespace rotor {
 namespace {
 
+namespace fs = std::filesystem;
+
+/// A module and those that it imports as one script, each a function that is called once and
+/// returns what it exports.
+std::string bundled(const fs::path& module, std::set<fs::path>& seen) {
+  static const std::regex import("import (\\{[^}]*\\}) from \"\\./(\\w+)\\.js\";\n"),
+      exported("\nexport ((?:const|function|class) (\\w+))");
+  std::string before, names, text = '\n' + content_of(module);
+  if (!seen.insert(module).second) return "";
+  for (std::sregex_iterator at(text.begin(), text.end(), import), end; at != end; ++at)
+    before += bundled(module.parent_path() / ((*at)[2].str() + ".js"), seen);
+  for (std::sregex_iterator at(text.begin(), text.end(), exported), end; at != end; ++at)
+    names += (*at)[2].str() + ", ";
+  text =
+      std::regex_replace(std::regex_replace(text, import, "const $1 = of_$2;\n"), exported, "\n$1");
+  return fmt::format("{}const of_{} = (() => {{{}return {{ {}}};\n}})();\n", before,
+                     module.stem().string(), text, names);
+}
+
+/// The engine for the browser, if it is built: emscripten's script with the worker, and base64.
+Json engine_json(const fs::path& build, const fs::path& scripts, const fs::path& packed) {
+  if (!fs::exists(packed)) return {};
+  return {{"worker", content_of(build / "explore/engine.js") + content_of(scripts / "worker.js")},
+          {"wasm", content_of(packed)}};
+}
+
 int main(const Arguments& arguments) {
   if (arguments.size() != 6 || (arguments[5] != "this-machine" && arguments[5] != "archive"))
     throw std::runtime_error(
         "needs the folders of the sources, of what was built and of the page, the commit and its "
         "date, and this-machine or archive");
-  const std::filesystem::path root = arguments[0], out = arguments[2],
-                              room = root / "verification/report";
+  const fs::path root = arguments[0], build = arguments[1], out = arguments[2],
+                 room = root / "verification/report", explore = root / "figures/explore";
   Json page = document({.texts = room / "texts.json",
                         .scenes = root / "figures/paper",
                         .reference_data = root / "reference-data",
                         .report = out,
-                        .tests = std::filesystem::path(arguments[1]) / "report",
+                        .tests = build / "report",
                         .commit = arguments[3],
                         .commit_date = arguments[4],
                         .of_this_machine = arguments[5] == "this-machine"});
-  page["style"] = content_of(room / "page.css");
-  page["script"] = content_of(room / "page.js");
-  Partials partials;
-  for (const char* name : {"claims_table", "data_table"})
-    partials[name] = content_of(room / (std::string(name) + ".mustache.html"));
-  const std::string html = render(content_of(room / "index.mustache.html"), partials, page);
-  for (const char* key : {"style", "script"}) page.erase(key);
+  std::set<fs::path> seen;
+  Json shown = page;
+  shown["style"] = content_of(room / "page.css") + content_of(explore / "page/style.css");
+  shown["script"] = bundled(explore / "page/main.js", seen);
+  shown["printed_inputs"] = content_of(root / "reference-data/printed-inputs.csv");
+  shown["engine"] = engine_json(build, explore / "page", out / "engine.wasm.gz.base64");
+  Json instrument = instrument_json(out);
+  instrument["knobs"] = read_json(explore / "knobs.json");
+  shown["instrument"] = instrument.dump();
+  shown["model"] = content_of(root / "figures/paper/preview/model.svg");
+  const Json stills = accident_json();
+  shown["stills"] = render(content_of(room / "accident.mustache.svg"), {}, stills);
+  const std::string html =
+      render(content_of(room / "index.mustache.html"),
+             {{"claim_rows", content_of(room / "claim_rows.mustache.html")}}, shown);
   for (Json& figure : page["figures"])
     for (Json& picture : figure["pictures"]) picture.erase("svg");  // which stand beside it
-  page["accident"].erase("frames_text");
   FileTransaction files;
-  files.write(out / "accident.svg",
-              render(content_of(room / "accident.mustache.svg"), {}, page["accident"]));
+  files.write(out / "accident.svg", shown["stills"].get<std::string>());
   files.write(out / "index.html", html);
   files.write(out / "report.json", page.dump(1) + '\n');
   files.write(out / "machine.json", machine_json().dump(1) + '\n');

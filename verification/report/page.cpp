@@ -24,6 +24,7 @@ std::string in_html(const std::string& text) {
        {std::pair("\\bDelta", "\u0394"),
         {"\\bmu\\b", "\u03bc"},
         {"\\brho\\b", "\u03c1"},
+        {"\\bum\\b", "\u03bcm"},
         {"(\\b[A-Za-z]|\u0394)_([A-Za-z0-9]{1,4})(?![A-Za-z0-9_])", "$1<sub>$2</sub>"}})
     html = std::regex_replace(html, std::regex(plain), symbol);
   return html;

@@ -118,17 +118,22 @@ TEST(Render, EscapesAndPrintsSymbols) {
             "\u22122.5no");
 }
 
-// Each column of the page's table of claims has what its head names.
-TEST(TableOfClaims, HasEachNumberInItsColumn) {
-  const Json reading = {{"is_first", true},         {"says", "says"},
-                        {"converged", "1.5"},       {"published_method", "2.5"},
-                        {"corrected_value", "3.5"}, {"is_drawn", false}};
-  const Json claims = {{"claims", {{{"numbers", {{{"readings", {reading}}}}}}}}};
-  const std::string table = render(content_of(room / "claims_table.mustache.html"), {}, claims);
-  for (const char* cell :
-       {"<td data-label=\"converged\">1.5</td>", "<td data-label=\"paper's method\">2.5</td>",
-        "<td data-label=\"corrected\">3.5</td>"})
-    EXPECT_NE(table.find(cell), std::string::npos) << cell << table;
+// Each column of the claims has what its head names, and each mark its place.
+TEST(ClaimRows, HaveEachNumberInItsColumn) {
+  const Json strip = {{"here", {{"at", "50"}}}, {"corrected", {{"at", "60"}}}};
+  const Json claim = {{"worst",
+                       {{"says", "says"},
+                        {"printed", "1.5 s"},
+                        {"here", "2.5 s"},
+                        {"corrected_value", "3.5 s"},
+                        {"strip", strip}}}};
+  const std::string rows =
+      render(content_of(room / "claim_rows.mustache.html"), {}, {{"claims", {claim}}});
+  for (const char* part :
+       {"<td data-label=\"paper\">1.5 s</td>", "<td data-label=\"here\">2.5 s</td>",
+        "<td data-label=\"corrected\">3.5 s</td>", "class=\"here\" style=\"left:50%\"",
+        "class=\"corrected\" style=\"left:60%\""})
+    EXPECT_NE(rows.find(part), std::string::npos) << part << rows;
 }
 
 TEST(MarksOfAFigure, CountItsClaimsInEachSetOfEquations) {
@@ -153,13 +158,8 @@ TEST(MarksOfAFigure, CountItsClaimsInEachSetOfEquations) {
             "1 reproduced, 1 within rounding: rounding; 1 within rounding, 1 refuted: partly; ");
 }
 
-class Accident : public CommandLine {};
-
-TEST_F(Accident, IsThePictureInTheReadme) {
-  const std::string run = "run --scene " + (room / "accident.toml").string() + " --from 29.095 ";
-  EXPECT_EQ(rotor(run + "--rows 1201 --trace accident.csv").status, 0);
-  EXPECT_EQ(rotor(run + "--trace accident-moments.csv").status, 0);
-  const Json accident = accident_json({.texts = room / "texts.json", .report = folder_});
+TEST(Accident, IsThePictureInTheReadme) {
+  const Json accident = accident_json();
   EXPECT_EQ(render(content_of(room / "accident.mustache.svg"), {}, accident),
             content_of(ROTOR_SOURCES "/figures/paper/preview/accident.svg"));
   // At the end of slip and at the greatest force stands what the engine locates there.

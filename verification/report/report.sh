@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What `make report` does once everything is built and drawn: gathers in a folder what stands beside the
+# What `make report` does once everything is built and drawn: gathers in a folder what goes with the
 # page, and writes the page. `report.sh BUILD OUT archive` leaves out what differs from machine to
 # machine and from day to day; that is in machine.json alone.
 set -euo pipefail
@@ -11,10 +11,16 @@ for scene in figures/paper/fig[0-9][0-9].toml; do
   cp "$build/figures/$figure".{csv,svg} "$out/figures/published"
   cp "$build/figures/consistent/$figure".{csv,svg} "$out/figures/consistent"
 done
-"$build/rotor" run --scene verification/report/accident.toml --from 29.095 --rows 1201 \
-  --trace "$out/accident.csv" >/dev/null
-"$build/rotor" run --scene verification/report/accident.toml --from 29.095 \
-  --trace "$out/accident-moments.csv" >/dev/null
+# The map of the first screen, coarse: anew where program or map have changed.
+map=$build/maps/page
+mkdir -p "$map"
+sed 's/^points = 400$/points = 60/' figures/maps/speed-friction.toml >"$map/map.toml"
+[ "$map/map.csv" -nt "$build/rotor" ] && [ "$map/map.csv" -nt figures/maps/speed-friction.toml ] ||
+  "$build/rotor" sweep "$map/map.toml" --out "$map/map.csv"
+cp "$map/map.csv" "$out"
+rm -f "$out/engine.wasm.gz.base64"
+[ ! -e "$build/explore/engine.wasm" ] ||
+  gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"
 # Verdicts that are not the expected ones are what `make verify` fails at; the page shows them.
 "$build/report-numbers" reference-data "$out" >/dev/null || true
 # Studies that were made; times and machine-made noise are no part of an archive.
@@ -28,12 +34,10 @@ for study in "${studies[@]}"; do
     cp "$from"/*.svg "$from"/*.csv "$to"
   fi
 done
-for page in explore.html; do
-  [ "$out" = "$build/report" ] || [ ! -e "$build/report/$page" ] || cp "$build/report/$page" "$out"
-done
-(cd "$out" && sha256sum claims.csv accident*.csv figures/*/*.csv >SHA256SUMS)
+(cd "$out" && sha256sum claims.csv map.csv figures/*/*.csv >SHA256SUMS)
 commit=$(git rev-parse HEAD 2>/dev/null || echo unknown)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)
 [ -z "$(git status --porcelain 2>/dev/null)" ] || commit="$commit with changes"
 "$build/report-page" . "$build" "$out" "$commit" "$date" "$kind"
+rm -f "$out/engine.wasm.gz.base64"
 echo "$out/index.html"

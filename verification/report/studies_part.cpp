@@ -1,10 +1,11 @@
-/// What other targets have made, or have not; the tests; where all of it comes from.
+/// What other targets have made; the tests; where all of it comes from.
 #include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <boost/version.hpp>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <map>
@@ -27,13 +28,22 @@ std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending
   return found;
 }
 
-/// A study whose tables and pictures stand in a folder below the page's, if they have been made.
+/// A study whose tables and pictures are in a folder below the page's, if they have been made.
 Json study_json(const Sources& sources, const std::string& folder) {
   Json files = Json::array();
   for (const auto& file : files_of(sources.report / folder, ""))
     files.push_back(
         {{"file", folder + '/' + file.filename().string()}, {"name", file.filename().string()}});
-  return {{"made", !files.empty()}, {"files", files}};
+  // Numbers in names by their size: 1e-5 before 1e-13.
+  const auto size_in = [](const Json& file) {
+    const auto name = file["name"].get<std::string>();
+    const auto at = name.find("1e-");
+    return at == std::string::npos ? 0 : std::stoi(name.substr(at + 3));
+  };
+  std::stable_sort(files.begin(), files.end(), [&](const Json& one, const Json& other) {
+    return size_in(one) < size_in(other);
+  });
+  return files;
 }
 
 /// Suite and name of a test, without its parameters.
@@ -43,13 +53,65 @@ std::string name_of(const Json& test) {
   return suite + '.' + name.substr(0, name.find('/'));
 }
 
-Json table_of(const fs::path& csv) {
-  if (!fs::exists(csv)) return {{"made", false}};
-  Json rows = table_json(csv), header = rows.at(0);
-  rows.erase(0);
-  Json body = Json::array();
-  for (const Json& row : rows) body.push_back({{"cells", row}});
-  return {{"made", true}, {"header", header}, {"rows", body}};
+/// Where a relative uncertainty is on the chart's logarithmic axis, in percent of its width.
+constexpr double least_exponent = -16, greatest_exponent = 1;
+std::string on_axis(double value) {
+  const double exponent = std::log10(std::max(value, 1e-16)) - least_exponent;
+  return fmt::format("{:.1f}", 100 * exponent / (greatest_exponent - least_exponent));
+}
+
+/// Of each simulated number: what the method leaves open as a dot, what the paper's steps do as a
+/// cross, what the inputs do from population (a) to (b) as an interval.
+Json uncertainty_json(const fs::path& csv, const Json& names) {
+  Json rows = Json::array();
+  if (fs::exists(csv))
+    for (const CsvRow& row : read_csv(csv)) {
+      const auto place = [&](const char* column) {
+        return row[column].empty() ? Json()
+                                   : Json(on_axis(static_cast<double>(row.number(column))));
+      };
+      Json line = {{"says", names.value(std::string(row["number"]), std::string(row["number"]))},
+                   {"method", place("u_num")},
+                   {"steps", place("u_num_published_method")}};
+      if (!row["u_input_b"].empty() && row.number("u_input_b") > 0) {
+        const double from = std::stod(on_axis(static_cast<double>(row.number("u_input_a")))),
+                     to = std::stod(on_axis(static_cast<double>(row.number("u_input_b"))));
+        line["inputs"] = {{"from", fmt::format("{:.1f}", std::min(from, to))},
+                          {"wide", fmt::format("{:.1f}", std::abs(to - from))}};
+      }
+      rows.push_back(line);
+    }
+  return rows;
+}
+
+/// The theorems from rest at the decimals as printed: each quantity in both sets of equations, to
+/// 13 digits if its bounds agree in them.
+Json proven_json(const fs::path& csv) {
+  std::map<std::string, Json> all;
+  std::vector<std::string> order;
+  for (const CsvRow& row : read_csv(csv)) {
+    const std::string command = row["command"], quantity = row["quantity"];
+    if (!command.starts_with("build/prove --friction 0.3 ")) continue;
+    const std::string set =
+        command.find("consistent") == std::string::npos ? "published" : "consistent";
+    const double lower = static_cast<double>(row.number("lower"));
+    const std::string text = fmt::format("{:.13g}", lower);
+    if (text != fmt::format("{:.13g}", static_cast<double>(row.number("upper")))) continue;
+    if (!all.contains(quantity)) order.push_back(quantity);
+    all[quantity].emplace(set, text);
+  }
+  Json rows = Json::array();
+  for (const std::string& quantity : order) {
+    std::string words = quantity.substr(0, quantity.rfind('_')),
+                unit = quantity.substr(quantity.rfind('_') + 1);
+    if (unit == "downs") words = quantity, unit = "";
+    std::ranges::replace(words, '_', ' ');
+    Json row = all[quantity];
+    row["says"] = words;
+    row["unit"] = unit;
+    rows.push_back(row);
+  }
+  return rows;
 }
 
 Json reasons_json(const fs::path& folder) {
@@ -70,15 +132,22 @@ Json reasons_json(const fs::path& folder) {
 
 }  // namespace
 
-Json studies_json(const Sources& sources) {
-  Json all = {{"uncertainty", table_of(sources.report / "uncertainty.csv")},
+Json studies_json(const Sources& sources, const Json& names) {
+  const Json bars = uncertainty_json(sources.report / "uncertainty.csv", names);
+  Json decades = Json::array();
+  for (int exponent = -15; exponent <= 0; exponent += 3)
+    decades.push_back({{"exponent", exponent}, {"at", on_axis(std::pow(10, exponent))}});
+  Json all = {{"uncertainty", bars},
+              {"decades", decades},
               {"reasons", reasons_json(sources.reference_data)},
-              {"maps", study_json(sources, "maps")},
-              {"explore", fs::exists(sources.report / "explore.html")}};
+              {"proven", proven_json(sources.reference_data / "proven.csv")},
+              {"maps", study_json(sources, "maps")}};
   if (sources.of_this_machine) {
     all["work_precision"] = study_json(sources, "work-precision");
     all["stability"] = study_json(sources, "stability");
   }
+  for (const char* study : {"maps", "work_precision", "stability"})
+    all[std::string("has_") + study] = all.contains(study) && !all[study].empty();
   return all;
 }
 

@@ -1,7 +1,30 @@
-// Colours of curves, from the style sheet, which knows light and dark.
-export function colour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
-}
+// Colours and canvases. The style sheet knows light and dark.
+export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 export const onColoursChanged = (act) =>
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", act);
+
+/// A canvas of its own size, emptied: its context in pixels of the page.
+export function cleared(canvas) {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  canvas.width = width * devicePixelRatio;
+  canvas.height = height * devicePixelRatio;
+  const ctx = canvas.getContext("2d");
+  ctx.scale(devicePixelRatio, devicePixelRatio);
+  ctx.font = "12px system-ui, sans-serif";
+  return { ctx, width, height };
+}
+
+/// A line through points, with a filled head at its end.
+export function arrow(ctx, points, head = 9) {
+  if (points.length < 2) return;
+  const [x, y] = points.at(-1), [x0, y0] = points.at(-2);
+  const angle = Math.atan2(y - y0, x - x0);
+  ctx.beginPath();
+  for (const point of points) ctx.lineTo(...point);
+  ctx.stroke();
+  ctx.beginPath();
+  for (const turn of [0, 2.5, -2.5])
+    ctx.lineTo(x + head * Math.cos(angle + turn), y + head * Math.sin(angle + turn));
+  ctx.fill();
+}

@@ -1,38 +1,31 @@
 // What is drawn over time, and in which unit.
 
-/// The curves of each plot: of a picture, in the plot's unit.
-export const plots = [
+const scaled = (column, factor) => column.map((value) => factor * value);
+const lost = (picture, cause) => scaled(gained(picture, cause), -1);
+
+/// The panels: curves, or areas that are stacked from below; of a picture, in the panel's unit.
+export const panels = [
   {
-    id: "force", title: "Normal force F_n (negative in compression)", unit: "kN", events: true,
-    curves: [{ label: "F_n", colour: "first", of: ({ motion }) => scaled(motion.normal_force_N, 1e-3) }],
+    title: "normal force", unit: "kN", share: 0.4, events: true,
+    curves: [{ label: "normal force", colour: "first", of: ({ motion }) => scaled(motion.normal_force_N, -1e-3) }],
   },
   {
-    id: "speed", title: "Rotation speed f", unit: "Hz",
-    curves: [{ label: "f", colour: "second", of: ({ motion }) => motion.speed_Hz }],
+    title: "speed", unit: "Hz", share: 0.2,
+    curves: [{ label: "speed", colour: "second", of: ({ motion }) => motion.speed_Hz }],
   },
   {
-    id: "energy", title: "Energy from the mass loss on, and where it goes", unit: "J",
+    title: "where the energy is", unit: "kJ", share: 0.4, stacked: true,
     curves: [
-      { label: "kinetic", colour: "first", of: ({ motion }) => motion.kinetic_energy_J },
-      { label: "in the ring", colour: "second", of: ({ motion }) => motion.contact_energy_J },
-      { label: "in the supports", colour: "third", of: ({ motion }) => motion.support_energy_J },
-      { label: "to friction", colour: "fourth", of: (picture) => lost(picture, "friction") },
-      { label: "to the ring's damper", colour: "fifth", of: (picture) => lost(picture, "contact_damping") },
-      { label: "to the supports' dampers", colour: "sixth", of: (picture) => lost(picture, "support_damping") },
-      { label: "from the motor", colour: "seventh", of: (picture) => gained(picture, "motor") },
-    ],
-  },
-  {
-    id: "displacement", title: "Displacement: q1 in the rotating axes, rho from the ring's centre", unit: "mm",
-    curves: [
-      { label: "rho", colour: "first", of: ({ motion }) => scaled(motion.rho_m, 1e3) },
-      { label: "q1", colour: "third", of: ({ motion }) => scaled(motion.q1_m, 1e3) },
+      { label: "motion", colour: "area-1", of: ({ motion }) => scaled(motion.kinetic_energy_J, 1e-3) },
+      { label: "supports", colour: "area-2", of: (picture) => sum(scaled(picture.motion.support_energy_J, 1e-3), scaled(lost(picture, "support_damping"), 1e-3)) },
+      { label: "ring", colour: "area-3", of: ({ motion }) => scaled(motion.contact_energy_J, 1e-3) },
+      { label: "ring's damper", colour: "area-4", of: (picture) => scaled(lost(picture, "contact_damping"), 1e-3) },
+      { label: "lost to friction", colour: "area-5", of: (picture) => scaled(lost(picture, "friction"), 1e-3) },
     ],
   },
 ];
 
-const scaled = (column, factor) => column.map((value) => factor * value);
-const lost = (picture, cause) => scaled(gained(picture, cause), -1);
+const sum = (one, other) => one.map((value, i) => value + other[i]);
 
 /// A work is known at the end of each step; between them it is drawn straight.
 function gained({ motion, works }, cause) {
@@ -44,4 +37,16 @@ function gained({ motion, works }, cause) {
     const share = (time_s - times[next - 1]) / (times[next] - times[next - 1]);
     return values[next - 1] + share * (values[next] - values[next - 1]);
   });
+}
+
+/// Round numbers from a least to a greatest one, about so many, and the digits behind the point that
+/// tell them apart.
+export function ticks(least, greatest, about) {
+  const rough = (greatest - least) / about, decade = 10 ** Math.floor(Math.log10(rough));
+  const step = decade * [1, 2, 5, 10].find((digit) => digit * decade >= rough);
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const all = [];
+  for (let n = Math.ceil(least / step - 1e-9); n * step <= greatest + 1e-9 * step; ++n)
+    all.push({ value: n * step, text: (n * step + 0).toFixed(digits).replace("-", "−") });
+  return all;
 }

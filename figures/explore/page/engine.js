@@ -1,25 +1,31 @@
 // The page's side of a worker: the newest request wins.
-import wasmBytes from "engine.wasm";
-import printedInputs from "printed-inputs.csv";
-import workerSource from "worker source";
 
-const wasm = WebAssembly.compile(wasmBytes); // once for all workers
-const workerAddress = URL.createObjectURL(new Blob([workerSource], { type: "text/javascript" }));
+const textOf = (id) => document.getElementById(id)?.textContent ?? null;
+
+/// Whether the page has the engine.
+export const isEmbedded = () => textOf("engine-wasm") !== null;
+
+let compiled = null, workerAddress = null; // once for all workers
+async function compile() {
+  const packed = Uint8Array.from(atob(textOf("engine-wasm")), (letter) => letter.charCodeAt(0));
+  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
+}
 
 // A run takes some 30 ms, a new worker as long, and it has to run up again: what is busy for less
 // is waited for.
 const patience_ms = 200;
 
 export class Engine {
-  #worker;
+  #worker = null;
   #started; // when the worker has its module
   #asked = null; // what it is busy with
   #next = null; // what comes after that
   #patience = 0;
   #hear;
 
-  /// Tells how far a run is that takes long, s; once what numbers there are to state; and why nothing
-  /// works, if nothing does.
+  /// Reports how far a long run is, s; once what numbers there are to state; and why nothing works, if
+  /// nothing does.
   constructor({ onProgress = () => {}, onNumbers = () => {}, onFailure = () => {} } = {}) {
     this.#hear = { onProgress, onNumbers, onFailure };
     this.#start();
@@ -43,6 +49,8 @@ export class Engine {
   }
 
   #start() {
+    workerAddress ??= URL.createObjectURL(new Blob([textOf("engine-worker")], { type: "text/javascript" }));
+    compiled ??= compile();
     const worker = new Worker(workerAddress);
     worker.onmessage = ({ data }) => {
       if (data.numbers) this.#hear.onNumbers(data.numbers);
@@ -51,7 +59,7 @@ export class Engine {
     };
     worker.onerror = ({ message }) => this.#asked && this.#finish({ refusal: message });
     this.#worker = worker;
-    this.#started = wasm.then((module) => worker.postMessage({ wasm: module, printedInputs }));
+    this.#started = compiled.then((wasm) => worker.postMessage({ wasm, printedInputs: textOf("printed-inputs") }));
     this.#started.catch((error) => this.#hear.onFailure(error.message));
   }
 

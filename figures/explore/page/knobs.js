@@ -1,6 +1,5 @@
 // A slider and a number for each quantity that somebody may turn. They hold the texts of options,
 // and judge nothing: what is refused, the engine says.
-import groups from "../knobs.json";
 import { optionOf, textOf } from "./settings.js";
 
 const slider_steps = 400;
@@ -9,7 +8,7 @@ const slider_steps = 400;
 export class Knobs {
   #knobs = new Map(); // by their options
 
-  constructor(form, numbers, onTurn) {
+  constructor(form, groups, numbers, onTurn) {
     const known = new Map(numbers.map((number) => [number.name, number]));
     known.set("from", { unit: "s", meaning: "beginning of what is shown" });
     const fieldsets = groups.map(({ group, knobs }) => {

@@ -1,76 +1,64 @@
-// The page: from a knob that is turned to the pictures of the run.
-import figures from "figures";
-
+// The page's instrument: a run, recorded or computed, as a rotor in its ring, as curves and as a story.
 import { onColoursChanged } from "./colours.js";
-import { Engine } from "./engine.js";
+import { Engine, isEmbedded } from "./engine.js";
 import { Knobs } from "./knobs.js";
+import { OutcomeMap, outcomes } from "./map.js";
+import { inWords, stateAt } from "./motion.js";
 import { Orbit } from "./orbit.js";
 import { sentence, showEvents, showNumbers } from "./outcome.js";
 import { Plots } from "./plots.js";
+import { Recorded } from "./recorded.js";
 import { RotorView } from "./rotor.js";
-import { addressOf, commandOf, settingsIn } from "./settings.js";
+import { addressOf, commandOf, corrections, inSet, setOf, settingsIn } from "./settings.js";
+import { storyOf } from "./story.js";
 import { Sureness } from "./sureness.js";
 
 const at = (id) => document.getElementById(id);
+const { runs, maps, knobs: groups } = JSON.parse(at("instrument-data").textContent);
+const recorded = new Recorded(runs);
+const has_engine = isEmbedded();
+document.body.classList.toggle("has-engine", has_engine);
 
-let [options, comparedOptions = null] = settingsIn(location.hash);
-let picture = null, compared = null, drawn = [];
-let knobs = null;
+/// What the address states, unless it names a part of the page.
+const stated = () => (at(location.hash.slice(1)) ? [{}, {}] : settingsIn(location.hash));
+let [options, view] = stated();
+let picture = null, story = [], knobs = null, playing = false, last_ms = null, time_s = 0;
 
-const engine = new Engine({
-  onProgress: (time_s, { until }) =>
-    say(`The run has got to ${time_s.toFixed(2)} s${until ? ` of ${until} s` : ""} …`, "busy"),
+const engine = has_engine && new Engine({
+  onProgress: (at_s, { until }) => say(`The run has reached ${at_s.toFixed(2)} s${until ? ` of ${until} s` : ""} …`, "busy"),
   onFailure: (reason) => say(`This browser cannot run the engine: ${reason}`, "refused"),
   onNumbers: (numbers) => {
     if (knobs) return; // of a worker that had to be started again
-    knobs = new Knobs(at("knobs"), numbers, turn);
-    refresh();
-    if (comparedOptions) compare(comparedOptions);
+    knobs = new Knobs(at("knobs"), groups, numbers, turn);
+    knobs.show(options, "");
   },
 });
-const background = new Engine(); // for what nobody waits for
+const background = has_engine && new Engine(); // for what nobody waits for
 
-const plots = new Plots(at("plots"), (from_s, until_s) => {
-  orbit.showPart(from_s, until_s);
-  rotor.showPart(from_s, until_s);
-});
+// ---- pictures
+
+const rotor = new RotorView(at("rotor"), at("rotor-state"));
 const orbit = new Orbit(at("orbit"));
-const rotor = new RotorView(at("rotor"), at("rotor-state"), (time_s) => plots.markNow(time_s));
-const sureness = new Sureness(at("sureness"), (curves) => {
-  drawn = curves;
-  showBehind();
+const plots = new Plots(at("plots"), {
+  onTime: (to_s) => { play(false); goTo(to_s); keepView(); },
+  onPart: (from_s, until_s) => { orbit.showPart(from_s, until_s); keepView(); },
 });
-
-// ---- settings
-
-/// States an option by its text, or takes it back; what it stands for cannot be stated beside it.
-function turn(option, text, insteadOf) {
-  const { [option]: before, ...others } = options;
-  if (text !== null && insteadOf) delete others[insteadOf];
-  if (text !== null && option === "mass-loss-time") delete others["mass-loss-speed-hz"];
-  options = text === null ? others : { ...others, [option]: text };
-  refresh();
-}
-
-function use(stated) {
-  options = stated;
-  refresh();
-}
+const sureness = has_engine && new Sureness(at("sureness"), (draws) => plots.showBehind(draws.map((drawn) =>
+  ({ picture: drawn, later_s: drawn.mass_loss_s && picture.mass_loss_s ? drawn.mass_loss_s - picture.mass_loss_s : 0 }))));
 
 /// Whatever was asked before: this is what is wanted now.
 async function refresh() {
-  const asked_ms = performance.now();
-  history.replaceState(null, "", addressOf(options, ...(comparedOptions ? [comparedOptions] : [])));
+  const asked_ms = performance.now(), mine = options;
   at("command").textContent = commandOf(options);
   showSwitches();
-  knobs.show(options, "");
-  sureness.forget();
-  const mine = options;
-  const answer = await engine.ask({ kind: "run", options });
+  knobs?.show(options, "");
+  if (sureness) sureness.forget();
+  const answer = recorded.answer(options) ?? (engine ? await engine.ask({ kind: "run", options })
+    : { refusal: "This page has no engine; make deps-explore explore embeds it. Recorded are the pins of the map." });
   if (answer === null) return;
   if (answer.refusal) {
     say(answer.refusal, "refused");
-    knobs.show(mine, answer.refusal);
+    knobs?.show(mine, answer.refusal);
     return;
   }
   show(answer);
@@ -79,117 +67,107 @@ async function refresh() {
   if (at("sure").getAttribute("aria-pressed") === "true") sureness.ask(mine);
 }
 
-// ---- pictures
-
 function show(answer) {
-  const kept = plots.part[0] !== null && picture.from_s === answer.from_s && picture.until_s === answer.until_s;
+  const same_part = picture && picture.from_s === answer.from_s && picture.until_s === answer.until_s;
+  const part = same_part ? plots.part : null;
   picture = answer;
-  const { inputs } = picture.summary;
-  const radius_m = inputs.rotor_radius, clearance_m = inputs.stator_radius - radius_m;
-  say("");
+  story = storyOf(picture);
+  const loss_s = picture.mass_loss_s ?? 0, in_s = (ms) => loss_s + Number(ms) / 1e3;
+  time_s = view.at ? in_s(view.at) : same_part ? time_s : story.at(-1).time_s;
   at("outcome").textContent = sentence(picture.summary);
   at("summary").textContent = JSON.stringify(picture.summary, null, 2);
   showEvents(at("events"), picture.events);
-  showTable();
-  plots.show(picture, kept);
-  showBehind();
-  orbit.show(picture, clearance_m);
-  rotor.show(picture, { clearance_m, radius_m });
-  document.body.classList.add("ready");
+  showNumbers(at("numbers"), picture.summary);
+  showStory();
+  say("");
+  plots.show(picture, view.from && view.until ? [in_s(view.from), in_s(view.until)] : part ?? accident(), time_s);
+  orbit.show(picture, time_s);
+  rotor.show(picture, time_s);
+  view = { frame: view.frame, zoom: view.zoom };
+  map.show({ set: setOf(options) ?? "published", speed_Hz: picture.summary.speed_at_mass_loss_Hz ?? picture.summary.final_speed_Hz,
+    friction: picture.summary.inputs.friction });
+  goTo(time_s);
 }
 
-function showTable() {
-  at("compared-head").hidden = compared === null;
-  showNumbers(at("numbers"), [picture, compared].filter(Boolean).map(({ summary }) => summary));
+/// From just before the loss until some time after the last moment of the story.
+function accident() {
+  const [begin, end] = [picture.mass_loss_s ?? picture.from_s, story.at(-1).time_s];
+  const lasts = Math.max(end - begin, 0.01);
+  return [begin - 0.08 * lasts, end + 0.25 * lasts];
 }
 
-/// Each is shifted so that its mass loss meets that of the picture.
-function showBehind() {
-  const shifted = (other, colour) => ({ picture: other, colour,
-    later_s: other.mass_loss_s && picture.mass_loss_s ? other.mass_loss_s - picture.mass_loss_s : 0 });
-  const all = drawn.map((draw) => shifted(draw, "draw"));
-  if (compared && picture) all.push(shifted(compared, "compared"));
-  plots.showBehind(all);
-  orbit.showBehind(compared && picture ? all.at(-1) : null);
+function goTo(to_s) {
+  time_s = Math.min(picture.until_s, Math.max(picture.from_s, to_s));
+  plots.markNow(time_s);
+  for (const seen of [rotor, orbit]) seen.goTo(time_s);
+  const now = story.findLastIndex((moment) => moment.time_s <= time_s + 1e-9);
+  [...at("story").children].forEach((item, n) => item.firstElementChild.setAttribute("aria-current", n === now ? "step" : "false"));
+  const slider = at("plots");
+  slider.setAttribute("aria-valuenow", (1e3 * (time_s - (picture.mass_loss_s ?? 0))).toFixed(2));
+  slider.setAttribute("aria-valuetext", inWords(stateAt(picture.motion, time_s), picture.mass_loss_s));
+}
+
+function showStory() {
+  at("story").replaceChildren(...story.map(({ time_s: when_s, title, text }) => {
+    const item = document.createElement("li"), button = document.createElement("button"), strong = document.createElement("strong");
+    button.type = "button";
+    strong.textContent = title;
+    button.append(strong, " ", text);
+    button.addEventListener("click", () => { play(false); goTo(when_s); keepView(); });
+    item.append(button);
+    return item;
+  }));
 }
 
 /// `why` the pictures are not those of the setting, if they are not: busy or refused.
 function say(text, why = "") {
-  mention(text, why === "refused");
+  at("status").textContent = text;
+  at("status").classList.toggle("refusal", why === "refused");
   document.body.classList.toggle("stale", why !== "");
 }
 
-/// What says nothing of the pictures.
-function mention(text, isRefusal = false) {
-  at("status").textContent = text;
-  at("status").classList.toggle("refusal", isRefusal);
+// ---- settings and the address
+
+function use(wanted) {
+  options = wanted;
+  refresh();
+  keepView();
 }
 
-// ---- another setting to compare with
-
-async function compare(stated) {
-  comparedOptions = stated;
-  compared = null;
-  if (stated) {
-    const answer = await background.ask({ kind: "run", options: stated });
-    if (comparedOptions !== stated) return; // there is another one by now
-    if (answer === null || answer.refusal) comparedOptions = null;
-    else compared = answer;
-  }
-  at("swap").disabled = at("alone").disabled = compared === null;
-  at("compared-command").textContent = compared ? commandOf(comparedOptions) : "";
-  history.replaceState(null, "", addressOf(options, ...(comparedOptions ? [comparedOptions] : [])));
-  showBehind();
-  if (picture) showTable();
+/// States an option by its text, or takes it back; what it stands for cannot be stated beside it.
+function turn(option, text, insteadOf) {
+  const { [option]: before, ...others } = options;
+  if (text !== null && insteadOf) delete others[insteadOf];
+  if (text !== null && option === "mass-loss-time") delete others["mass-loss-speed-hz"];
+  use(text === null ? others : { ...others, [option]: text });
 }
 
-at("keep").addEventListener("click", () => compare(options));
-at("alone").addEventListener("click", () => compare(null));
-at("swap").addEventListener("click", () => {
-  const other = options;
-  use(comparedOptions);
-  compare(other);
+let keeping = 0;
+function keepView() {
+  clearTimeout(keeping);
+  if (picture) keeping = setTimeout(() => history.replaceState(null, "", address()), 150);
+}
+function address() {
+  const ms = (when_s) => (1e3 * (when_s - (picture.mass_loss_s ?? 0))).toFixed(3), [from, until] = plots.part;
+  return addressOf(options, { at: ms(time_s), from: ms(from), until: ms(until), frame: at("frame").value, zoom: orbit.zoom.toFixed(2) });
+}
+window.addEventListener("hashchange", () => {
+  if (at(location.hash.slice(1))) return;
+  [options, view] = stated();
+  showFrame();
+  refresh();
 });
 
-// ---- the published figures
-
-for (const { number, title, runs } of figures) {
-  const group = document.createElement("optgroup");
-  group.label = `Fig. ${number}: ${title}`;
-  for (const { name, options: stated } of runs) {
-    const choice = new Option(runs.length > 1 ? `Fig. ${number}, ${name}` : `Fig. ${number}`);
-    choice.value = addressOf(stated);
-    group.append(choice);
-  }
-  at("figure").append(group);
-}
-at("figure").addEventListener("change", () => use(settingsIn(at("figure").value)[0]));
-at("paper").addEventListener("click", () => use({}));
-
-// ---- switches: each correction of the equations, and whether mass is lost
-
-const switches = [
-  ["velocity-jump", "once"],
-  ["gravity-moment", "balanced"],
-  ["no-mass-loss", ""],
-];
-
-/// The two corrections by their own names, whichever name they had together.
-function corrections() {
-  const { equations, ...others } = options;
-  return equations === "consistent"
-    ? { "velocity-jump": "once", "gravity-moment": "balanced", ...others }
-    : others;
-}
-
+const switches = [["velocity-jump", "once"], ["gravity-moment", "balanced"], ["no-mass-loss", ""]];
 function showSwitches() {
-  const stated = corrections();
-  for (const [option, text] of switches) at(option).checked = stated[option] === text;
+  for (const [option, text] of switches) at(option).checked = corrections(options)[option] === text;
+  for (const set of ["published", "consistent"]) at(set).checked = setOf(options) === set;
+  for (const pick of document.querySelectorAll("a.moment")) pick.hidden = !has_engine && !recorded.has(settingsIn(pick.hash)[0]);
 }
-
+for (const set of ["published", "consistent"]) at(set).addEventListener("change", () => use(inSet(options, set)));
 for (const [option, text] of switches)
   at(option).addEventListener("change", () => {
-    const { [option]: before, ...others } = corrections();
+    const { [option]: before, ...others } = corrections(options);
     if (at(option).checked && option === "no-mass-loss") {
       delete others["mass-loss-time"];
       delete others["mass-loss-speed-hz"];
@@ -197,27 +175,93 @@ for (const [option, text] of switches)
     }
     use(at(option).checked ? { ...others, [option]: text } : others);
   });
+at("paper").addEventListener("click", () => use({}));
 
-// ---- what is done with a run
+// ---- the map
 
-at("copy").addEventListener("click", async () => {
+const pins = runs.filter(({ options: of }) => !of.equations).map(({ options: of, summary }) => ({
+  label: summary.inputs.friction === 0.3 ? `${summary.speed_at_mass_loss_Hz.toFixed(0)} Hz` : `μ = ${summary.inputs.friction}`,
+  speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction, options: of }));
+const map = new OutcomeMap(at("map"), { maps, pins,
+  onPick: (of) => use(inSet(of, setOf(options) ?? "published")),
+  onDrag: engine && ((speed_Hz, friction) => {
+    const { "mass-loss-time": time, "mass-loss-speed-hz": speed, "no-mass-loss": none, from, until, ...others } = options;
+    use({ ...others, friction: friction.toFixed(3), "mass-loss-speed-hz": speed_Hz.toFixed(1) });
+  }) });
+
+// ---- playing, frame, zoom
+
+function play(on) {
+  playing = on;
+  last_ms = null;
+  at("play").textContent = on ? "Pause" : "Play";
+  if (on) requestAnimationFrame(step);
+  else keepView();
+}
+function step(now_ms) {
+  if (!playing) return;
+  const passed_s = last_ms === null ? 0 : Math.min((now_ms - last_ms) / 1e3, 0.1);
+  last_ms = now_ms;
+  const next_s = time_s + passed_s / Number(at("slowness").value);
+  if (next_s > plots.part[1]) return play(false);
+  goTo(next_s);
+  requestAnimationFrame(step);
+}
+at("play").addEventListener("click", () => {
+  if (!playing && time_s >= story.at(-1).time_s - 1e-9) goTo(plots.part[0]);
+  play(!playing);
+});
+
+function showFrame() {
+  if (view.frame) at("frame").value = view.frame;
+  if (view.zoom > 0) orbit.zoom = Number(view.zoom);
+  const is_orbit = at("frame").value !== "ring";
+  at("rotor").hidden = is_orbit;
+  at("orbit").hidden = !is_orbit;
+  orbit.frame = at("frame").value === "rotating" ? "rotating" : "stator";
+  rotor.paint();
+}
+at("frame").addEventListener("change", () => { view = {}; showFrame(); keepView(); });
+
+const views = {
+  "zoom-in": () => plots.stretch(0.5), "zoom-out": () => plots.stretch(2),
+  "show-all": () => plots.showPart(picture.from_s, picture.until_s), "show-accident": () => plots.showPart(...accident()),
+};
+for (const [id, act] of Object.entries(views)) at(id).addEventListener("click", act);
+
+// ---- what is kept of a run
+
+function download(blob, name) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+at("save-picture").addEventListener("click", () => {
+  const [scene, curves] = [at(at("rotor").hidden ? "orbit" : "rotor"), at("plots")];
+  const both = document.createElement("canvas"), ctx = both.getContext("2d");
+  both.width = scene.width + curves.width;
+  both.height = Math.max(scene.height, curves.height);
+  ctx.fillStyle = getComputedStyle(document.body).backgroundColor;
+  ctx.fillRect(0, 0, both.width, both.height);
+  ctx.drawImage(scene, 0, 0);
+  ctx.drawImage(curves, scene.width, 0);
+  both.toBlob((blob) => download(blob, "accident.png"));
+});
+at("copy-link").addEventListener("click", async () => {
+  history.replaceState(null, "", address());
   try {
-    await navigator.clipboard.writeText(commandOf(options));
-    mention("The command is in the clipboard.");
+    await navigator.clipboard.writeText(location.href);
+    say("The link is in the clipboard.");
   } catch { // which a browser may refuse
-    getSelection().selectAllChildren(at("command"));
-    mention("The command is selected below: copy it.");
+    say("The link is in the address bar.");
   }
 });
 at("save").addEventListener("click", async () => {
   const { csv, refusal } = (await background.ask({ kind: "trace", options })) ?? {};
   if (refusal) say(refusal, "refused");
-  if (!csv) return;
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([csv], { type: "text/csv" }));
-  link.download = "trace.csv";
-  link.click();
-  URL.revokeObjectURL(link.href);
+  if (csv) download(new Blob([csv], { type: "text/csv" }), "trace.csv");
 });
 at("sure").addEventListener("click", () => {
   const on = at("sure").getAttribute("aria-pressed") !== "true";
@@ -226,48 +270,14 @@ at("sure").addEventListener("click", () => {
   else sureness.forget();
 });
 
-// ---- the part of the time that is shown
-
-function stretch(factor, shift = 0) {
-  const [from, until] = plots.part;
-  const middle = (from + until) / 2 + shift * (until - from), half = (factor * (until - from)) / 2;
-  plots.showPart(middle - half, middle + half);
-}
-const views = {
-  "zoom-in": () => stretch(0.5),
-  "zoom-out": () => stretch(2),
-  earlier: () => stretch(1, -0.25),
-  later: () => stretch(1, 0.25),
-  "show-all": () => plots.showPart(picture.from_s, picture.until_s),
-  "show-contact": () => around(picture.summary.first_contact_s),
-  "show-rolling": () => around(picture.summary.rolling_onset_s),
-};
-function around(time_s) {
-  if (time_s !== null) plots.showPart(time_s - 0.002, time_s + 0.004);
-}
-for (const [id, act] of Object.entries(views)) at(id).addEventListener("click", () => picture && act());
-
-// ---- orbit and rotor
-
-at("frame").addEventListener("change", () => orbit.showFrame(at("frame").value));
-at("orbit-in").addEventListener("click", () => orbit.zoom(1.5));
-at("orbit-out").addEventListener("click", () => orbit.zoom(1 / 1.5));
-at("orbit-fit").addEventListener("click", () => orbit.fit());
-at("slowness").addEventListener("change", () => (rotor.slowness = Number(at("slowness").value)));
-at("play").addEventListener("click", () => play(!rotor.playing));
-
-function play(on) {
-  rotor.playing = on;
-  at("play").textContent = on ? "Pause" : "Play";
-}
-
-play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+at("map-key").replaceChildren(...Object.entries(outcomes).map(([letter, name]) => {
+  const item = document.createElement("li");
+  item.className = `outcome-${letter === "-" ? "none" : letter}`;
+  item.textContent = name;
+  return item;
+}));
 onColoursChanged(() => {
-  plots.recolour();
-  orbit.draw();
+  for (const seen of [plots, orbit, rotor, map]) seen.paint();
 });
-window.addEventListener("hashchange", () => {
-  const [stated, other = null] = settingsIn(location.hash);
-  compare(other);
-  use(stated);
-});
+showFrame();
+refresh();

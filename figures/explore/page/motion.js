@@ -11,17 +11,36 @@ export function rowAt(times, time_s) {
   return low;
 }
 
-/// The columns at that time, by their names, drawn straight between two rows.
+/// The columns at that time, by their names, drawn straight between two rows; a contact state is that
+/// of the first of them.
 export function stateAt(motion, time_s) {
   const row = rowAt(motion.time_s, time_s);
   const next = Math.min(row + 1, motion.time_s.length - 1);
   const length = motion.time_s[next] - motion.time_s[row];
-  const share = length > 0 ? Math.min(1, (time_s - motion.time_s[row]) / length) : 0;
-  return Object.fromEntries(Object.entries(motion).map(([name, column]) =>
+  const share = length > 0 ? Math.min(1, Math.max(0, (time_s - motion.time_s[row]) / length)) : 0;
+  const now = Object.fromEntries(Object.entries(motion).map(([name, column]) =>
     [name, column[row] + share * (column[next] - column[row])]));
+  if (motion.contact_state) now.contact_state = motion.contact_state[row];
+  return now;
 }
 
-const contact_states = ["free", "sliding", "rolling", "free, ring indented"];
+/// Turns a second of O about the ring's centre, positive with the rotation (from x_a to y_a).
+export function whirlAt(motion, time_s) {
+  const about_s = 5e-5; // a small part of a turn
+  const [{ x_a_m: x, y_a_m: y }, { x_a_m: x1, y_a_m: y1 }] = [time_s - about_s, time_s + about_s].map((at) => stateAt(motion, at));
+  return Math.atan2(x * y1 - y * x1, x * x1 + y * y1) / (4 * Math.PI * about_s);
+}
 
-export const inWords = (now) => `t = ${now.time_s.toFixed(5)} s, ${contact_states[Math.round(now.contact_state)]}, ` +
-  `f = ${now.speed_Hz.toFixed(1)} Hz, F_n = ${(now.normal_force_N / 1e3).toFixed(0)} kN`;
+/// O in axes that turn with the rotor: q1 and q2.
+export const inRotorAxes = ({ x_a_m: x, y_a_m: y, q3_rad: angle }) => [
+  x * Math.cos(angle) + y * Math.sin(angle), y * Math.cos(angle) - x * Math.sin(angle)];
+
+const contact_states = ["in flight", "sliding", "rolling", "in flight"];
+
+/// Times are in milliseconds after the mass loss.
+export const inMilliseconds = (time_s, loss_s) => 1e3 * (time_s - (loss_s ?? 0));
+
+export const inWords = (now, loss_s) =>
+  `${inMilliseconds(now.time_s, loss_s).toFixed(2).replace("-", "−")} ms${loss_s === null ? "" : " after the loss"}: ` +
+  `${contact_states[Math.round(now.contact_state)]}, ${now.speed_Hz.toFixed(1)} Hz` +
+  (now.normal_force_N < 0 ? `, ${(-now.normal_force_N / 1e3).toFixed(0)} kN` : "");

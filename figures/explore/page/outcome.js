@@ -1,4 +1,4 @@
-// What has become of a rotor, in words and numbers.
+// The outcome of a run, in words and numbers.
 
 /// What follows "The rotor", by the outcome of the summary.
 export const outcomes = {
@@ -47,19 +47,13 @@ const rows = [
 export const numbersOf = (summary) => rows.map(([name, of, shown = String]) =>
   [name, of(summary) === null ? "–" : shown(of(summary))]);
 
-/// Fills a table's body: a row a number, a column a run.
-export function showNumbers(body, summaries) {
-  const columns = summaries.map(numbersOf);
-  body.replaceChildren(...rows.map(([name], i) => {
-    const row = document.createElement("tr");
-    const head = document.createElement("th");
+/// Fills a table's body: a row a number.
+export function showNumbers(body, summary) {
+  body.replaceChildren(...numbersOf(summary).map(([name, text]) => {
+    const row = document.createElement("tr"), head = document.createElement("th"), cell = document.createElement("td");
     head.scope = "row";
-    head.textContent = name;
-    row.append(head, ...columns.map((column) => {
-      const cell = document.createElement("td");
-      cell.textContent = column[i][1];
-      return cell;
-    }));
+    [head.textContent, cell.textContent] = [name, text];
+    row.append(head, cell);
     return row;
   }));
 }

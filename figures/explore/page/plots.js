@@ -1,216 +1,235 @@
-// What happens over time: force, speed, energy, displacement. They share their cursor and their
-// part of the time, which others can follow.
-import uPlot from "uplot";
+// Force, speed and energy on one axis of milliseconds after the loss, below bands of what the rotor does.
+import { cleared, colour } from "./colours.js";
+import { panels, ticks } from "./curves.js";
+import { inMilliseconds } from "./motion.js";
+import { bandsOf } from "./story.js";
 
-import { colour } from "./colours.js";
-import { plots } from "./curves.js";
-import { nameOfEvent } from "./outcome.js";
-import { letTouch } from "./touch.js";
-
-const height = 210;
+const left = 50, right = 10, top = 24, bottom = 36;
+const narrow = 500; // where names of areas take a line of their own
 
 export class Plots {
-  #plots = [];
+  #canvas;
   #picture = null;
-  #others = []; // pictures that are drawn behind: { picture, colour, later_s }
-  #onPartShown;
-  #sharing = false;
+  #columns = [];
+  #ghosts = []; // pictures that are drawn behind, and how much later each is
+  #part = [0, 1];
+  #time_s = 0;
+  #still = document.createElement("canvas"); // all but the time
+  #hear;
 
-  constructor(container, onPartShown) {
-    this.#onPartShown = onPartShown;
-    for (const spec of plots) {
-      const figure = document.createElement("figure");
-      figure.id = spec.id;
-      figure.className = "plot";
-      const caption = document.createElement("figcaption");
-      caption.textContent = `${spec.title}, ${spec.unit}`;
-      const told = document.createElement("p"); // for those who do not see the curves
-      told.className = "unseen";
-      figure.append(caption, told);
-      container.append(figure);
-      this.#plots.push({ spec, figure, told, plot: null, ghosts: [], now: null });
-    }
-    new ResizeObserver(() => this.#resize()).observe(container);
+  /// `onTime(s)` hears where somebody points, `onPart(from, until)` which part is shown.
+  constructor(canvas, { onTime, onPart }) {
+    this.#canvas = canvas;
+    this.#hear = { onTime, onPart };
+    new ResizeObserver(() => this.paint()).observe(canvas);
+    const timeAt = ({ offsetX }) => this.#part[0] + ((offsetX - left) / this.#width) * (this.#part[1] - this.#part[0]);
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      onTime(timeAt(event));
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (canvas.hasPointerCapture(event.pointerId)) onTime(timeAt(event));
+    });
+    canvas.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !event.shiftKey) return; // which scrolls the page
+      event.preventDefault();
+      this.stretch(event.deltaY < 0 ? 0.8 : 1.25, timeAt(event));
+    }, { passive: false });
+    canvas.addEventListener("keydown", (event) => this.#press(event));
   }
 
-  /// Draws a picture. `kept`: the part of the time that is shown stays.
-  show(picture, kept) {
+  show(picture, part, time_s) {
     this.#picture = picture;
-    const part = this.part;
-    for (const entry of this.#plots) {
-      const data = [picture.motion.time_s, ...entry.spec.curves.map((curve) => curve.of(picture))];
-      entry.told.textContent = inWords(entry.spec, data);
-      if (!entry.plot) this.#make(entry, data);
-      else entry.plot.setData(data, !kept);
-    }
-    if (kept) this.showPart(...part);
+    this.#columns = panels.map(({ curves }) => curves.map((curve) => curve.of(picture)));
+    this.#time_s = time_s;
+    this.showPart(...part);
   }
-
-  /// Puts other pictures behind, in the plots whose columns they have.
-  showBehind(others) {
-    if (others.length === 0 && this.#others.length === 0) return;
-    this.#others = others;
-    for (const entry of this.#plots)
-      entry.ghosts = others.flatMap(({ picture, colour: name, later_s }) =>
-        entry.spec.curves.slice(0, 1).filter((curve) => canDraw(curve, picture)).map((curve) => ({
-          times: picture.motion.time_s, values: curve.of(picture), name, later_s })));
-    if (this.part[0] !== null) this.showPart(...this.part); // with room for them
+  showBehind(ghosts) {
+    this.#ghosts = ghosts;
+    this.paint();
   }
-
-  /// Shows a part of the time, or all of it.
+  /// A part of the run, at least a tenth of a millisecond of it.
   showPart(from_s, until_s) {
-    for (const { plot } of this.#plots) plot?.setScale("x", { min: from_s, max: until_s });
+    const { from_s: least, until_s: greatest } = this.#picture;
+    const length = Math.min(Math.max(until_s - from_s, 1e-4), greatest - least);
+    const begin = Math.min(Math.max(from_s, least), greatest - length);
+    this.#part = [begin, begin + length];
+    this.#hear.onPart(...this.#part);
+    this.paint();
   }
-
+  stretch(factor, about_s = this.#time_s) {
+    const [from, until] = this.#part;
+    this.showPart(about_s + factor * (from - about_s), about_s + factor * (until - about_s));
+  }
   get part() {
-    const { min, max } = this.#plots[0].plot?.scales.x ?? { min: null, max: null };
-    return [min, max];
+    return this.#part;
   }
-
-  /// Marks an instant.
   markNow(time_s) {
-    for (const { plot, now } of this.#plots) {
-      if (!plot) continue;
-      const at = plot.valToPos(time_s, "x");
-      now.style.transform = `translateX(${at}px)`;
-      now.hidden = !(at >= 0 && at <= plot.over.clientWidth);
-    }
+    this.#time_s = time_s;
+    const [from, until] = this.#part;
+    if (time_s < from || time_s > until) this.showPart(time_s - (until - from) / 2, time_s + (until - from) / 2);
+    else this.#paintNow();
   }
 
-  recolour() {
-    for (const entry of this.#plots) {
-      entry.plot?.destroy();
-      entry.plot = null;
-    }
-    if (this.#picture) this.show(this.#picture, false);
-    this.showBehind(this.#others);
+  get #width() {
+    return this.#canvas.clientWidth - left - right;
+  }
+  #x(time_s) {
+    return left + ((time_s - this.#part[0]) / (this.#part[1] - this.#part[0])) * this.#width;
   }
 
-  #make(entry, data) {
-    const { spec, figure } = entry;
-    const axis = { stroke: colour("text"), grid: { stroke: colour("grid"), width: 1 }, ticks: { stroke: colour("grid") } };
-    const plot = new uPlot({
-      width: figure.clientWidth,
-      height,
-      legend: { live: true },
-      cursor: { sync: { key: "time" }, drag: { x: true, y: false }, points: { size: 5 } },
-      scales: { x: { time: false }, y: { range: (u, least, greatest) => rangeWith(entry, u, least, greatest) } },
-      axes: [{ ...axis, label: "t, s", labelSize: 18, size: 34 }, { ...axis, size: 62 }],
-      series: [
-        { label: "t, s", value: (u, value) => value?.toFixed(5) ?? "–" },
-        ...spec.curves.map(({ label, colour: name }) => ({
-          label, stroke: colour(name), width: 1.25, points: { show: false },
-          value: (u, value) => (value === null || value === undefined ? "–" : `${value.toPrecision(5)} ${spec.unit}`),
-        })),
-      ],
-      hooks: {
-        drawClear: [(u) => drawGhosts(u, entry.ghosts)],
-        draw: spec.events ? [(u) => drawEvents(u, this.#picture.events)] : [],
-        setScale: [(u, key) => key === "x" && this.#share(u)],
-      },
-    }, data, figure);
-    entry.plot = plot;
-    entry.now = document.createElement("div");
-    entry.now.className = "now";
-    plot.over.append(entry.now);
-    letTouch(plot.over, {
-      range: () => [plot.scales.x.min, plot.scales.x.max],
-      show: (from_s, until_s) => this.showPart(from_s, until_s),
+  #press(event) {
+    const [from, until] = this.#part, step = (until - from) / 200;
+    const to = { ArrowLeft: this.#time_s - step, ArrowRight: this.#time_s + step, PageDown: this.#time_s - 20 * step,
+      PageUp: this.#time_s + 20 * step, Home: from, End: until }[event.key];
+    const factor = { "+": 0.5, "-": 2 }[event.key];
+    if (to === undefined && !factor) return;
+    event.preventDefault();
+    if (factor) this.stretch(factor);
+    else this.#hear.onTime(to);
+  }
+
+  paint() {
+    if (!this.#picture || this.#canvas.clientWidth === 0) return;
+    const { width, height } = cleared(this.#canvas);
+    this.#still.width = this.#canvas.width;
+    this.#still.height = this.#canvas.height;
+    const ctx = this.#still.getContext("2d");
+    ctx.scale(devicePixelRatio, devicePixelRatio);
+    ctx.font = "12px system-ui, sans-serif";
+    const between = panels.map((panel) => (panel.stacked && this.#width < narrow ? 40 : 24));
+    const room = height - top - bottom - between.reduce((one, other) => one + other);
+    let y = top;
+    this.#paintBands(ctx, height);
+    panels.forEach((panel, i) => {
+      y += between[i];
+      this.#paintPanel(ctx, panel, this.#columns[i], y, panel.share * room);
+      y += panel.share * room;
+    });
+    this.#paintAxis(ctx, height - bottom, width);
+    this.#paintNow();
+  }
+
+  #paintNow() {
+    if (!this.#picture || this.#still.width === 0) return;
+    const { ctx, height } = cleared(this.#canvas);
+    ctx.drawImage(this.#still, 0, 0, this.#canvas.clientWidth, this.#canvas.clientHeight);
+    const x = this.#x(this.#time_s);
+    ctx.fillStyle = colour("text");
+    ctx.fillRect(x - 0.75, top, 1.5, height - top - bottom);
+    ctx.beginPath();
+    for (const [dx, dy] of [[-6, -9], [6, -9], [0, 0]]) ctx.lineTo(x + dx, top + dy);
+    ctx.fill();
+  }
+
+  #paintBands(ctx, height) {
+    ctx.textAlign = "center";
+    bandsOf(this.#picture).forEach(({ name, from_s, until_s }) => {
+      const from = Math.max(left, this.#x(from_s)), until = Math.min(left + this.#width, this.#x(until_s));
+      if (until <= from) return;
+      ctx.fillStyle = colour(`band-${name}`);
+      ctx.fillRect(from, 0, until - from, height - bottom);
+      ctx.fillStyle = colour("text");
+      if (ctx.measureText(name).width < until - from - 6) ctx.fillText(name, (from + until) / 2, 15);
+      ctx.fillRect(from, 0, 0.5, height - bottom);
     });
   }
 
-  /// The part of the time that one plot shows is shown by all.
-  #share(from) {
-    if (this.#sharing) return;
-    this.#sharing = true;
-    const { min, max } = from.scales.x;
-    for (const { plot } of this.#plots)
-      if (plot && plot !== from && (plot.scales.x.min !== min || plot.scales.x.max !== max))
-        plot.setScale("x", { min, max });
-    this.#sharing = false;
-    this.#onPartShown(min, max);
-  }
-
-  #resize() {
-    for (const { plot, figure } of this.#plots)
-      if (plot && plot.width !== figure.clientWidth) plot.setSize({ width: figure.clientWidth, height });
-  }
-}
-
-/// The ranges of the curves.
-function inWords({ curves, unit }, [times, ...columns]) {
-  const range = (column) => {
-    let least = Infinity, greatest = -Infinity;
-    for (const value of column) {
-      least = Math.min(least, value);
-      greatest = Math.max(greatest, value);
+  #paintAxis(ctx, y, width) {
+    const loss_s = this.#picture.mass_loss_s, [from, until] = this.#part;
+    ctx.fillStyle = colour("text");
+    ctx.textAlign = "center";
+    for (const { value, text } of ticks(inMilliseconds(from, loss_s), inMilliseconds(until, loss_s), this.#width / 80)) {
+      const x = this.#x(value / 1e3 + (loss_s ?? 0));
+      ctx.fillRect(x - 0.5, y, 1, 4);
+      ctx.fillText(text, x, y + 16);
     }
-    return `from ${least.toPrecision(4)} to ${greatest.toPrecision(4)} ${unit}`;
-  };
-  const ranges = columns.map((column, i) => `${curves[i].label} ${range(column)}`);
-  return `Between ${times[0].toFixed(3)} and ${times.at(-1).toFixed(3)} s: ${ranges.join(", ")}.`;
-}
+    ctx.fillText(loss_s === null ? "time, ms" : "time after the loss, ms", left + this.#width / 2, y + 31, width);
+  }
 
-function canDraw(curve, { motion }) {
-  if (curve.label === "F_n") return "normal_force_N" in motion;
-  return curve.label === "f" ? "speed_Hz" in motion : "q1_m" in motion;
-}
+  #paintPanel(ctx, panel, columns, y, height) {
+    const times = this.#picture.motion.time_s, [from, until] = this.#part;
+    let first = 0, last = times.length - 1;
+    while (first < last && times[first + 1] < from) ++first;
+    while (last > first && times[last - 1] > until) --last;
+    const ghosts = panel.stacked ? [] : this.#ghosts.map(({ picture, later_s }) =>
+      ({ times: picture.motion.time_s, later_s, values: panel.curves[0].of(picture) }));
+    const stack = panel.stacked ? stacked(columns) : columns;
+    let greatest = 0, least = Infinity;
+    const meet = (value) => { greatest = Math.max(greatest, value); least = Math.min(least, value); };
+    for (let row = first; row <= last; ++row) meet(stack.at(-1)[row]);
+    for (const ghost of ghosts) ghost.times.forEach((time, i) =>
+      time - ghost.later_s >= from && time - ghost.later_s <= until && meet(ghost.values[i]));
+    if (panel.events || panel.stacked || least < greatest / 2) least = 0;
+    if (panel.unit === "Hz" && greatest - least < 0.02 * greatest) least -= 0.01 * greatest;
+    greatest += 0.06 * (greatest - least) || 1;
+    const place = (value) => y + height * (1 - (value - least) / (greatest - least));
 
-/// Room for what is drawn behind, too.
-function rangeWith({ ghosts }, u, least, greatest) {
-  const [first, last] = u.series[0].idxs; // of the part that is shown
-  const min = u.data[0][first], max = u.data[0][last];
-  for (const { times, values, later_s } of ghosts)
-    for (let i = 0; i < times.length; ++i)
-      if (times[i] - later_s >= min && times[i] - later_s <= max) {
-        least = Math.min(least, values[i]);
-        greatest = Math.max(greatest, values[i]);
+    ctx.textAlign = "right";
+    ctx.fillStyle = colour("text");
+    for (const { value, text } of ticks(least, greatest, height / 34)) {
+      ctx.fillText(text, left - 6, place(value) + 4);
+      ctx.globalAlpha = 0.15;
+      ctx.fillRect(left, place(value), this.#width, 1);
+      ctx.globalAlpha = 1;
+    }
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(left, y - 2, this.#width, height + 3);
+    ctx.clip();
+    ctx.lineJoin = "round";
+    const line = (of, values, later_s = 0, begin = 0, end = of.length - 1) => {
+      for (let row = begin; row <= end; ++row) ctx.lineTo(this.#x(of[row] - later_s), place(values[row]));
+    };
+    for (const { times: of, values, later_s } of ghosts) {
+      ctx.strokeStyle = colour("draw");
+      ctx.beginPath();
+      line(of, values, later_s);
+      ctx.stroke();
+    }
+    panel.curves.forEach(({ colour: name }, i) => {
+      ctx.strokeStyle = ctx.fillStyle = colour(name);
+      ctx.lineWidth = panel.stacked ? 0.75 : 1.75;
+      ctx.beginPath();
+      line(times, stack[i], 0, first, last);
+      if (panel.stacked) {
+        for (let row = last; row >= first; --row)
+          ctx.lineTo(this.#x(times[row]), place(i > 0 ? stack[i - 1][row] : 0));
+        ctx.fill();
+        ctx.strokeStyle = colour("page");
       }
-  return uPlot.rangeNum(least, greatest, 0.08, true);
+      ctx.stroke();
+    });
+    ctx.restore();
+    this.#paintHead(ctx, panel, y - 7);
+  }
+
+  /// What a panel shows, and which area is what.
+  #paintHead(ctx, { title, unit, stacked: has_areas, curves }, y) {
+    ctx.textAlign = "left";
+    ctx.fillStyle = colour("text");
+    ctx.font = "600 12px system-ui, sans-serif";
+    const below = has_areas && this.#width < narrow;
+    ctx.fillText(`${title}, ${unit}`, left, below ? y - 16 : y);
+    let x = below ? left - 40 : left + ctx.measureText(`${title}, ${unit}`).width + 14;
+    ctx.font = "12px system-ui, sans-serif";
+    if (!has_areas) return;
+    for (const { label, colour: name } of curves) {
+      const words = below ? label.split(" ").at(-1) : label;
+      ctx.fillStyle = colour("quiet");
+      ctx.fillRect(x - 1, y - 10, 12, 12);
+      ctx.fillStyle = colour(name);
+      ctx.fillRect(x, y - 9, 10, 10);
+      ctx.fillStyle = colour("text");
+      ctx.fillText(words, x + 13, y);
+      x += ctx.measureText(words).width + (below ? 19 : 28);
+    }
+  }
 }
 
-function drawGhosts(u, ghosts) {
-  const { ctx, bbox } = u;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-  ctx.clip();
-  ctx.lineWidth = devicePixelRatio;
-  for (const { times, values, name, later_s } of ghosts) {
-    ctx.strokeStyle = colour(name);
-    ctx.beginPath();
-    for (let i = 0; i < times.length; ++i)
-      ctx.lineTo(u.valToPos(times[i] - later_s, "x", true), u.valToPos(values[i], "y", true));
-    ctx.stroke();
-  }
-  ctx.restore();
-}
-
-/// Those that there is but one of are named, each in a line of its own.
-const lines = { mass_loss: 0, rolling_onset: 1, motor_off: 2 };
-
-function drawEvents(u, events) {
-  const { ctx, bbox } = u, pixel = devicePixelRatio;
-  const told = new Set();
-  ctx.save();
-  ctx.font = `${11 * pixel}px system-ui, sans-serif`;
-  ctx.fillStyle = ctx.strokeStyle = colour("event");
-  ctx.lineWidth = pixel;
-  for (const { event, time_s } of events) {
-    const x = u.valToPos(time_s, "x", true);
-    const is_named = event in lines;
-    if (x < bbox.left || x > bbox.left + bbox.width || !(is_named || event === "touch_down")) continue;
-    ctx.setLineDash(is_named ? [3 * pixel, 3 * pixel] : []);
-    ctx.beginPath();
-    ctx.moveTo(x, bbox.top);
-    ctx.lineTo(x, bbox.top + (is_named ? bbox.height : 10 * pixel));
-    ctx.stroke();
-    if (!is_named || told.has(event)) continue;
-    told.add(event);
-    const at_end = x > bbox.left + 0.7 * bbox.width;
-    ctx.textAlign = at_end ? "right" : "left";
-    ctx.fillText(nameOfEvent(event), x + (at_end ? -4 : 4) * pixel,
-      bbox.top + bbox.height - (6 + 13 * lines[event]) * pixel);
-  }
-  ctx.restore();
+/// Each column on those before it.
+export function stacked(columns) {
+  const sums = [];
+  for (const column of columns) sums.push(column.map((value, row) => value + (sums.at(-1)?.[row] ?? 0)));
+  return sums;
 }

@@ -1,133 +1,159 @@
-// The rotor in its ring, moved by the data of a run, in slow motion.
-import { colour } from "./colours.js";
-import { inWords, stateAt } from "./motion.js";
+// The rotor in its ring at a time of a run: as on paper x_a points down and y_a to the right, and angles
+// turn from x_a to y_a.
+import { arrow, cleared, colour } from "./colours.js";
+import { inWords, rowAt, stateAt, whirlAt } from "./motion.js";
 
-const gap = 0.16; // how wide the clearance is drawn, in parts of the ring's radius
+const gap = 0.22; // how wide the clearance is drawn, in parts of the ring's radius
+const trail_s = 0.004, flies_s = 0.0015; // what lies behind O; how long the piece is seen
 
 export class RotorView {
   #canvas;
   #told;
-  #onTime;
   #picture = null;
-  #ring = { clearance_m: 1, radius_m: 1 };
-  #part = [0, 1];
   #time_s = 0;
-  #slowness = 300;
-  #playing = false;
-  #last_ms = null;
 
-  /// Shows on a canvas, tells state and time in words, and the time to whoever follows it.
-  constructor(canvas, told, onTime) {
+  /// Shows on a canvas, and says state and time in words.
+  constructor(canvas, told) {
     this.#canvas = canvas;
     this.#told = told;
-    this.#onTime = onTime;
-    new ResizeObserver(() => this.#paint()).observe(canvas);
+    new ResizeObserver(() => this.paint()).observe(canvas);
   }
-
-  show(picture, ring) {
+  show(picture, time_s) {
     this.#picture = picture;
-    this.#ring = ring;
-    this.goTo(this.#time_s);
+    this.goTo(time_s);
   }
-  showPart(from_s, until_s) {
-    this.#part = [from_s, until_s];
-    this.goTo(this.#time_s);
-  }
-  set slowness(times) {
-    this.#slowness = times;
-    this.#paint();
-  }
-  get playing() {
-    return this.#playing;
-  }
-  set playing(on) {
-    this.#playing = on;
-    this.#last_ms = null;
-    if (on) requestAnimationFrame((now_ms) => this.#step(now_ms));
-  }
-
-  /// To a time inside of what is shown.
   goTo(time_s) {
-    const [from, until] = this.#part;
-    this.#time_s = time_s >= from && time_s <= until ? time_s : from;
-    this.#paint();
-    this.#onTime(this.#time_s);
+    this.#time_s = time_s;
+    this.paint();
   }
 
-  #step(now_ms) {
-    if (!this.#playing) return;
-    const passed_s = this.#last_ms === null ? 0 : (now_ms - this.#last_ms) / 1e3;
-    this.#last_ms = now_ms;
-    if (this.#picture && !document.hidden) this.goTo(this.#time_s + Math.min(passed_s, 0.1) / this.#slowness);
-    requestAnimationFrame((next_ms) => this.#step(next_ms));
-  }
-
-  #paint() {
+  paint() {
     if (!this.#picture) return;
-    const canvas = this.#canvas, ctx = canvas.getContext("2d");
-    const size = canvas.clientWidth;
-    canvas.width = canvas.height = size * devicePixelRatio;
-    ctx.scale(devicePixelRatio, devicePixelRatio);
-    ctx.translate(size / 2, size / 2);
-    const now = stateAt(this.#picture.motion, this.#time_s);
-    const ring = 0.44 * size, rotor = ring * (1 - gap);
-    const pixels_per_m = (ring * gap) / this.#ring.clearance_m;
-    // x_a points down, y_a to the right; angles turn from x_a to y_a.
-    const centre = [now.y_a_m * pixels_per_m, now.x_a_m * pixels_per_m];
-    paintRing(ctx, ring, size);
-    const lost = this.#picture.mass_loss_s !== null && this.#time_s >= this.#picture.mass_loss_s;
-    paintRotor(ctx, centre, rotor, now.q3_rad, lost);
-    if (now.normal_force_N < 0) {
-      const peak = Math.max(1, this.#picture.summary.peak_normal_force_N ?? 1);
-      paintContact(ctx, Math.atan2(now.x_a_m, now.y_a_m), ring, -now.normal_force_N / peak);
-    }
-    const enlarged = ((this.#ring.radius_m + this.#ring.clearance_m) * gap) / this.#ring.clearance_m;
-    this.#told.textContent = `${inWords(now)}; ${this.#slowness} times slower than real, ` +
-      `the clearance enlarged ${enlarged.toFixed(1)} times`;
+    const { motion, mass_loss_s: loss_s, summary } = this.#picture;
+    const now = stateAt(motion, this.#time_s);
+    this.#told.textContent = inWords(now, loss_s);
+    if (this.#canvas.hidden) return;
+    const { ctx, width, height } = cleared(this.#canvas);
+    ctx.translate(width / 2, height / 2);
+    const ring = 0.39 * Math.min(width, height), radius = ring * (1 - gap);
+    const clearance_m = summary.inputs.stator_radius - summary.inputs.rotor_radius;
+    const pixels_per_m = (ring * gap) / clearance_m;
+    const at = ({ x_a_m, y_a_m }) => [y_a_m * pixels_per_m, x_a_m * pixels_per_m];
+    const centre = at(now), lost = loss_s !== null && this.#time_s >= loss_s;
+    const touches = now.normal_force_N < 0;
+    paintRing(ctx, ring);
+    paintRotor(ctx, centre, radius, now.q3_rad, lost);
+    if (lost && this.#time_s < loss_s + flies_s)
+      paintPiece(ctx, { loss: stateAt(motion, loss_s), since_s: this.#time_s - loss_s, radius, at });
+    const behind = [];
+    for (let row = rowAt(motion.time_s, this.#time_s - trail_s); row < rowAt(motion.time_s, this.#time_s); ++row)
+      behind.push(at({ x_a_m: motion.x_a_m[row], y_a_m: motion.y_a_m[row] }));
+    paintTrail(ctx, [...behind, centre]);
+    paintTurn(ctx, centre, 0.42 * radius, 1, "spin", `spin ${now.speed_Hz.toFixed(0)} Hz`, "text");
+    const whirl_Hz = whirlAt(motion, this.#time_s);
+    if (touches && Math.abs(whirl_Hz) > 1)
+      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl ${Math.abs(whirl_Hz).toFixed(0)} Hz`, "second",
+        Math.atan2(centre[1], centre[0]));
+    if (touches) paintForce(ctx, now, ring, summary.peak_normal_force_N);
+    ctx.fillStyle = colour("quiet");
+    ctx.textAlign = "center";
+    ctx.fillText(`clearance drawn ${((summary.inputs.stator_radius * gap) / clearance_m).toFixed(1)} times as wide`, 0, height / 2 - 6);
   }
 }
 
-function paintRing(ctx, radius, size) {
+function paintRing(ctx, ring) {
   ctx.fillStyle = colour("ring");
   ctx.beginPath();
-  ctx.arc(0, 0, 0.49 * size, 0, 2 * Math.PI);
-  ctx.arc(0, 0, radius, 0, 2 * Math.PI, true);
+  ctx.arc(0, 0, 1.09 * ring, 0, 2 * Math.PI);
+  ctx.arc(0, 0, ring, 0, 2 * Math.PI, true);
   ctx.fill();
+  ctx.fillStyle = colour("quiet");
+  ctx.fillRect(-4, -0.5, 8, 1);
+  ctx.fillRect(-0.5, -4, 1, 8);
 }
 
-/// The mass centre lies along the rotor's axis x; the piece that is lost leaves the other side.
+const half_piece = 0.15; // rad
+
+/// The mass centre lies along the rotor's axis x; the piece that is lost leaves the other side a notch.
 function paintRotor(ctx, [x, y], radius, angle, lost) {
-  const of_x = Math.PI / 2 - angle; // as the canvas counts
+  const notch = Math.PI / 2 - angle + Math.PI; // as the canvas counts
+  const half = lost ? half_piece : 0;
   ctx.fillStyle = colour("rotor");
   ctx.strokeStyle = colour("text");
+  ctx.lineWidth = 1.5;
   ctx.beginPath();
-  const half_piece = lost ? 0.16 : 0;
-  ctx.arc(x, y, radius, of_x + Math.PI + half_piece, of_x + 3 * Math.PI - half_piece);
-  if (lost) ctx.lineTo(x + 0.88 * radius * Math.cos(of_x + Math.PI), y + 0.88 * radius * Math.sin(of_x + Math.PI));
+  ctx.arc(x, y, radius, notch + half, notch + 2 * Math.PI - half);
+  if (lost) ctx.lineTo(x + 0.84 * radius * Math.cos(notch), y + 0.84 * radius * Math.sin(notch));
   ctx.closePath();
   ctx.fill();
   ctx.stroke();
+  if (!lost) paintWedge(ctx, [x, y], radius, notch);
+}
+
+function paintWedge(ctx, [x, y], radius, direction) {
+  ctx.fillStyle = colour("second");
   ctx.beginPath();
-  ctx.moveTo(x, y);
-  ctx.lineTo(x + 0.8 * radius * Math.cos(of_x), y + 0.8 * radius * Math.sin(of_x));
-  ctx.stroke();
-  ctx.beginPath();
-  ctx.arc(x, y, 3, 0, 2 * Math.PI);
-  ctx.fillStyle = colour("text");
+  ctx.moveTo(x + 0.84 * radius * Math.cos(direction), y + 0.84 * radius * Math.sin(direction));
+  ctx.arc(x, y, radius, direction - half_piece, direction + half_piece);
   ctx.fill();
 }
 
-/// The force on the rotor, as long as it is large beside the largest.
-function paintContact(ctx, direction, ring, share) {
-  const [c, s] = [Math.cos(direction), Math.sin(direction)];
-  const tip = ring * (1 - 0.6 * share);
-  ctx.strokeStyle = ctx.fillStyle = colour("event");
-  ctx.lineWidth = 3;
+/// It keeps the velocity that it had at the rim.
+function paintPiece(ctx, { loss, since_s, radius, at }) {
+  const direction = Math.PI / 2 - loss.q3_rad + Math.PI;
+  const way = 2 * Math.PI * loss.speed_Hz * radius * since_s; // along the rim's tangent, against the canvas's angle
+  const [x, y] = at(loss);
+  ctx.globalAlpha = 1 - since_s / flies_s;
+  paintWedge(ctx, [x + way * Math.sin(direction), y - way * Math.cos(direction)], radius, direction);
+  ctx.globalAlpha = 1;
+}
+
+function paintTrail(ctx, points) {
+  ctx.strokeStyle = ctx.fillStyle = colour("first");
+  ctx.lineWidth = 2;
+  for (let n = 1; n < points.length; ++n) {
+    ctx.globalAlpha = (n / points.length) ** 2;
+    ctx.beginPath();
+    ctx.moveTo(...points[n - 1]);
+    ctx.lineTo(...points[n]);
+    ctx.stroke();
+  }
+  ctx.globalAlpha = 1;
   ctx.beginPath();
-  ctx.moveTo(ring * c, ring * s);
-  ctx.lineTo(tip * c, tip * s);
-  ctx.stroke();
-  ctx.beginPath();
-  ctx.arc(ring * c, ring * s, 5, 0, 2 * Math.PI);
+  ctx.arc(...points.at(-1), 4, 0, 2 * Math.PI);
   ctx.fill();
 }
+
+/// An arrow along a circle: with the rotation, which is against the canvas's angle, or against it.
+function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
+  const length = name === "spin" ? 1.6 * Math.PI : 0.9, points = [];
+  for (let n = 0; n <= 24; ++n) {
+    const angle = begin - sense * ((n / 24) * length + (name === "spin" ? 0.6 * Math.PI : 0.08));
+    points.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
+  }
+  ctx.strokeStyle = ctx.fillStyle = colour(ink);
+  ctx.lineWidth = name === "spin" ? 2 : 4;
+  arrow(ctx, points, name === "spin" ? 8 : 12);
+  ctx.textAlign = "center";
+  ctx.font = "600 13px system-ui, sans-serif";
+  if (name === "spin") ctx.fillText(text, x, y + (y > 0 ? -1.5 : 1.7) * radius); // away from the contact
+  else {
+    const [right, down] = points[12];
+    ctx.textAlign = right > 0 ? "left" : "right";
+    const room = ctx.measureText(text).width, edge = ctx.canvas.clientWidth / 2 - 4;
+    const place = right > 0 ? Math.min(right * 1.06, edge - room) : Math.max(right * 1.06, room - edge);
+    ctx.fillText(text, place, down * 1.1 + (Math.abs(right) < 0.5 * radius ? Math.sign(down) * 8 : 0));
+  }
+  ctx.font = "12px system-ui, sans-serif";
+}
+
+/// The ring's force on the rotor: inwards, and along the rim by friction (positive in the sense of q3).
+function paintForce(ctx, { x_a_m, y_a_m, normal_force_N: normal, friction_force_N: friction }, ring, peak_N) {
+  const rho = Math.hypot(x_a_m, y_a_m), n = [y_a_m / rho, x_a_m / rho];
+  const scale = (0.75 * ring) / Math.max(peak_N, 1), contact = n.map((part) => part * ring);
+  ctx.strokeStyle = ctx.fillStyle = colour("event");
+  ctx.lineWidth = 4;
+  arrow(ctx, [contact, forceTip(contact, n, normal * scale, friction * scale)], Math.min(12, 4 - normal * scale));
+}
+export const forceTip = ([x, y], [right, down], normal, friction) =>
+  [x + normal * right + friction * down, y + normal * down - friction * right];

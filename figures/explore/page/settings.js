@@ -9,18 +9,34 @@ export const optionOf = (name) => name.replaceAll("_", "-");
 export const textOf = (number) =>
   Math.abs(number) >= 1e5 ? number.toExponential().replace("+", "") : String(number);
 
-/// Settings from an address, such as #friction=0.2&until=29.2, or two of them with a slash between. What
+/// Settings from an address, such as #friction=0.2&until=29.2, and behind a slash the view of them. What
 /// no option or number looks like is left out: anybody may have written the address.
 export function settingsIn(hash) {
-  return hash
+  const [options, view = {}] = hash
     .replace(/^#/, "")
     .split("/")
     .map((part) => Object.fromEntries([...new URLSearchParams(part)].filter(
       ([option, text]) => /^[a-z-]+$/.test(option) && /^[\w.+-]*$/.test(text))));
+  return [options, view];
 }
 
-export function addressOf(...settings) {
-  return "#" + settings.map((options) => new URLSearchParams(options).toString()).join("/");
+export const addressOf = (...parts) => "#" + parts.map((part) => new URLSearchParams(part).toString()).join("/");
+
+/// The two corrections of the equations by their own names, whichever name they had together.
+export function corrections({ equations, ...others }) {
+  return equations === "consistent" ? { "velocity-jump": "once", "gravity-moment": "balanced", ...others } : others;
+}
+
+/// The set of equations that has a map, or null for a mixed one.
+export function setOf(options) {
+  const { "velocity-jump": jump = "twice", "gravity-moment": moment = "as-printed" } = corrections(options);
+  return jump === "once" && moment === "balanced" ? "consistent" : jump !== "once" && moment !== "balanced" ? "published" : null;
+}
+
+/// The same settings in a set of equations.
+export function inSet(options, set) {
+  const { equations, "velocity-jump": jump, "gravity-moment": moment, ...others } = options;
+  return set === "consistent" ? { ...others, equations: set } : others;
 }
 
 /// The command that repeats a run. Where a trace begins is no part of that.

@@ -10,7 +10,7 @@ export class Sureness {
   #onCurves;
   #asked = 0; // which request the draws belong to
 
-  /// Tells in words, and shows the curves of the draws.
+  /// Says it in words, and shows the curves of the draws.
   constructor(told, onCurves) {
     this.#told = told;
     this.#onCurves = onCurves;
@@ -43,7 +43,7 @@ export class Sureness {
 }
 
 function sentences(drawn, refused) {
-  if (drawn.length === 0) return ["None of the draws is a rotor."];
+  if (drawn.length === 0) return ["The model refuses all draws."];
   const summaries = drawn.map(({ summary }) => summary);
   const all = Object.keys(outcomes)
     .map((outcome) => [outcome, summaries.filter((summary) => summary.outcome === outcome).length])
@@ -53,10 +53,10 @@ function sentences(drawn, refused) {
   const peaks = summaries.map((summary) => summary.peak_normal_force_N).filter((force) => force !== null);
   if (peaks.length > 0) all.push(`Largest normal force: ${range(peaks, inKilonewton)}.`);
   all.push(`Touch-downs: ${range(summaries.map((summary) => summary.touch_downs), String)}.`);
-  if (refused > 0) all.push(`Draws that are no rotors: ${refused}.`);
-  all.push(`Drawn is what stands at a printed value, over what its digits allow: ${drawn[0].drawn
-    .map(({ quantity, from, to }) => `${quantity} ${from} … ${to}`).join(", ") || "nothing"}. What has been set ` +
-    "to another value stays as it is. Grey curves: the draws, their mass losses put on that of this setting.");
+  if (refused > 0) all.push(`Refused draws: ${refused}.`);
+  all.push(`Inputs at their printed values vary within their printed digits: ${drawn[0].drawn
+    .map(({ quantity, from, to }) => `${quantity.replaceAll("_", " ")} ${from} … ${to}`).join(", ") || "none"}. Inputs set ` +
+    "to other values keep them. Grey curves: the draws, each from its own mass loss.");
   return all;
 }
 

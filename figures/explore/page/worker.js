@@ -1,5 +1,5 @@
-// Where runs are computed. A busy worker hears nothing: who wants it to stop ends it.
-import makeEngine from "emscripten engine";
+// Where runs are computed, behind emscripten's script, whose function is Module. A busy worker hears
+// nothing: to stop it, end it.
 
 let engine;
 
@@ -21,7 +21,7 @@ self.onmessage = async ({ data }) => {
 };
 
 async function startEngine({ wasm, printedInputs }) {
-  const module = await makeEngine({
+  const module = await Module({
     instantiateWasm(imports, done) {
       WebAssembly.instantiate(wasm, imports).then(done);
       return {};

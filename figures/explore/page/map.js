@@ -1,0 +1,150 @@
+// The map of outcomes over speed and friction, with the laws' lines and a pin for each of the paper's cases.
+import { cleared, colour } from "./colours.js";
+import { ticks } from "./curves.js";
+
+/// By the letters of the map's cells. They differ in lightness, and their keys in words.
+export const outcomes = {
+  n: "no contact", u: "undecided in 0.5 s", f: "free again", b: "bouncing", s: "sliding", r: "backward rolling", "-": "touches before the loss",
+};
+const laws = {
+  contact: { dash: [], name: "contact", width: 2 }, whirl: { dash: [9, 3, 2, 3], name: "backward whirl", width: 2 },
+  forward: { dash: [8, 4], name: "forward rub ends", width: 2 }, force: { dash: [2, 3], name: "300 kN", width: 2 },
+};
+const left = 44, right = 8, top = 8, bottom = 40;
+
+export class OutcomeMap {
+  #canvas;
+  #maps;
+  #set = "published";
+  #marker;
+  #pins = [];
+  #now = null; // the speed, Hz, and friction of the run that is shown
+
+  /// `pins`: { label, speed_Hz, friction, options }; onPick(options) and, where a run can be computed,
+  /// onDrag(speed_Hz, friction).
+  constructor(canvas, { maps, pins, onPick, onDrag }) {
+    this.#canvas = canvas;
+    this.#maps = maps;
+    const holder = canvas.parentElement;
+    for (const { label, ...pin } of pins) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.className = this.#pins.length % 2 ? "pin" : "pin below"; // neighbours do not cover each other
+      button.textContent = label;
+      button.setAttribute("aria-label", `${label}: ${pin.speed_Hz.toFixed(1)} Hz, friction ${pin.friction}`);
+      button.addEventListener("click", () => onPick(pin.options));
+      holder.append(button);
+      this.#pins.push({ button, ...pin });
+    }
+    this.#marker = document.createElement("button");
+    Object.assign(this.#marker, { type: "button", className: "marker", disabled: !onDrag });
+    holder.append(this.#marker);
+    if (onDrag) this.#letDrag(onDrag);
+    new ResizeObserver(() => this.paint()).observe(canvas);
+  }
+
+  show({ set, speed_Hz, friction }) {
+    this.#set = set;
+    this.#now = { speed_Hz, friction };
+    this.paint();
+  }
+
+  #letDrag(onDrag) {
+    const within = (value, [least, greatest]) => Math.min(greatest, Math.max(least, value));
+    const to = (speed_Hz, friction) => onDrag(within(speed_Hz, [11, 149.9]), within(friction, [0, 0.5]));
+    const pick = (event) => {
+      const box = this.#canvas.getBoundingClientRect();
+      to(...this.#valuesAt(event.clientX - box.left, event.clientY - box.top));
+    };
+    for (const element of [this.#marker, this.#canvas]) {
+      element.addEventListener("pointerdown", (event) => {
+        element.setPointerCapture(event.pointerId);
+        if (element === this.#canvas) pick(event);
+      });
+      element.addEventListener("pointermove", (event) => element.hasPointerCapture(event.pointerId) && pick(event));
+    }
+    this.#marker.addEventListener("keydown", (event) => {
+      const [df, dmu] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 0.01], ArrowDown: [0, -0.01] }[event.key] ?? [];
+      if (df === undefined) return;
+      event.preventDefault();
+      to(this.#now.speed_Hz + df, this.#now.friction + dmu);
+    });
+  }
+
+  get #box() {
+    const { from, to } = this.#maps[this.#set];
+    return { from, to, width: this.#canvas.clientWidth - left - right, height: this.#canvas.clientHeight - top - bottom };
+  }
+  #place([speed_Hz, friction]) {
+    const { from, to, width, height } = this.#box;
+    return [left + (width * (speed_Hz - from[0])) / (to[0] - from[0]), top + height * (1 - (friction - from[1]) / (to[1] - from[1]))];
+  }
+  #valuesAt(x, y) {
+    const { from, to, width, height } = this.#box;
+    return [from[0] + ((x - left) / width) * (to[0] - from[0]), from[1] + (1 - (y - top) / height) * (to[1] - from[1])];
+  }
+
+  paint() {
+    if (!this.#now || this.#canvas.clientWidth === 0) return;
+    const { ctx, height } = cleared(this.#canvas), box = this.#box;
+    this.#paintCells(ctx, box);
+    this.#paintLaws(ctx);
+    ctx.fillStyle = colour("text");
+    ctx.textAlign = "center";
+    for (const { value, text } of ticks(box.from[0], box.to[0], box.width / 70)) ctx.fillText(text, this.#place([value, 0])[0], height - 24);
+    ctx.fillText("speed at the mass loss, Hz", left + box.width / 2, height - 7);
+    ctx.textAlign = "right";
+    for (const { value, text } of ticks(box.from[1], box.to[1], box.height / 50)) ctx.fillText(text, left - 5, this.#place([0, value])[1] + 4);
+    ctx.save();
+    ctx.translate(12, top + box.height / 2);
+    ctx.rotate(-Math.PI / 2);
+    ctx.textAlign = "center";
+    ctx.fillText("friction μ", 0, 0);
+    ctx.restore();
+    for (const { button, speed_Hz, friction } of this.#pins) put(button, this.#place([speed_Hz, friction]));
+    put(this.#marker, this.#place([this.#now.speed_Hz, this.#now.friction]));
+    this.#marker.setAttribute("aria-label", `shown: ${this.#now.speed_Hz.toFixed(1)} Hz, friction ${this.#now.friction}` +
+      (this.#marker.disabled ? "" : "; arrow keys move it"));
+  }
+
+  /// Each cell about its point, its edges on whole pixels, so that none is smoothed into its neighbours.
+  #paintCells(ctx, { width, height }) {
+    const rows = this.#maps[this.#set].cells, count = rows[0].length;
+    const edge = (n, of, length) => Math.round((length * (n - 0.5)) / (of - 1));
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(left, top, width, height);
+    ctx.clip();
+    rows.forEach((cells, row) => {
+      const y = top + height - edge(row, rows.length, height), next = top + height - edge(row + 1, rows.length, height);
+      for (let n = 0; n < count; ++n) {
+        ctx.fillStyle = colour(`outcome-${cells[n] === "-" ? "none" : cells[n]}`);
+        ctx.fillRect(left + edge(n, count, width), next, edge(n + 1, count, width) - edge(n, count, width), y - next);
+      }
+    });
+    ctx.restore();
+  }
+
+  #paintLaws(ctx) {
+    const of = this.#maps[this.#set].laws, { to } = this.#box;
+    for (const [name, { dash, width }] of Object.entries(laws)) {
+      const lines = name === "contact" ? of.contact.map((speed_Hz) => [[speed_Hz, 0], [speed_Hz, to[1]]]) : [of[name]];
+      for (const [ink, wide] of [["page", width + 2], ["text", width]]) {
+        ctx.strokeStyle = colour(ink);
+        ctx.lineWidth = wide;
+        ctx.setLineDash(dash);
+        for (const line of lines) {
+          ctx.beginPath();
+          line.forEach((point, n) => {
+            const is_gap = n > 0 && point[0] - line[n - 1][0] > 1; // where the law says nothing
+            ctx[is_gap ? "moveTo" : "lineTo"](...this.#place(point));
+          });
+          ctx.stroke();
+        }
+      }
+    }
+    ctx.setLineDash([]);
+  }
+}
+
+const put = (element, [x, y]) => Object.assign(element.style, { left: `${x}px`, top: `${y}px` });

@@ -1,0 +1,30 @@
+// Runs that the page brings along, in the form in which the engine answers.
+
+/// A column from [least, greatest, steps of a 65535th as base64].
+export function column([least, greatest, text]) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const steps = new Uint16Array(bytes.buffer);
+  return Float64Array.from(steps, (step) => least + (step * (greatest - least)) / 65535);
+}
+
+const columns = (all) => Object.fromEntries(Object.entries(all).map(([name, packed]) => [name, column(packed)]));
+
+/// What states the same: numbers as numbers, the paper's own left out.
+const keyOf = (options) => JSON.stringify(Object.entries(options)
+  .filter(([name, text]) => !(name === "equations" && text === "published"))
+  .map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)]).sort());
+
+export class Recorded {
+  #runs;
+  constructor(runs) {
+    this.#runs = new Map(runs.map((run) => [keyOf(run.options), run]));
+  }
+  has(options) {
+    return this.#runs.has(keyOf(options));
+  }
+  /// The answer of the engine to these options, or null.
+  answer(options) {
+    const run = this.#runs.get(keyOf(options));
+    return run ? { ...run, motion: columns(run.motion), works: columns(run.works) } : null;
+  }
+}

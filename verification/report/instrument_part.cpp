@@ -1,0 +1,174 @@
+/// The accident for the page's instrument: the paper's cases as the engine in a browser gives them,
+/// and the map of outcomes with the laws of model/theory.
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "figures/data/csv.hpp"
+#include "figures/explore/explorer.hpp"
+#include "model/theory/accident.hpp"
+#include "verification/report/document.hpp"
+
+namespace rotor {
+namespace {
+
+/// What the pins of the map state.
+const std::vector<Options> cases = {{},
+                                    {{"friction", "0.2"}},
+                                    {{"friction", "0.08"}},
+                                    {{"mass-loss-time", "19.1"}},
+                                    {{"mass-loss-time", "14.15"}},
+                                    {{"mass-loss-time", "9.4"}}};
+
+/// Of curves, relative to their ranges: a pixel or two.
+constexpr double closeness = 8e-3;
+
+/// So much of the rolling or sliding that ends a run is kept, s: it continues as it began.
+constexpr double kept_s = 0.012;
+
+/// When what ends a run has begun.
+double last_change_s(const Json& run) {
+  const Json& onset_s = run["summary"]["rolling_onset_s"];
+  if (!onset_s.is_null()) return onset_s;
+  double last_s = run["until_s"];
+  for (const Json& event : run["events"]) {
+    if (event["event"] == "touch_down") last_s = event["time_s"];
+    if (event["event"] == "release") last_s = run["until_s"];
+  }
+  return last_s;
+}
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  static const std::string letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t n = 0; n < bytes.size(); n += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      three = three << 8U | (n + i < bytes.size() ? bytes[n + i] : 0U);
+    for (std::size_t i = 0; i < 4; ++i)
+      text += n + i > bytes.size() ? '=' : letters[three >> (18 - 6 * i) & 63U];
+  }
+  return text;
+}
+
+/// Columns by their names, each in steps of a 65535th of its range: [least, greatest, steps].
+Json quantised(const Table& all, const nlohmann::ordered_json& names, double until_s) {
+  Table table(all.columns());
+  for (std::size_t row = 0; row < all.rows() && all.row(row)[0] <= until_s; ++row)
+    table.add(all.row(row));
+  Json columns;
+  for (std::size_t i = 0; i < table.columns(); ++i) {
+    double least = INFINITY, greatest = -INFINITY;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      least = std::min(least, table.row(row)[i]);
+      greatest = std::max(greatest, table.row(row)[i]);
+    }
+    const double step = greatest > least ? (greatest - least) / 65535 : 1;
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const auto steps = static_cast<unsigned>(std::lround((table.row(row)[i] - least) / step));
+      bytes.push_back(static_cast<std::uint8_t>(steps));
+      bytes.push_back(static_cast<std::uint8_t>(steps >> 8U));
+    }
+    columns[names[i].get<std::string>()] = {least, greatest, base64(bytes)};
+  }
+  return columns;
+}
+
+/// So many rows of a table, and its last one.
+Table thinned(const Table& table) {
+  constexpr std::size_t kept = 2000;
+  Table some(table.columns());
+  const std::size_t every = table.rows() / kept + 1;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (row % every == 0 || row + 1 == table.rows()) some.add(table.row(row));
+  return some;
+}
+
+Json runs_json() {
+  Explorer explorer({});
+  Observer nobody;
+  Json runs = Json::array();
+  for (const Set& set : sets)
+    for (Options options : cases) {
+      if (set.equations != Equations::published) options["equations"] = set.name;
+      const Picture picture = explorer.run(options, nobody, closeness);
+      Json run = picture.told;
+      const double until_s = std::min(run["until_s"].get<double>(), last_change_s(run) + kept_s);
+      run["until_s"] = until_s;
+      run["options"] = options;
+      run["motion"] = quantised(picture.motion, picture.told["motion"], until_s);
+      run["works"] = quantised(thinned(picture.works), picture.told["works"], until_s);
+      for (Json& event : run["events"])
+        event = {{"event", event["event"]},
+                 {"time_s", event["time_s"]},
+                 {"normal_force_N", event["normal_force_N"]},
+                 {"slip_velocity_m_per_s", event["slip_velocity_m_per_s"]}};
+      runs.push_back(run);
+    }
+  return runs;
+}
+
+/// Where the laws change what happens, as lines over the speed at the loss, Hz.
+Json laws_json(const Equations& equations) {
+  constexpr double step_Hz = 0.5, most_Hz = 180, most_friction = 0.5;
+  Json lines = {{"contact", Json::array()},
+                {"whirl", Json::array()},
+                {"forward", Json::array()},
+                {"force", Json::array()}};
+  bool touched = false;
+  for (double speed_Hz = 3; speed_Hz <= most_Hz; speed_Hz += step_Hz) {
+    Parameters p;
+    const auto law = [&] { return Accident(p, equations, 2 * std::numbers::pi * speed_Hz); };
+    try {
+      const Accident at = law();
+      const bool touches = at.contact_s.has_value();
+      if (touches != touched) lines["contact"].push_back(speed_Hz - step_Hz / 2);
+      touched = touches;
+      if (at.whirl_friction && *at.whirl_friction < most_friction)
+        lines["whirl"].push_back({speed_Hz, *at.whirl_friction});
+      if (touches && at.forward_friction < most_friction)
+        lines["forward"].push_back({speed_Hz, at.forward_friction});
+      double low = 0.02, high = most_friction;  // the force grows with friction
+      const auto exceeds = [&](double friction) {
+        p.friction = friction;
+        return law().peak_force().value_or(0) > 300e3;
+      };
+      if (!exceeds(high)) continue;
+      for (int halving = 0; halving < 20; ++halving)
+        (exceeds((low + high) / 2) ? high : low) = (low + high) / 2;
+      if (high > at.whirl_friction.value_or(0)) lines["force"].push_back({speed_Hz, high});
+    } catch (const std::domain_error&) {  // touches before it loses anything
+    }
+  }
+  return lines;
+}
+
+/// Outcomes by the first letter of each, row after row; "-" for what touches or stalls before it
+/// loses its piece.
+Json maps_json(const std::filesystem::path& csv) {
+  std::map<std::string, Json> maps;
+  for (const CsvRow& row : read_csv(csv)) {
+    const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
+    const Json point = {number("start_speed_hz"), number("friction")};
+    Json& map = maps.try_emplace(row["equations_varied"], Json{{"from", point}, {"cells", Json()}})
+                    .first->second;
+    if (map["to"].is_null() || point[1] != map["to"][1]) map["cells"].push_back("");
+    map["to"] = point;
+    const std::string outcome = row["outcome"];
+    map["cells"].back().get_ref<std::string&>() +=
+        outcome.empty() || outcome == "stalled" ? '-' : outcome[0];
+  }
+  for (const Set& set : sets) maps.at(set.name)["laws"] = laws_json(set.equations);
+  return maps;
+}
+
+}  // namespace
+
+Json instrument_json(const std::filesystem::path& report) {
+  return {{"runs", runs_json()}, {"maps", maps_json(report / "map.csv")}};
+}
+
+}  // namespace rotor
