@@ -81,10 +81,6 @@ Json uncertainty_json(const fs::path& csv, const Json& names) {
         line["inputs"] = {{"from", fmt::format("{:.1f}", std::min(from, to))},
                           {"wide", fmt::format("{:.1f}", std::abs(to - from))}};
       }
-      std::string input = row["decided_by"];
-      input = input.substr(0, input.find_first_of(" ;"));
-      std::ranges::replace(input, '_', ' ');
-      line["decided_by"] = input.starts_with("mu ") ? "friction" : input;
       rows.push_back(line);
     }
   return rows;
