@@ -74,8 +74,10 @@ Json uncertainty_json(const fs::path& csv, const Json& names) {
                    {"method", place("u_num")},
                    {"steps", place("u_num_published_method")}};
       if (!row["u_input_b"].empty() && row.number("u_input_b") > 0) {
-        const double from = std::stod(on_axis(static_cast<double>(row.number("u_input_a")))),
-                     to = std::stod(on_axis(static_cast<double>(row.number("u_input_b"))));
+        const auto b = static_cast<double>(row.number("u_input_b"));
+        auto a = static_cast<double>(row.number("u_input_a"));
+        if (!(a > 0)) a = b;  // the time of the loss changes nothing
+        const double from = std::stod(on_axis(a)), to = std::stod(on_axis(b));
         line["inputs"] = {{"from", fmt::format("{:.1f}", std::min(from, to))},
                           {"wide", fmt::format("{:.1f}", std::abs(to - from))}};
       }
@@ -95,8 +97,12 @@ Json proven_json(const fs::path& csv) {
     const std::string set =
         command.find("consistent") == std::string::npos ? "published" : "consistent";
     const double lower = static_cast<double>(row.number("lower"));
-    const std::string text = fmt::format("{:.13g}", lower);
-    if (text != fmt::format("{:.13g}", static_cast<double>(row.number("upper")))) continue;
+    const auto in_digits = [](double value) {
+      return value == std::round(value) ? fmt::format("{:g}", value)
+                                        : fmt::format("{:#.13g}", value);
+    };
+    const std::string text = in_digits(lower);
+    if (text != in_digits(static_cast<double>(row.number("upper")))) continue;
     if (!all.contains(quantity)) order.push_back(quantity);
     all[quantity].emplace(set, text);
   }

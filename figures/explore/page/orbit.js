@@ -4,8 +4,8 @@ import { inRotorAxes, rowAt, stateAt } from "./motion.js";
 
 /// What lies to the right and what below: as in the paper, x_a points down.
 const frames = {
-  stator: { names: ["y_a", "x_a"], at: ({ x_a_m, y_a_m }) => [y_a_m, x_a_m] },
-  rotating: { names: ["q1", "q2"], at: inRotorAxes },
+  stator: { names: ["yₐ", "xₐ"], at: ({ x_a_m, y_a_m }) => [y_a_m, x_a_m] },
+  rotating: { names: ["q₁", "q₂"], at: inRotorAxes },
 };
 const bright_s = 0.003; // the path just before the time that is shown
 

@@ -35,7 +35,7 @@ const rows = [
   ["first contact", (s) => s.first_contact_s, inSeconds],
   ["onset of rolling", (s) => s.rolling_onset_s, inSeconds],
   ["speed then", (s) => s.rolling_onset_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
-  ["largest |F_n|", (s) => s.peak_normal_force_N, inKilonewton],
+  ["largest normal force", (s) => s.peak_normal_force_N, inKilonewton],
   ["when", (s) => s.peak_time_s, inSeconds],
   ["largest displacement", (s) => s.max_displacement_m, (rho) => `${(1e3 * rho).toFixed(3)} mm`],
   ["whirl in rolling", (s) => s.whirl_frequency_Hz, (f) => `${f.toFixed(1)} Hz`],

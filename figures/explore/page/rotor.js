@@ -142,7 +142,8 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
     ctx.textAlign = right > 0 ? "left" : "right";
     const room = ctx.measureText(text).width, edge = ctx.canvas.clientWidth / 2 - 4;
     const place = right > 0 ? Math.min(right * 1.06, edge - room) : Math.max(right * 1.06, room - edge);
-    ctx.fillText(text, place, down * 1.1 + (Math.abs(right) < 0.5 * radius ? Math.sign(down) * 8 : 0));
+    const low = down * 1.1 + (Math.abs(right) < 0.5 * radius ? Math.sign(down) * 8 : 0);
+    ctx.fillText(text, place, Math.max(low, 14 - ctx.canvas.clientHeight / 2));
   }
   ctx.font = "12px system-ui, sans-serif";
 }

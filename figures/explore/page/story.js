@@ -1,4 +1,5 @@
 // A run as a story: the kinds of motion that follow each other, and its moments in sentences.
+import { outcomes } from "./outcome.js";
 
 /// Flight, impacts, sliding and rolling, each from when until when, s.
 export function bandsOf({ events, from_s, until_s }) {
@@ -77,11 +78,11 @@ export function storyOf(picture) {
   const many = summary.touch_downs;
   story.push({ time_s: rolls_s === null ? first.time_s + 0.5 * (end.from_s - first.time_s) : 0.3 * end.from_s + 0.7 * rolls_s,
     title: many > 1 ? `${many} impacts, then sliding` : "Sliding", text: "Friction at the rim takes from the spin what it " +
-      "gives to the whirl of the centre, which grows against the rotation." });
+      "gives to the whirl of the centre, against the rotation." });
   if (rolls_s === null) {
     story.at(-1).title = many > 1 ? `${many} impacts` : "One impact";
-    story.push({ time_s: summary.peak_time_s, title: "Never rolling", text: `Rebounds lose more than friction can give: ` +
-      `the rim does not come to roll within this run. At most ${inKilonewton(summary.peak_normal_force_N)}.` });
+    story.push({ time_s: summary.peak_time_s, title: "No rolling", text: `The largest force is ` +
+      `${inKilonewton(summary.peak_normal_force_N)}. At the end of this run the rotor ${outcomes[summary.outcome]}.` });
     return story;
   }
   story.push({ time_s: rolls_s, title: "Slip ends", text: `At ${inHertz(summary.rolling_onset_speed_Hz)}, ` +
