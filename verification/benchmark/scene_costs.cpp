@@ -16,7 +16,7 @@ namespace rotor {
 namespace {
 
 struct Cost {
-  ProductionReport report;
+  ProductionCost of;
   long pairs{};  ///< of sine and cosine
   std::size_t samples{}, kept{};
   double time_s =
@@ -40,7 +40,7 @@ Cost cost(const std::vector<const Scene*>& scenes) {
                                         auto row) { table.add(row); })});
     const long pairs_before = sine_cosine_pairs();
     const auto begin = std::chrono::steady_clock::now();
-    cost.report = produce(requests);
+    cost.of = produce(requests);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
     cost.time_s = std::min(cost.time_s, time.count());
     cost.pairs = sine_cosine_pairs() - pairs_before;
@@ -54,9 +54,9 @@ Cost cost(const std::vector<const Scene*>& scenes) {
 }
 
 void print(const std::string& name, const Cost& cost) {
-  const Counters& counted = cost.report.cost;
+  const Counters& counted = cost.of.counters;
   fmt::print("{:<22} {:>4} {:>4} {:>9} {:>9} {:>9} {:>6} {:>9} {:>8} {:>7} {:>7.1f}\n", name,
-             cost.report.run_ups, cost.report.runs, counted.steps, counted.right_hand_sides,
+             cost.of.run_ups, cost.of.runs, counted.steps, counted.right_hand_sides,
              counted.contact_evaluations, counted.located_events, cost.pairs, cost.samples,
              cost.kept, 1e3 * cost.time_s);
   std::fflush(stdout);

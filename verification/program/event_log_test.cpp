@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "figures/input/names.hpp"
-#include "figures/runs/observer_group.hpp"
 #include "model/run/simulation.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/short_run.hpp"

@@ -6,9 +6,9 @@
 #include <set>
 #include <tuple>
 
-#include "figures/runs/observer_group.hpp"
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/figure_folder.hpp"
 #include "verification/support/figure_list.hpp"
