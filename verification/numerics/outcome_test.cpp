@@ -31,7 +31,8 @@ TEST(Outcome, OfARotorThatHangsAtItsCriticalSpeedIsAStallByEitherMethod) {
       if (method == Method::rk4) continue;
       RunUps run_ups;
       Observer null_observer;
-      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, null_observer), scenario, std::nullopt, null_observer)
+      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, null_observer), scenario, std::nullopt,
+                       null_observer)
                     .summary.outcome,
                 outcome);
     }

@@ -151,7 +151,8 @@ double rolling_share(Equations equations, double friction, double contact_dampin
     spec.numbers["start_speed_hz"] = 120 + 3 * n;
     const Scenario scenario = scenario_of(spec);
     Observer null_observer;
-    const RunResult account = finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, null_observer);
+    const RunResult account =
+        finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, null_observer);
     rolling += account.summary.outcome == rotor::Outcome::rolling ? 1 : 0;
   }
   return static_cast<double>(rolling) / speeds;
