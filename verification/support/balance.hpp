@@ -36,7 +36,7 @@ class BalanceObserver : public Observer {
     }
   }
 
-  /// Begins at the start, and anew after the mass loss, whose jump is not a load's.
+  /// Starts at the first instant, and again after the mass loss, whose jump is not a load's.
   void on_instant(const Instant& at) override {
     const Contents now = contents(at);
     if (!begun_ || at.event == Event::mass_loss) {
