@@ -1,7 +1,5 @@
-/// How files get written here: whole or not at all.
+/// Writes files whole or not at all.
 #pragma once
-
-#include <sys/types.h>
 
 #include <filesystem>
 #include <memory>
@@ -11,11 +9,11 @@
 
 namespace rotor {
 
-/// A file that is being written. A regular one is written beside its place under a name of its own,
-/// and takes the place when it is committed, with the mode and the owner of what was there; before
-/// that nothing existing is touched, and without it nothing is left behind. Links are followed.
-/// What is no regular file, such as a device or a pipe, is written straight away; so is "-", which
-/// is standard output. All throw std::runtime_error, naming the file and the reason.
+/// A file that is being written. A regular one is written as a draft in the same folder, which
+/// replaces it, with its mode, when it is committed; before that nothing existing is touched, and
+/// without it nothing is left behind. Links are followed. A device or a pipe is written straight
+/// away; so is "-", which is standard output. All throw std::runtime_error, naming the file and the
+/// reason.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);
@@ -26,15 +24,14 @@ class OutputFile {
   void write(std::string_view text);
   /// After this, all that was written has left the program.
   void flush();
-  /// After this, it survives a power cut, and once it is committed, so does that it took its place.
+  /// After this, it survives a power cut.
   void sync();
   void commit();
 
  private:
-  void open_in_place();
   void open_draft();
-  void remove_stale_drafts() const;
   void create_folders();
+  void remove_folders() const;
   [[noreturn]] void fail(std::string_view reason) const;
   [[noreturn]] void fail_by_errno() const;
 
@@ -43,11 +40,10 @@ class OutputFile {
   std::filesystem::path draft_;                 ///< empty if it is written straight away
   std::vector<std::filesystem::path> folders_;  ///< that had to be created
   int descriptor_ = -1;
-  bool is_synced_ = false;
   std::string buffer_;
 };
 
-/// Whether it is what is printed to, "-" or by another name.
+/// Whether a path leads to standard output: "-", or another name of it.
 bool is_standard_output(const std::filesystem::path& file);
 
 /// Files that appear together, when all have been written.

@@ -2,38 +2,15 @@
 
 #include <atomic>
 #include <csignal>
-#include <cstdint>
-#include <ctime>
 #include <initializer_list>
 
 namespace rotor {
 namespace {
 
 std::atomic<int> noted{0};
-std::atomic<std::int64_t> noted_ms{0};
 static_assert(std::atomic<int>::is_always_lock_free);
-static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-std::int64_t now_ms() {
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
-}
-
-/// A second signal ends the program at once, unless it is the first one's echo: some programs send
-/// theirs to a process and then to its whole group. It may interrupt the first one's handling, or
-/// be handled by another thread at the same time.
-void note(int signal) {
-  constexpr std::int64_t echo_ms = 200;
-  const std::int64_t now = now_ms();
-  std::int64_t first = 0;
-  if (noted_ms.compare_exchange_strong(first, now)) {
-    noted = signal;
-  } else if (now - first > echo_ms) {
-    static_cast<void>(::signal(signal, SIG_DFL));
-    static_cast<void>(::raise(signal));
-  }
-}
+void note(int signal) { noted = signal; }
 
 }  // namespace
 

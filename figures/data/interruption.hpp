@@ -1,12 +1,11 @@
-/// Ctrl-C and its like: long work looks here from time to time, and cleans up behind itself.
+/// Interruptions such as Ctrl-C: long work asks for them from time to time, and cleans up.
 #pragma once
 
 #include <stdexcept>
 
 namespace rotor {
 
-/// From now on SIGINT, SIGTERM and SIGHUP are noted instead of ending the program; the second one
-/// ends it.
+/// From now on SIGINT, SIGTERM and SIGHUP are noted instead of ending the program.
 void note_interruptions();
 
 /// Whether there has been one.

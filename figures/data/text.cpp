@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
@@ -33,27 +30,15 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return last.back();
 }
 
-/// How many bytes the text's first letter has; 0 where it begins with none: with a control
-/// character, which terminals obey, or with what is no UTF-8 or may not stand in XML.
-std::size_t letter_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) -> std::uint32_t {
+/// How many bytes at the beginning of a text are a control character, which terminals obey, or one
+/// that XML does not allow; 0 if there is none.
+std::size_t control_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
   };
-  if (byte(0) < 0x80) return byte(0) >= 0x20 && byte(0) != 0x7f ? 1 : 0;
-  const auto length = static_cast<unsigned>(std::countl_one(static_cast<unsigned char>(text[0])));
-  if (length < 2 || length > 4) return 0;
-  std::uint32_t letter = byte(0) & (0x7fU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0U) != 0x80U) return 0;
-    letter = letter << 6U | (byte(i) & 0x3fU);
-  }
-  constexpr std::array<std::uint32_t, 5> least = {0, 0, 0xa0, 0x800, 0x10000};  // C1 left out
-  const auto is_in = [&](std::uint32_t from, std::uint32_t until) {
-    return from <= letter && letter <= until;
-  };
-  const bool reorders_lines = is_in(0x2028, 0x202e) || is_in(0x2066, 0x2069);
-  const bool is_none = is_in(0xd800, 0xdfff) || is_in(0xfffe, 0xffff) || letter > 0x10ffff;
-  return letter < least[length] || reorders_lines || is_none ? 0U : length;
+  if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
+  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
+  return byte(0) == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe ? 3 : 0;
 }
 
 }  // namespace
@@ -61,10 +46,11 @@ std::size_t letter_length(std::string_view text) {
 std::string one_line(std::string_view text) {
   std::string line;
   while (!text.empty()) {
-    const std::size_t length = letter_length(text);
-    line += length > 0 ? std::string(text.substr(0, length))
-                       : fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
-    text.remove_prefix(std::max<std::size_t>(length, 1));
+    const std::size_t control = control_length(text), length = std::max<std::size_t>(control, 1);
+    for (const char c : text.substr(0, length))
+      line +=
+          control > 0 ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
+    text.remove_prefix(length);
   }
   return line;
 }
@@ -76,7 +62,7 @@ std::string shown(std::string_view text) {
   return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
 }
 
-void tell(std::string_view message) {
+void print_message(std::string_view message) {
   const std::string line = one_line(message) + '\n';
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }

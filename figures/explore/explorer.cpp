@@ -11,7 +11,7 @@
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
 #include "figures/results/run_result.hpp"
-#include "figures/runs/observer_group.hpp"
+#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {

@@ -49,22 +49,15 @@ std::string_view quantity_of(std::string_view input) {
   return input;
 }
 
-/// What a input_quantity determines: itself, or what it stands for.
-std::string_view determined_by(const InputQuantity& input_quantity) {
-  return input_quantity.instead_of.empty() ? input_quantity.quantity.name
-                                           : input_quantity.instead_of;
-}
-
 /// Whether the printed value is the one in effect; of what follows from other numbers, whether it
 /// is within the printed digits.
 bool is_in_effect(std::string_view quantity, const CsvRow& row, const ScenarioSpec& spec,
                   const Scenario& scenario) {
   const InputQuantity& drawn = *find_input_quantity(quantity);
   const auto printed = static_cast<double>(row.number("printed"));
-  if (determined_by(drawn) == "mass_loss_time" && !spec.loses_mass.value_or(true)) return false;
+  if (determined_by(quantity) == "mass_loss_time" && !spec.loses_mass.value_or(true)) return false;
   for (const auto& [name, value] : spec.numbers)
-    if (determined_by(*find_input_quantity(name)) == determined_by(drawn))
-      return name == quantity && value == printed;
+    if (determined_by(name) == determined_by(quantity)) return name == quantity && value == printed;
   if (drawn.quantity.in) return drawn.quantity.of(scenario) == printed;
   const Parameters& p = scenario.parameters;
   const double value =

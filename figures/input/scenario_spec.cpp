@@ -118,22 +118,23 @@ const InputQuantity* find_input_quantity(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::string_view determined_by(std::string_view name) {
+  const InputQuantity* const input = find_input_quantity(name);
+  return input && !input->instead_of.empty() ? input->instead_of : name;
+}
+
 ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
   ScenarioSpec result = *this;
   if (other.digits) result.numbers.erase("tolerance");
   if (number(other, "tolerance")) result.digits = std::nullopt;
-  const auto determines = [](std::string_view name) {
-    const InputQuantity* const input_quantity = find_input_quantity(name);
-    return input_quantity->instead_of.empty() ? name : input_quantity->instead_of;
-  };
   for (const auto& [name, value] : other.numbers)
     std::erase_if(result.numbers, [&, stated = std::string_view(name)](const auto& lower) {
-      return determines(lower.first) == determines(stated);
+      return determined_by(lower.first) == determined_by(stated);
     });
   result.numbers.insert(other.numbers.begin(), other.numbers.end());
   // Above "no mass loss", a time or speed of it states that there is one; below it, none.
   const auto is_of_loss = [&](const auto& number) {
-    return determines(number.first) == "mass_loss_time";
+    return determined_by(number.first) == "mass_loss_time";
   };
   if (std::any_of(other.numbers.begin(), other.numbers.end(), is_of_loss))
     result.loses_mass = true;

@@ -21,6 +21,8 @@ struct InputQuantity {
 /// In the order in which they are documented.
 std::span<const InputQuantity> input_quantities();
 const InputQuantity* find_input_quantity(std::string_view name);
+/// The name of what a number or choice determines: itself, or what it is stated instead of.
+std::string_view determined_by(std::string_view name);
 
 struct ScenarioSpec {
   std::map<std::string, double, std::less<>> numbers;  ///< by the names of input_quantities
@@ -33,13 +35,13 @@ struct ScenarioSpec {
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
 
-  /// The same, with what another statement states put above it.
+  /// The same, where another one takes precedence.
   ScenarioSpec overridden_by(const ScenarioSpec& other) const;
 };
 
-/// Throws InputError, saying what is wrong and what would be right, if two statements determine the
+/// Throws InputError, saying what is wrong and what would be right, if two numbers determine the
 /// same, if one is missing, or if what they make is not physical. The speed at the mass loss is
-/// looked for among run-ups that may be known already.
+/// searched in run-ups that may be known already.
 Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups);
 Scenario scenario_of(const ScenarioSpec& spec);
 

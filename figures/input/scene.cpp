@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "figures/data/text.hpp"
-#include "figures/input/toml_spec.hpp"
+#include "figures/input/toml_file.hpp"
 
 namespace rotor {
 namespace {

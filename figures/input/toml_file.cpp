@@ -7,44 +7,13 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "figures/data/text.hpp"
 
 namespace rotor {
-namespace {
-
-/// The line on which brackets are nested deeper, or keys have more dots, than any scene needs, and
-/// than the parser's recursion stands; 0 if there is none. Quotes are not looked at: no text needs
-/// that many either. Lines of comment are left out, but for what may be a line of a longer text.
-int line_that_nests_too_deep(const std::string& text) {
-  constexpr int deepest = 200;
-  const auto has = [&](const char* marks) { return text.find(marks) != std::string::npos; };
-  const bool has_long_texts = has(R"(""")") || has("'''");
-  std::istringstream lines(text);
-  int number = 1, brackets = 0;
-  for (std::string line; std::getline(lines, line); ++number) {
-    const bool is_comment = line.find_first_not_of(" \t") == line.find('#');
-    if (is_comment && !has_long_texts) continue;
-    int dots = 0;
-    for (const char c : line) {
-      brackets = std::max(0, brackets + (c == '[' || c == '{') - (c == ']' || c == '}'));
-      dots = c == '.' ? dots + 1 : c == ',' || c == '=' ? 0 : dots;
-      if (brackets > deepest || dots > deepest) return number;
-    }
-  }
-  return 0;
-}
-
-}  // namespace
-
 TomlFile::TomlFile(std::filesystem::path file) : file_(std::move(file)) {
-  const std::string text = content();
-  if (const int line = line_that_nests_too_deep(text); line > 0)
-    throw InputError(
-        fmt::format("{}:{}: is nested deeper than any scene needs", file_.string(), line));
   try {
-    root_ = toml::parse(text, file_.string());
+    root_ = toml::parse(content(), file_.string());
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", file_.string(), error.source().begin.line,
                                  one_line(error.description())));
@@ -122,6 +91,33 @@ std::vector<const toml::table*> TomlFile::tables(const toml::table& in,
     fail(*node, key, fmt::format("must be given as [[{}]]", key));
   for (const toml::node& item : *array) all.push_back(item.as_table());
   return all;
+}
+
+ScenarioSpec stated_in(const TomlFile& file, const toml::table& table, TomlFile::Keys other_keys) {
+  TomlFile::Keys allowed = std::move(other_keys);
+  for (const InputQuantity& s : input_quantities()) allowed.push_back(s.quantity.name);
+  const auto named = named_inputs();
+  allowed.push_back("no_mass_loss");
+  allowed.push_back("digits");
+  allowed.insert(allowed.end(), named.begin(), named.end());
+  file.expect_keys(table, allowed);
+
+  ScenarioSpec stated;
+  for (const auto& [quantity, instead_of] : input_quantities())
+    if (const auto number = file.value<double>(table, quantity.name, quantity.range())) {
+      if (!quantity.allows(*number))
+        file.fail(*table.get(quantity.name), quantity.name,
+                  fmt::format("must be {}, not {}", quantity.range(), *number));
+      stated.numbers.emplace(quantity.name, *number);
+    }
+  if (const auto none = file.value<bool>(table, "no_mass_loss", "true or false"))
+    stated.loses_mass = !*none;
+  if (const auto digits = file.value<double>(table, "digits", "a number"))
+    stated.digits = file.at(*table.get("digits"), "digits", [&] { return parse_digits(*digits); });
+  for (const std::string_view key : named)
+    if (const auto name = file.text(table, key))
+      file.at(*table.get(key), key, [&] { state(stated, key, *name); });
+  return stated;
 }
 
 }  // namespace rotor

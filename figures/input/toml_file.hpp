@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "figures/input/names.hpp"
+#include "figures/input/scenario_spec.hpp"
 
 namespace rotor {
 
@@ -18,11 +18,12 @@ class TomlFile {
  public:
   using Keys = std::vector<std::string_view>;
 
-  /// Reads and parses a regular file of bounded size and depth. All throw InputError.
+  /// Reads and parses a regular file of bounded size. All throw InputError.
   explicit TomlFile(std::filesystem::path file);
 
   const toml::table& root() const { return root_; }
   const std::filesystem::path& path() const { return file_; }
+  std::string content() const;
 
   [[noreturn]] void fail(const toml::node& at, std::string_view key,
                          std::string_view message) const;
@@ -53,7 +54,7 @@ class TomlFile {
   /// The tables of that name, in their order; none if there are none.
   std::vector<const toml::table*> tables(const toml::table& in, std::string_view key) const;
 
-  /// What a function throws without a place is reported at this node.
+  /// What a function throws without a place is said of this node.
   template <class F>
   auto at(const toml::node& node, std::string_view key, F parse) const {
     try {
@@ -64,10 +65,12 @@ class TomlFile {
   }
 
  private:
-  std::string content() const;
-
   std::filesystem::path file_;
   toml::table root_;
 };
+
+/// What a table states of a scenario. It may have other keys beside. Throws InputError, naming
+/// file, line and key.
+ScenarioSpec stated_in(const TomlFile& file, const toml::table& table, TomlFile::Keys other_keys);
 
 }  // namespace rotor

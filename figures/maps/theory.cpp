@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
     if (argc != 2) throw std::runtime_error("needs a sweep file");
     rotor::print(argv[1]);
   } catch (const std::exception& error) {
-    rotor::tell(fmt::format("map-theory: {}", error.what()));
+    rotor::print_message(fmt::format("map-theory: {}", error.what()));
     return 1;
   }
 }

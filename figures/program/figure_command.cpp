@@ -44,18 +44,16 @@ void write_figures(const FigureOptions& options) {
     return fs::path(options.out) / fmt::format("fig{:02}.csv", number);
   };
 
-  const auto& [tables, report] = compute_tables(scenes);
+  const auto& [tables, cost] = compute_tables(scenes);
   FileTransaction files;
   for (const auto& [number, scene] : scenes)
     files.write(file_of(number),
                 to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene),
                        headings("run", scene.columns), tables.at(number)));
   files.commit();
-  tell(fmt::format(
-      "data of {} figure(s): {} run-up(s) in {:.3f} s, {} run(s) after it in {:.3f} s, {} "
-      "right-hand sides",
-      scenes.size(), report.run_ups, report.run_up_s, report.runs, report.rub_s,
-      report.cost.right_hand_sides));
+  print_message(
+      fmt::format("data of {} figure(s): {} run-up(s), {} run(s) after them, {} right-hand sides",
+                  scenes.size(), cost.run_ups, cost.runs, cost.counters.right_hand_sides));
 }
 
 }  // namespace rotor

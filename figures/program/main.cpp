@@ -294,17 +294,18 @@ int main(int argc, char** argv) {
     const std::string extras = about_extras(app);
     const std::string message = extras.empty() ? error.what() : extras;
     constexpr std::size_t line = 400;
-    tell("rotor: " + message.substr(0, line));
+    print_message("rotor: " + message.substr(0, line));
     status = error.get_exit_code();
   } catch (const Interrupted& error) {
-    tell(fmt::format("rotor: {}", error.what()));
+    print_message(fmt::format("rotor: {}", error.what()));
     status = 128 + interrupting_signal();  // as shells have it
   } catch (const std::exception& error) {
-    tell(fmt::format("rotor: {}", error.what()));
+    print_message(fmt::format("rotor: {}", error.what()));
     status = 1;
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    tell(fmt::format("rotor: standard output cannot be written: {}", std::strerror(errno)));
+    print_message(
+        fmt::format("rotor: standard output cannot be written: {}", std::strerror(errno)));
     status = status == 0 ? 1 : status;
   }
   return status;

@@ -2,33 +2,32 @@
 #pragma once
 
 #include <chrono>
-#include <optional>
+#include <functional>
 #include <string>
 
 #include "figures/runs/interruptible.hpp"
 
 namespace rotor {
 
-/// When long work says how far it is: after a few seconds, then again and again in one line of a
-/// terminal, and seldom elsewhere.
-class ReportTimes {
+/// What long work says on standard error of how far it is: after a few seconds, then again and
+/// again in one line of a terminal, and seldom elsewhere.
+class ProgressLine {
  public:
-  ReportTimes();
-  ~ReportTimes();  ///< ends the line
-  ReportTimes(const ReportTimes&) = delete;
-  ReportTimes& operator=(const ReportTimes&) = delete;
+  ProgressLine();
+  ~ProgressLine();  ///< ends the line
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
-  std::optional<double> due();  ///< seconds since the start, if it is time to report
-  void print(const std::string& report);
+  /// Shows the text, which is asked for if it is due, with the seconds since the start.
+  void update(const std::function<std::string(double elapsed_s)>& text);
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double next_s_;  ///< when to report, since the start
-  bool on_terminal_, has_reported_ = false;
+  double next_s_;  ///< when a text is due, since the start
+  bool on_terminal_, is_shown_ = false;
 };
 
-/// Interruptible, for one run. Says on standard error how far the run is and how long the rest
-/// will take if it goes on like this.
+/// Interruptible, for one run.
 class RunProgress : public Interruptible {
  public:
   explicit RunProgress(double until_s) : until_s_(until_s) {}
@@ -36,7 +35,7 @@ class RunProgress : public Interruptible {
   bool goes_on(const Progress& now) override;
 
  private:
-  ReportTimes times_;
+  ProgressLine line_;
   double until_s_;
   long steps_ = 0;
 };
@@ -47,10 +46,10 @@ class DigitsProgress {
   DigitsProgress(int digits, double until_s) : digits_(digits), until_s_(until_s) {}
 
   /// To be called after each step.
-  void report(double time_s);
+  void update(double time_s);
 
  private:
-  ReportTimes times_;
+  ProgressLine line_;
   int digits_;
   double until_s_, last_s_ = 0;
   int computation_ = 1;
@@ -59,14 +58,14 @@ class DigitsProgress {
 /// The same for a sweep.
 class SweepProgress {
  public:
-  SweepProgress(long done, long all) : begun_with_(done), done_(done), all_(all) {}
+  SweepProgress(long done, long all) : begun_with_(done), all_(all) {}
 
   /// To be called from time to time.
-  void report(long done);
+  void update(long done);
 
  private:
-  ReportTimes times_;
-  long begun_with_, done_, all_;
+  ProgressLine line_;
+  long begun_with_, all_;
 };
 
 }  // namespace rotor

@@ -15,15 +15,14 @@
 #include "figures/program/progress.hpp"
 #include "figures/program/summaries.hpp"
 #include "figures/record/recorder.hpp"
-#include "figures/record/sampler.hpp"
 #include "figures/results/certified_result.hpp"
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
 #include "figures/results/run_result.hpp"
-#include "figures/runs/observer_group.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "model/results/stop_on.hpp"
 #include "model/run/simulation.hpp"
+#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -114,7 +113,7 @@ bool leaves_equations_open(const SceneRun& run) {
 }
 
 void say_which_equations() {
-  tell(
+  print_message(
       "rotor: equations published were used, as none were stated: as printed, the velocity "
       "jump of the mass loss counts twice and the moment of gravity in full; --equations "
       "consistent puts both right");
@@ -137,7 +136,7 @@ Printed certain_run(const RunOptions& options, const SceneRun& run) {
   const auto found = [&] {
     DigitsProgress progress(*run.digits, run.scenario.until);
     return run_to_digits(run.scenario, *run.digits, [&](double time_s) {
-      progress.report(time_s);
+      progress.update(time_s);
       return !is_interrupted() && has_time();
     });
   }();
@@ -275,10 +274,10 @@ void run_rotor(const RunOptions& options) {
     print_summaries(runs, options.json, to);
   else if (!runs.empty())
     print_summary(runs.front(), options.json, to);
-  for (const std::string& message : told) tell("rotor: " + message);
+  for (const std::string& message : told) print_message("rotor: " + message);
   if (!runs.empty() && std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
     say_which_equations();
-  for (std::size_t n = 1; n < failures.size(); ++n) tell("rotor: " + failures[n - 1]);
+  for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
   if (!failures.empty()) throw std::runtime_error(failures.back());
 }
 

@@ -12,7 +12,7 @@ namespace rotor {
 
 struct SceneTables {
   std::map<int, std::vector<NamedTable>> of;  ///< a table a run, by the scenes' numbers
-  ProductionReport cost;
+  ProductionCost cost;
 };
 
 /// Runs what the scenes ask for, nothing twice, and thins the curves. Throws Interrupted when it is

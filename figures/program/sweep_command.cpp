@@ -54,12 +54,12 @@ class Writer {
   Writer(const Sweep& sweep, const std::string& out)
       : points_(sweep.points()), journal_(out, sweep_head(sweep)), written_(journal_.rows()) {
     if (journal_.dropped() > 0)
-      tell(fmt::format(
+      print_message(fmt::format(
           "rotor: {}: the {} bytes behind its row {} are not as they were written, and are dropped",
           journal_.path().string(), journal_.dropped(), journal_.rows()));
     if (written_ > 0)
-      tell(fmt::format("rotor: {} of {} points are there already, in {}", written_.load(), points_,
-                       journal_.path().string()));
+      print_message(fmt::format("rotor: {} of {} points are there already, in {}", written_.load(),
+                                points_, journal_.path().string()));
   }
 
   void run(int threads, const std::function<Work()>& make_worker, Ranks& ranks) {
@@ -72,7 +72,7 @@ class Writer {
     try {
       work(scheduler, threads, make_worker, [&] {
         ranks.serve(scheduler);
-        progress.report(written_);
+        progress.update(written_);
       });
     } catch (...) {
       reason = std::current_exception();

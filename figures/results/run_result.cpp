@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "figures/input/names.hpp"
-#include "figures/runs/observer_group.hpp"
+#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {

@@ -6,7 +6,7 @@
 
 namespace rotor {
 
-/// Lets runs go on until there is an interruption.
+/// Ends runs at an interruption.
 class Interruptible : public Observer {
  public:
   bool goes_on(const Progress& /*now*/) override { return !is_interrupted(); }

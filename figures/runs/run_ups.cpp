@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "figures/runs/observer_group.hpp"
+#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {

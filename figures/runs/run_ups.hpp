@@ -1,4 +1,4 @@
-/// Runs that are watched for their summary alone, and share their run-ups.
+/// Run-ups that are shared by runs of which only the summary, or a late part, is observed.
 #pragma once
 
 #include <limits>
@@ -20,17 +20,17 @@ struct RunUpCheckpoint {
   explicit RunUpCheckpoint(const Scenario& scenario);
 };
 
-/// Keeps the run-ups of the last runs at many places on their way. What they take does not depend
-/// on how many runs there are.
+/// Keeps checkpoints of the run-ups that were used last. Their memory does not depend on the number
+/// of runs.
 class RunUps {
  public:
-  /// A run on its way to its mass loss, clear of the ring, to the bit as it would get there by
-  /// itself. If it is to lose no mass, at its start. Throws as `run` does. Where the monitor stops
-  /// the way, the checkpoint is of no use. It goes no further than `latest_s`.
+  /// A run before its mass loss and before `latest_s`, clear of the ring, in the same state to the
+  /// bit as without sharing. A run without mass loss is at its start. Throws as `run` does. If the
+  /// monitor stops the run-up, the checkpoint must not be used.
   RunUpCheckpoint checkpoint_before(const Scenario& scenario, Observer& monitor,
                                     double latest_s = std::numeric_limits<double>::infinity());
 
-  /// As the function of that name has it.
+  /// As the function of the same name in model/run.
   SpeedReached time_at_speed(const Scenario& scenario, double speed_Hz,
                              std::optional<double> until_s, Observer& monitor);
 
@@ -42,7 +42,7 @@ class RunUps {
   };
   Family& family(const Scenario& scenario);
 
-  std::list<Family> families_;   ///< the last one that was used is first
+  std::list<Family> families_;   ///< the most recently used first
   std::size_t checkpoints_ = 0;  ///< of all
 };
 

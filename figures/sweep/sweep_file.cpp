@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "figures/data/text.hpp"
-#include "figures/input/toml_spec.hpp"
+#include "figures/input/toml_file.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
 namespace rotor {
@@ -26,7 +24,7 @@ class SweepReader : TomlFile {
     expect_keys(root(), {"title", "stop_on", "columns", "parameters", "axis", "sample"});
     Sweep sweep;
     sweep.title = text(root(), "title").value_or("");
-    sweep.text = whole_text();
+    sweep.text = content();
     if (const auto stop = text(root(), "stop_on"))
       sweep.stop_on = at(*root().get("stop_on"), "stop_on", [&] { return parse_stop(*stop); });
     if (root().contains("columns")) sweep.columns = columns();
@@ -71,11 +69,6 @@ class SweepReader : TomlFile {
     return all;
   }
 
-  std::string whole_text() const {
-    std::ifstream file(path(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
   static bool is_named(std::string_view quantity) {
     const auto named = named_inputs();
     return std::find(named.begin(), named.end(), quantity) != named.end();
@@ -114,10 +107,15 @@ class SweepReader : TomlFile {
       if (in.size() != 2) fail(*values, "values", "stand instead of from, to, points and spacing");
       const toml::array* array = values->as_array();
       if (!array || array->empty()) fail(*values, "values", "must be a list with something in it");
-      if (is_named(axis.quantity))
+      if (is_named(axis.quantity)) {
         axis.values = names(*array, axis.quantity);
-      else
-        axis.values = numbers(*array, find_input_quantity(axis.quantity)->quantity);
+      } else {
+        const std::vector<double> all = numbers(*array, "values");
+        for (std::size_t i = 0; i < all.size(); ++i)
+          require_allowed((*array)[i], "values", all[i],
+                          find_input_quantity(axis.quantity)->quantity);
+        axis.values = all;
+      }
     } else if (is_named(axis.quantity)) {
       fail(in, "values", fmt::format("must be stated: {} has no range", axis.quantity));
     } else {
@@ -136,12 +134,11 @@ class SweepReader : TomlFile {
     return all;
   }
 
-  std::vector<double> numbers(const toml::array& array, const Quantity& quantity) const {
+  std::vector<double> numbers(const toml::array& array, std::string_view key) const {
     std::vector<double> all;
     for (const toml::node& item : array) {
       const auto found = TomlFile::number(item);
-      if (!found) fail(item, "values", "must be numbers");
-      require_allowed(item, "values", *found, quantity);
+      if (!found) fail(item, key, "must be numbers");
       all.push_back(*found);
     }
     return all;
@@ -200,7 +197,7 @@ class SweepReader : TomlFile {
       fail(node, key,
            fmt::format("must be {}", key == "normal" ? "[mean, deviation]" : "[from, to]"));
     const Quantity& of = find_input_quantity(draw.quantity)->quantity;
-    const std::vector<double> pair = numbers_of(*array);
+    const std::vector<double> pair = numbers(*array, "sample.over");
     draw.a = pair[0];
     draw.b = pair[1];
     require_allowed(node, key, draw.a, of);
@@ -223,16 +220,6 @@ class SweepReader : TomlFile {
     return draw;
   }
 
-  std::vector<double> numbers_of(const toml::array& array) const {
-    std::vector<double> all;
-    for (const toml::node& item : array) {
-      const auto found = TomlFile::number(item);
-      if (!found) fail(item, "sample.over", "must be numbers");
-      all.push_back(*found);
-    }
-    return all;
-  }
-
   void require_points(const Sweep& sweep) const {
     if (sweep.axes.empty() && sweep.sample.over.empty())
       fail(root(), "axis", "there must be an [[axis]] or a [sample]: nothing varies");
@@ -247,18 +234,13 @@ class SweepReader : TomlFile {
   /// Nothing that is stated may go unheard.
   void require_one_statement_each(const Sweep& sweep) const {
     std::vector<std::string> varied;
-    const auto determined = [](std::string_view name) {
-      const InputQuantity* const input_quantity = find_input_quantity(name);
-      return input_quantity && !input_quantity->instead_of.empty() ? input_quantity->instead_of
-                                                                   : name;
-    };
     for (const std::string& quantity : sweep.quantities()) {
       for (const std::string& other : varied)
-        if (determined(other) == determined(quantity))
+        if (determined_by(other) == determined_by(quantity))
           fail(root(), quantity, fmt::format("varies, and so does {}, which determines it", other));
       varied.push_back(quantity);
       for (const auto& [stated, number] : sweep.base.numbers)
-        if (determined(stated) == determined(quantity))
+        if (determined_by(stated) == determined_by(quantity))
           fail(root(), quantity,
                fmt::format("varies, and [parameters] states {}, which determines it", stated));
       if (is_named(quantity) && table(root(), "parameters").contains(quantity))

@@ -1,4 +1,4 @@
-/// Separation of a piece of the rim, on the side opposite to the unbalance. Source:
+/// Loss of a piece of the rim, on the side opposite to the unbalance. Source:
 /// "Overcritical high-speed rotor systems, full annular rub and accident",
 /// Sec. 2.2, Eqs. (5)-(14).
 #pragma once
@@ -34,7 +34,7 @@ struct MassLoss {
   }
 
   /// The state just after the mass loss. The body keeps its velocity field when the piece lets go,
-  /// so that q1', q2', q3' go on unchanged (Eq. (10)), and Eq. (1) alone, with e_x1 for e_x, raises
+  /// so that q1', q2', q3' do not change (Eq. (10)), and Eq. (1) alone, with e_x1 for e_x, raises
   /// the velocity of the mass centre by Delta_vy. As printed, q2' is raised by Delta_vy once more.
   State<S> lose_mass(State<S> q, Equations equations) const {
     if (equations.velocity_jump == VelocityJump::twice) q[4] += velocity_jump(q[5]);

@@ -12,7 +12,7 @@ enum class VelocityJump { twice, once };
 /// makes.
 enum class GravityMoment { whole, balanced };
 
-/// Where the equations can be as printed or put right.
+/// Where the equations can be as printed or corrected.
 struct Equations {
   VelocityJump velocity_jump;
   GravityMoment gravity_moment;

@@ -1,5 +1,6 @@
 #include "model/run/simulation.hpp"
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -7,6 +8,7 @@
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
 #include "model/methods/stages.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "model/scenario/start.hpp"
 
 namespace rotor {
@@ -52,21 +54,29 @@ void Simulation::run_up(double until_s, Observer& observer) {
   state_->visit([&](auto& method) { method.run_up(until_s, observer); });
 }
 
-void Simulation::pass_mass_loss(Observer& observer) {
-  state_->visit([&](auto& method) {
-    rotor::pass_mass_loss(method, state_->scenario, MassLoss<double>(state_->scenario.parameters),
-                          observer);
-  });
-}
-
-void Simulation::approach(double until_s, Observer& observer) {
-  state_->visit([&](auto& method) { method.approach(until_s, observer); });
-}
-
 void Simulation::finish(Observer& observer) {
-  state_->visit([&](auto& method) {
-    rotor::finish(method, state_->scenario, MassLoss<double>(state_->scenario.parameters),
-                  observer);
+  finish(std::array{RunEnding{state_->scenario.until, observer}});
+}
+
+Counters Simulation::finish(std::span<const RunEnding> endings) {
+  return state_->visit([&](auto& method) {
+    Scenario& scenario = state_->scenario;
+    const MassLoss<double> loss(scenario.parameters);
+    const Counters before = method.counters();
+    Counters of_branches;
+    for (; endings.size() > 1; endings = endings.subspan(1)) {
+      ObserverGroup all;
+      for (const RunEnding& ending : endings) all.add(ending.observer);
+      scenario.until = endings.front().until_s;
+      rotor::pass_mass_loss(method, scenario, loss, all);
+      if (method.instant().mass_lost) method.approach(scenario.until, all);
+      auto branch = method;
+      rotor::finish(branch, scenario, loss, endings.front().observer);
+      of_branches += branch.counters() - method.counters();
+    }
+    scenario.until = endings.front().until_s;
+    rotor::finish(method, scenario, loss, endings.front().observer);
+    return of_branches += method.counters() - before;
   });
 }
 

@@ -4,12 +4,19 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "model/scenario/counters.hpp"
 #include "model/scenario/observer.hpp"
 #include "model/scenario/scenario.hpp"
 
 namespace rotor {
+
+/// An end of a run, and who watches it until there.
+struct RunEnding {
+  double until_s;
+  Observer& observer;
+};
 
 /// A run by the scenario's method, as far as it has got. It can be copied on its way, so that runs
 /// which differ only later share the way there. All throw std::runtime_error, saying when and why,
@@ -27,14 +34,12 @@ class Simulation {
   /// clear of the ring.
   void run_up(double until_s, Observer& observer);
 
-  /// Through the mass loss, if it is still to come.
-  void pass_mass_loss(Observer& observer);
-
-  /// By whole steps, for as long as they end before `until_s`, in contact or not.
-  void approach(double until_s, Observer& observer);
-
   /// To the end of the scenario.
   void finish(Observer& observer);
+
+  /// To several ends after the mass loss, in the order of their times. Each observer is shown what
+  /// it would be shown by a run to its end alone. Returns what all of it has cost.
+  Counters finish(std::span<const RunEnding> endings);
 
   /// The same run on its way to what another scenario states, which has not differed so far.
   Simulation with(const Scenario& scenario) const;

@@ -8,7 +8,7 @@
 namespace rotor {
 namespace {
 
-/// Asks another observer whether to go on, until it says no.
+/// Passes the steps to another observer until that ends the run.
 class CancellationMonitor : public Observer {
  public:
   explicit CancellationMonitor(Observer& monitor) : monitor_(monitor) {}
@@ -106,7 +106,7 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
     return SpeedReached{std::nullopt, watch.after_s, watch.greatest_Hz, false};
   };
   if (cancellation.is_over) return nothing();
-  // The speed may still be a ripple away from where it is without.
+  // The speed may still differ by its ripple.
   const auto whole_steps_to = [&](double time_s) {
     Simulation whole_steps = from;
     whole_steps.run_up(time_s, cancellation);

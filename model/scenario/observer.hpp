@@ -1,4 +1,4 @@
-/// Who watches a run, and what of it there is to see.
+/// Observers of a run, and what they are shown.
 #pragma once
 
 #include <limits>
@@ -50,7 +50,7 @@ class BasicObserver {
 
   virtual void on_instant(const BasicInstant<S>& /*at*/) {}
 
-  /// Asked after every step. A run that is not to go on ends there.
+  /// Called after every step; the run ends there if it returns false.
   virtual bool goes_on(const BasicProgress<S>& /*now*/) { return true; }
 
   /// Whether to be shown the motion between those times.

@@ -37,7 +37,7 @@ struct Scenario {
 /// parts are equal share their run-up.
 Scenario run_up_part(const Scenario& scenario);
 
-/// A number that a scenario states: how it is called and what it may be.
+/// A number of a scenario: its name, its unit and its range.
 struct Quantity {
   std::string_view name;    ///< as in options and scene files, with underscores
   std::string_view symbol;  ///< the paper's

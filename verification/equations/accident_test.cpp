@@ -17,8 +17,8 @@ Accident law_of(const Scenario& scenario) {
 }
 
 Summary summary_of(const Scenario& scenario) {
-  Observer nobody;
-  return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, nobody).summary;
+  Observer null_observer;
+  return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, null_observer).summary;
 }
 
 // The rotation is so much faster than the swing that O meets its end at the far side of C.

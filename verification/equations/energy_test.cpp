@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figures/runs/observer_group.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/run/simulation.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "model/scenario/start.hpp"
 #include "verification/support/law.hpp"
 #include "verification/support/observers.hpp"

@@ -1,8 +1,8 @@
 /// Closed forms of impacts, each to the accuracy of the integrator or of the form.
 #include <gtest/gtest.h>
 
-#include "figures/runs/observer_group.hpp"
 #include "model/results/summary.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "model/theory/accident.hpp"
 #include "verification/support/bare.hpp"
 #include "verification/support/law.hpp"

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "figures/record/recorder.hpp"
-#include "figures/runs/observer_group.hpp"
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/random_scenarios.hpp"
 

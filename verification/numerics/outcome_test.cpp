@@ -45,8 +45,9 @@ TEST(Outcome, IsAStallWhereTheMotorDoesNotGetTheRotorThroughItsCriticalSpeed) {
       const Outcome outcome = summary_of(scenario).outcome;
       EXPECT_EQ(outcome == Outcome::stalled, stalls) << what << ' ' << name_of(method);
       RunUps run_ups;
-      Observer nobody;
-      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, nobody)
+      Observer null_observer;
+      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, null_observer), scenario, std::nullopt,
+                       null_observer)
                     .summary.outcome,
                 outcome)
           << what;
@@ -152,9 +153,9 @@ TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
                                     {from_rest, 20.84116},
                                     {from_rest, 24.37898},
                                     {slow, 30.16081}}) {
-    Observer nobody;
+    Observer null_observer;
     const SpeedReached found =
-        time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, nobody);
+        time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, null_observer);
     ASSERT_TRUE(found.time_s) << speed_Hz;
     scenario.parameters.loses_mass = false;
     scenario.until = *found.time_s;

@@ -6,8 +6,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <numbers>
 
-#include "figures/runs/observer_group.hpp"
 #include "model/run/simulation.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "model/scenario/start.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"

@@ -66,11 +66,11 @@ INSTANTIATE_TEST_SUITE_P(UpInSpeed, Run,
 
 /// As far as the published method resolves it, which is of fourth order without contact.
 void expect_end_of_fixed_steps(Scenario scenario) {
-  Observer nobody;
-  const double speed = run(scenario, nobody).last.state[5];
+  Observer null_observer;
+  const double speed = run(scenario, null_observer).last.state[5];
   scenario.method = Method::rk4;
   scenario.step_run_up = scenario.step_rub = 1e-4;
-  EXPECT_NEAR(run(scenario, nobody).last.state[5] / speed, 1, 1e-9)
+  EXPECT_NEAR(run(scenario, null_observer).last.state[5] / speed, 1, 1e-9)
       << scenario.start_speed_Hz << ' ' << speed;
 }
 

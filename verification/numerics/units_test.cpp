@@ -20,8 +20,8 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class Units : public testing::TestWithParam<Case> {
  protected:
   static RunResult account(const Scenario& scenario, std::optional<StopOn> stop_on) {
-    Observer nobody;
-    return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
+    Observer null_observer;
+    return finish(RunUpCheckpoint(scenario), scenario, stop_on, null_observer);
   }
 };
 

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "figures/results/run_result.hpp"
-#include "figures/runs/observer_group.hpp"
 #include "figures/runs/production.hpp"
 #include "figures/runs/run_ups.hpp"
+#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -130,8 +130,8 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
   for (std::size_t n = 0; n < all.size(); ++n) logs.emplace_back(n % 3 == 0);
   std::vector<Request> requests;
   for (std::size_t n = 0; n < all.size(); ++n) requests.push_back({all[n], logs[n]});
-  const ProductionReport report = produce(requests);
-  EXPECT_LT(report.run_ups, 40);  // of 48
+  const ProductionCost cost = produce(requests);
+  EXPECT_LT(cost.run_ups, 40);  // of 48
   for (std::size_t n = 0; n < all.size(); ++n) {
     Log alone(n % 3 == 0);
     run(all[n], alone);

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <regex>
 
-#include "figures/runs/observer_group.hpp"
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
+#include "model/scenario/observer_group.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/law.hpp"
