@@ -1,6 +1,6 @@
 #include "verification/proof/rotor.hpp"
 
-#include "verification/proof/greatest.hpp"
+#include <algorithm>
 
 namespace proof {
 namespace {
@@ -16,15 +16,48 @@ Term dot(Plane a, Plane b) { return a.x * b.x + a.y * b.y; }
 Term cross(Plane a, Plane b) { return a.x * b.y - a.y * b.x; }
 Plane quarter_turn(Plane a) { return {-a.y, a.x}; }
 
-/// In the order of printed_inputs(), behind which comes the end.
+/// The inputs of a case, in the order of printed_inputs(), behind which comes the end: those that
+/// have a width are parameters.
+struct Inputs {
+  explicit Inputs(const Case& of) {
+    const auto add = [&](const std::string& value, const Ball& width) {
+      values.emplace_back(value);
+      widths.push_back(width.upper());
+      if (width > 0) {
+        centre.push_back(values.back());
+        half.push_back(widths.back());
+      }
+    };
+    for (const auto& [name, value, rounding] : printed_inputs()) {
+      const auto given = of.inputs.find(name);
+      add(given == of.inputs.end() ? value : given->second, Ball(of.rounding) * Ball(rounding));
+    }
+    add(of.until, 0);
+  }
+
+  const Ball& operator[](std::string_view name) const {
+    const auto printed = printed_inputs();
+    const auto found = std::ranges::find(printed, name, &PrintedInput::name);
+    return values.at(static_cast<std::size_t>(found - printed.begin()));
+  }
+
+  Row values, widths, centre, half;
+};
+
+/// Their terms.
 struct Quantities {
   Tape& tape;
+  const Inputs& inputs;
+  std::size_t count = 0;
   Term m = next(), I = next(), e = next(), k = next(), d = next(), g = next(), M = next(),
        f_max = next(), k_t = next(), d_t = next(), mu = next(), r = next(), c = next(),
        k_u = next(), f_0 = next(), t_1 = next(), t_end = next();
   Term two_pi = tape.constant(2 * Ball::pi());
 
-  Term next() const { return tape.parameter(); }
+  Term next() {
+    const std::size_t i = count++;
+    return inputs.widths[i] > 0 ? tape.parameter() : tape.constant(inputs.values[i]);
+  }
 };
 
 /// Mass, moment of inertia about C, distance of C from O, and the mass that is lost.
@@ -49,11 +82,14 @@ struct State {
 
   /// Along the rotor's x axis, from O to C.
   Plane unit() const {
-    const SineAndCosine angle(phi);
-    return {angle.cosine, angle.sine};
+    const auto [sine, cosine] = tape.sine_and_cosine(phi, w);
+    return {cosine, sine};
   }
   std::vector<Term> all() const { return {c.x, c.y, phi, v.x, v.y, w, t}; }
 };
+
+/// After release, contact may leave the ring indented for a while.
+enum class Contact { free, sliding, rolling, indented };
 
 struct Phase {
   Contact contact = Contact::free;
@@ -66,7 +102,7 @@ struct Phase {
   }
 };
 
-/// An event, what follows it, and how often the guards of that vanish where it begins.
+/// An event, the phase that follows it, and how often the guards of that vanish where it begins.
 struct Switch {
   std::string event;
   Phase next;
@@ -75,204 +111,206 @@ struct Switch {
 
 struct Motion : Flow {
   std::vector<Switch> switches;  // of the guards
-  Term displacement_squared, pressure, slip;
+  Term time, speed, displacement_squared, pressure, slip;
 
+  Motion(const Case& of, const Inputs& inputs, const Phase& phase);
   void watch(Term guard, const Switch& at) {
     guards.push_back(guard);
     switches.push_back(at);
   }
 };
 
-Motion motion(const Case& of, const Phase& phase) {
-  Motion motion;
-  Tape& tape = *motion.tape;
+Motion::Motion(const Case& of, const Inputs& inputs, const Phase& phase) {
   State z{tape};
-  const Quantities p{tape};
+  const Quantities p{tape, inputs};
   const Body b = body(p, phase.mass_lost);
   const Plane e = b.e * z.unit(), o = z.c - e, v = z.v - z.w * quarter_turn(e);
-  const Term rho_squared = dot(o, o);
+  states = z.all();
+  time = z.t;
+  speed = z.w;
+  displacement_squared = dot(o, o);
 
-  // Eq. (4), but with the moments about C. Gravity has one though its force is left out; x is down.
+  // Eq. (4), but with the moments about C. Gravity has a moment, though its force is left out.
   Plane force = -p.k * o - p.d * v;
   Term moment = -(b.m * p.g * (of.whole_gravity_moment ? z.c.y : e.y)) - cross(e, force);
   if (phase.motor) moment = moment + p.M;
 
-  if (phase.contact != Contact::free) {
-    const Term rho = sqrt(rho_squared);
+  // Errors that do about as much in flight, and in contact.
+  scale = {1, 1, 100, 100, 100, 1e4, 1};
+  if (phase.contact == Contact::free) {
+    watch(p.c * p.c - displacement_squared, {"touch_down", phase.in(Contact::sliding)});
+  } else {
+    scale = {1, 1, 10, 1e4, 1e4, 1e5, 0.1};
+    const Term rho = sqrt(displacement_squared);
     const Plane n = o / rho, t = quarter_turn(n);
     const Plane arm = p.r * n - e;  // from C to K
     const Term Delta = rho - p.c, Delta_rate = dot(n, v);
     const Term F_n = -(p.k_t * Delta + p.d_t * Delta_rate);  // Eq. (21)
-    motion.pressure = -F_n;
-    motion.slip = dot(t, v) + p.r * z.w;  // Eq. (19)
-    if (phase.touches()) {
+    pressure = -F_n;
+    slip = dot(t, v) + p.r * z.w;  // Eq. (19)
+    if (phase.contact == Contact::indented) {
+      watch(Delta, {"ring_clear", phase.in(Contact::free), {1}});
+      watch(F_n, {"renewed_contact", phase.in(Contact::sliding), {1}});
+    } else {
       force = force + F_n * n;
       moment = moment + F_n * cross(arm, n);
-      motion.watch(-F_n, {"release", phase.in(Contact::indented), {0, 1}});
-    } else {
-      motion.watch(rho_squared - p.c * p.c, {"ring_clear", phase.in(Contact::free), {1}});
-      motion.watch(F_n, {"renewed_contact", phase.in(Contact::sliding), {1}});
-    }
-    Term F_tau = phase.direction * (p.mu * F_n);  // in sliding, Eqs. (22)-(24)
-    const Term lever = cross(arm, t);
-    if (phase.contact == Contact::sliding)
-      motion.watch(phase.direction * motion.slip, {"no_slip", phase.in(Contact::rolling)});
-    if (phase.contact == Contact::rolling) {
-      // What keeps the slip: its rate without friction + F_tau / m_tau = 0. t' = -n (t.v) / rho.
-      const Term alpha = moment / b.I;
-      const Term without = dot(t, force) / b.m - alpha * dot(t, quarter_turn(e)) +
-                           z.w * z.w * dot(t, e) - dot(t, v) * Delta_rate / rho + p.r * alpha;
-      F_tau = -(without / (1 / b.m + lever * lever / b.I));
-      const Term limit = p.mu * motion.pressure;
-      motion.watch(limit - F_tau, {"break_away", phase.in(Contact::sliding, -1), {0, 2}});
-      motion.watch(limit + F_tau, {"break_away", phase.in(Contact::sliding, 1), {0, 2}});
-    }
-    if (phase.touches()) {
+      watch(pressure, {"release", phase.in(Contact::indented), {0, 1}});
+      const Term lever = cross(arm, t);
+      Term F_tau = phase.direction * (p.mu * F_n);  // Eqs. (22)-(24)
+      if (phase.contact == Contact::sliding) {
+        watch(phase.direction * slip, {"no_slip", phase.in(Contact::rolling)});
+      } else {
+        // What keeps the slip: its rate without friction + F_tau / m_tau = 0. t' = -n (t.v) / rho.
+        const Term alpha = moment / b.I;
+        const Term without = dot(t, force) / b.m - alpha * dot(t, quarter_turn(e)) +
+                             z.w * z.w * dot(t, e) - dot(t, v) * Delta_rate / rho + p.r * alpha;
+        F_tau = -(without / (1 / b.m + lever * lever / b.I));
+        const Term limit = p.mu * pressure;
+        watch(limit - F_tau, {"break_away", phase.in(Contact::sliding, -1), {0, 2}});
+        watch(limit + F_tau, {"break_away", phase.in(Contact::sliding, 1), {0, 2}});
+      }
       force = force + F_tau * t;
       moment = moment + F_tau * lever;
     }
-  } else {
-    motion.watch(p.c * p.c - rho_squared, {"touch_down", phase.in(Contact::sliding)});
   }
   Phase without_motor = phase, mass_lost = phase;
   without_motor.motor = false;
   mass_lost.mass_lost = true;
-  if (phase.motor) motion.watch(p.two_pi * p.f_max - z.w, {"motor_off", without_motor});
-  if (!phase.mass_lost) motion.watch(p.t_1 - z.t, {"mass_loss", mass_lost});
-  motion.watch(p.t_end - z.t, {"end", phase});
+  if (phase.motor) watch(p.two_pi * p.f_max - z.w, {"motor_off", without_motor});
+  if (!phase.mass_lost) watch(p.t_1 - z.t, {"mass_loss", mass_lost});
+  watch(p.t_end - z.t, {"end", phase});
 
   const Plane a = force / b.m;
-  motion.states = z.all();
-  motion.rates = {z.v.x, z.v.y, z.w, a.x, a.y, moment / b.I, tape.constant(1)};
-  motion.tape->set_rates(motion.rates);
-  motion.displacement_squared = rho_squared;
-  return motion;
-}
-
-/// At rest, or in steady response to the unbalance: m w^2 e = (k - m w^2 + i w d) o, in axes that
-/// turn with the rotor, at a speed that is constant.
-StateSet start(const Inputs& inputs) {
-  Tape tape;
-  State z{tape};
-  const Quantities p{tape};
-  const Term w = p.two_pi * p.f_0, spring = p.k - p.m * w * w, damper = p.d * w;
-  const Term size = p.m * w * w * p.e / (spring * spring + damper * damper);
-  z.c = size * Plane{spring, -damper} + p.e * z.unit();
-  z.v = w * quarter_turn(z.c);
-  z.w = w;
-  return map(tape, z.all(), inputs, StateSet::at(Row(7), inputs));
-}
-
-/// O and the rotation go on as they are, and C is elsewhere. As printed, O is given Delta_vy across
-/// the unbalance.
-StateSet lose_mass(const Case& of, const Inputs& inputs, const StateSet& set) {
-  Tape tape;
-  State z{tape};
-  const Quantities p{tape};
-  const Body b = body(p, true);
-  const Plane shift = (b.e - p.e) * z.unit();
-  const Term jump = b.lost * z.w * (p.r + p.e) / b.m;  // Eq. (14)
-  z.c = z.c + shift;
-  z.v = z.v + z.w * quarter_turn(shift);  // Eq. (1)
-  if (of.jump_twice) z.v = z.v + jump * quarter_turn(z.unit());
-  return map(tape, z.all(), inputs, set);
+  const std::vector<Term> rates = {z.v.x, z.v.y, z.w, a.x, a.y, moment / b.I, tape.constant(1)};
+  for (std::size_t i = 0; i < rates.size(); ++i) tape.set_rate(states[i], rates[i]);
 }
 
 class Run {
  public:
-  explicit Run(const Case& of) : of_(of) {
-    const Ball share(of.rounding);
-    for (const PrintedInput& input : printed_inputs()) {
-      const auto given = of.inputs.find(input.name);
-      inputs_.centre.emplace_back(given == of.inputs.end() ? input.value : given->second);
-      inputs_.half.push_back((share * Ball(input.rounding)).upper());
-    }
-    inputs_.centre.emplace_back(of.until);
-    inputs_.half.emplace_back(0);
-    inputs_.scale = Row(7, Ball(1));
-  }
+  explicit Run(const Case& of) : of_(of), inputs_(of), set_(Row(7), inputs_.centre, inputs_.half) {}
 
   Findings findings() {
     try {
       follow_all();
     } catch (const Undecided& e) {
       findings_.undecided = e.what();
+      return std::move(findings_);
     }
-    findings_.greatest_force_N = force_.value();
-    findings_.greatest_displacement_m = sqrt(displacement_.value());
+    note("touch_downs", touch_downs_);
+    if (touch_downs_ > 0) note("peak_normal_force_N", force_.value());
+    note("max_displacement_m", sqrt(displacement_.value()));
     return std::move(findings_);
   }
 
  private:
   void follow_all() {
-    set_ = start(inputs_);
+    start();
     Phase phase;
-    const bool from_rest = inputs_.centre[14].is_exactly_zero();
-    phase.motor = (inputs_.centre[7] - inputs_.centre[14]).is_positive();
-    phase.mass_lost = !from_rest;
-    if (phase.mass_lost) set_ = lose_mass(of_, inputs_, set_);
+    phase.motor = inputs_["motor-off-hz"] > inputs_["start-speed-hz"];
+    phase.mass_lost = inputs_["start-speed-hz"] > 0;
+    if (phase.mass_lost) lose_mass();
     for (Switch now{"start", phase}; now.event != "end";) {
-      const Motion motion = proof::motion(of_, now.next);
-      const Passage passage = follow(motion, now);
-      set_ = passage.set;
       const Phase before = now.next;
-      now = motion.switches[passage.guard];
+      const Motion motion(of_, inputs_, before);
+      now = motion.switches[follow(motion, now)];
       decide(now, before);
-      note(motion, now.event, before);
+      note(motion, now.event);
     }
   }
 
-  Passage follow(const Motion& motion, const Switch& from) {
+  std::size_t follow(const Motion& motion, const Switch& from) {
     const Phase& phase = from.next;
     const auto observer = [&](const Step& step, const Ball& surely, const Ball& at_most) {
       ++findings_.steps;
-      findings_.reached_s = step.range(motion.states[6], surely);
+      findings_.reached_s = step.range(motion.time, surely);
       if (!phase.mass_lost) return;
       displacement_.see(step, motion.displacement_squared, surely, at_most);
       if (phase.touches()) force_.see(step, motion.pressure, surely, at_most);
     };
-    // Errors that do about the same in flight, and in contact.
-    inputs_.scale = phase.contact == Contact::free ? Row{1, 1, 100, 100, 100, 1e4, 1}
-                                                   : Row{1, 1, 10, 1e4, 1e4, 1e5, 0.1};
-    return proof::follow(motion, inputs_, set_, from.vanishing, settings_, step_length_, observer);
+    return proof::follow(motion, set_, from.vanishing, {}, step_length_, observer);
   }
 
-  void note(const Motion& motion, const std::string& event, const Phase& phase) {
-    const auto value = [&](Term term) { return range(*motion.tape, term, inputs_, set_); };
-    findings_.happenings.push_back({event, value(motion.states[6]),
-                                    value(motion.states[5]) / (2 * Ball::pi()),
-                                    phase.touches() ? value(motion.pressure) : Ball(0)});
+  /// At rest, or in steady response to the unbalance: m w^2 e = (k - m w^2 + i w d) o, in axes that
+  /// turn with the rotor, at a speed that is constant.
+  void start() {
+    Tape tape;
+    State z{tape};
+    const Quantities p{tape, inputs_};
+    const Term w = p.two_pi * p.f_0, spring = p.k - p.m * w * w, damper = p.d * w;
+    const Term size = p.m * w * w * p.e / (spring * spring + damper * damper);
+    z.c = size * Plane{spring, -damper} + p.e * z.unit();
+    z.v = w * quarter_turn(z.c);
+    z.w = w;
+    jump(tape, z);
+  }
+
+  /// O and the rotation go on as they are, and C is elsewhere. As printed, O is given Delta_vy
+  /// across the unbalance.
+  void lose_mass() {
+    Tape tape;
+    State z{tape};
+    const Quantities p{tape, inputs_};
+    const Body b = body(p, true);
+    const Plane shift = (b.e - p.e) * z.unit();
+    const Term Delta_v = b.lost * z.w * (p.r + p.e) / b.m;  // Eq. (14)
+    z.c = z.c + shift;
+    z.v = z.v + z.w * quarter_turn(shift);  // Eq. (1)
+    if (of_.jump_twice) z.v = z.v + Delta_v * quarter_turn(z.unit());
+    jump(tape, z);
+  }
+
+  void jump(const Tape& tape, const State& z) {
+    set_ = set_.with(set_.map(tape, z.all()), Motion(of_, inputs_, {}).scale);
   }
 
   /// What depends on the state: which way the rim slides, and whether friction can hold it.
   void decide(Switch& now, const Phase& before) {
-    if (now.event == "mass_loss") set_ = lose_mass(of_, inputs_, set_);
-    if (now.event == "mass_loss" && before.contact != Contact::free)
-      throw Undecided("a mass loss in contact, which is not provided for");
+    if (now.event == "mass_loss") {
+      if (before.contact != Contact::free)
+        throw Undecided("a mass loss in contact, which is not provided for");
+      lose_mass();
+    }
     if (now.next.contact == Contact::sliding && now.next.direction == 0) {
-      const Motion sliding = motion(of_, now.next);
-      const Ball slip = range(*sliding.tape, sliding.slip, inputs_, set_);
-      if (!slip.is_positive() && !slip.is_negative()) throw Undecided("which way the rim slides");
-      now.next.direction = slip.is_positive() ? 1 : -1;
+      const Motion sliding(of_, inputs_, now.next);
+      const Ball slip = set_.range(sliding.tape, sliding.slip);
+      if (!(slip > 0) && !(slip < 0)) throw Undecided("which way the rim slides");
+      now.next.direction = slip > 0 ? 1 : -1;
     }
     if (now.event != "no_slip") return;
-    const Motion rolling = motion(of_, now.next);
-    const Ball grip = range(*rolling.tape, rolling.guards[1], inputs_, set_);
-    const Ball grip_back = range(*rolling.tape, rolling.guards[2], inputs_, set_);
-    if (grip.is_positive() && grip_back.is_positive())
+    const Motion rolling(of_, inputs_, now.next);
+    const Ball grip = set_.range(rolling.tape, rolling.guards[1]);
+    const Ball grip_back = set_.range(rolling.tape, rolling.guards[2]);
+    if (grip > 0 && grip_back > 0)
       now.event = "rolling_onset";
-    else if (grip.is_negative() || grip_back.is_negative())
+    else if (grip < 0 || grip_back < 0)
       now = {"slip_reversal", before.in(Contact::sliding, -before.direction), {0, 1}};
     else
       throw Undecided("whether friction can hold the rim");
   }
 
+  void note(const std::string& quantity, const Ball& value) {
+    findings_.quantities.emplace_back(quantity, value);
+  }
+  void note(const Motion& motion, const std::string& event) {
+    const Ball time = set_.range(motion.tape, motion.time);
+    const Ball speed_Hz = set_.range(motion.tape, motion.speed) / (2 * Ball::pi());
+    if (event == "touch_down") note("touch_down_" + std::to_string(++touch_downs_) + "_s", time);
+    if (event == "motor_off") note("motor_off_s", time);
+    if (event == "mass_loss") note("speed_at_mass_loss_Hz", speed_Hz);
+    if (event != "rolling_onset" || rolled_) return;
+    rolled_ = true;
+    note("rolling_onset_s", time);
+    note("rolling_onset_speed_Hz", speed_Hz);
+    note("rolling_onset_force_N", set_.range(motion.tape, motion.pressure));
+  }
+
   const Case& of_;
-  Inputs inputs_;
-  Settings settings_;
+  const Inputs inputs_;
   StateSet set_;
   Ball step_length_ = 1e-5;
   Greatest force_, displacement_;
+  long touch_downs_ = 0;
+  bool rolled_ = false;
   Findings findings_;
 };
 

@@ -11,16 +11,14 @@
 
 namespace proof {
 
-/// An input as the paper prints it, called as the engine's option, and half a unit of its last
+/// An input as the paper prints it, named as the engine's option, and half a unit of its last
 /// digit.
 struct PrintedInput {
   std::string name, value, rounding;
 };
 std::span<const PrintedInput> printed_inputs();
 
-enum class Contact { free, sliding, rolling, indented };
-
-/// What is to be proven something of.
+/// A run about which something is to be proven.
 struct Case {
   std::map<std::string, std::string> inputs;  ///< those that are not as printed
   bool jump_twice = true, whole_gravity_moment = true;
@@ -28,17 +26,9 @@ struct Case {
   std::string rounding = "0";  ///< inputs lie within this share of their rounding
 };
 
-/// An event, for all inputs the same one.
-struct Happening {
-  std::string event;
-  Ball time_s, speed_Hz, normal_force_N;
-};
-
-/// What is proven. Forces are magnitudes.
+/// What is proven, in the order in which it happens; forces are magnitudes.
 struct Findings {
-  std::vector<Happening> happenings;
-  Ball greatest_force_N, greatest_displacement_m;
-  bool touches = false;
+  std::vector<std::pair<std::string, Ball>> quantities;
   long steps = 0;
   Ball reached_s;
   std::string undecided;  ///< what stopped the proof before the end, if anything did
