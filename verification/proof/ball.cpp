@@ -31,16 +31,6 @@ Ball dot(const Ball* a, const Ball* b, std::size_t count, long b_step) {
   return sum;
 }
 
-Matrix operator*(const Matrix& a, const Matrix& b) {
-  Matrix product(a.size(), Row(b.front().size()));
-  for (std::size_t j = 0; j < b.front().size(); ++j) {
-    Row column;
-    for (const Row& row : b) column.push_back(row[j]);
-    for (std::size_t i = 0; i < a.size(); ++i) product[i][j] = dot(a[i], column);
-  }
-  return product;
-}
-
 Matrix inverse(const Matrix& a) {
   const std::size_t n = a.size();
   Matrix result(n, Row(n));

@@ -102,7 +102,6 @@ using Matrix = std::vector<Row>;
 Ball dot(const Ball* a, const Ball* b, std::size_t count, long b_step = 1);
 inline Ball dot(const Row& a, const Row& b) { return dot(a.data(), b.data(), a.size()); }
 
-Matrix operator*(const Matrix& a, const Matrix& b);
 /// Encloses the inverse. Throws Undecided if there may be none.
 Matrix inverse(const Matrix& a);
 /// About orthonormal columns, with exact entries: the first has the direction of the longest column

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   using proof::Ball;
   CLI::App app("Proves what happens to the rotor, by ball arithmetic.", "prove");
   proof::Case of;
-  for (const proof::PrintedInput& input : proof::printed_inputs())
+  for (const proof::PrintedInput& input : proof::printed_inputs)
     app.add_option_function<std::string>(
         "--" + input.name,
         [&of, &input](const std::string& value) { of.inputs[input.name] = value; },
@@ -29,14 +29,14 @@ int main(int argc, char** argv) {
   try {
     const proof::Findings found = prove(of);
     const double cpu_s = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    for (const auto& [quantity, value] : found.quantities) {
+    for (const auto& [quantity, value] : found) {
       const auto [lower, upper] = value.decimal_ends(17);
       std::printf("%s,%s,%s,%ld,%.2g,%s\n", quantity.c_str(), lower.c_str(), upper.c_str(),
                   Ball::bits, cpu_s, command.c_str());
     }
-    if (found.undecided.empty()) return 0;
-    std::fprintf(stderr, "prove: undecided: %s, after t = %.6f s, %ld steps and %.2g s of CPU\n",
-                 found.undecided.c_str(), found.reached_s.to_double(), found.steps, cpu_s);
+    return 0;
+  } catch (const proof::Undecided& what) {
+    std::fprintf(stderr, "prove: undecided at %ld bits: %s\n", Ball::bits, what.what());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prove: %s\n", error.what());
   }

@@ -1,7 +1,5 @@
 #include "verification/proof/rotor.hpp"
 
-#include <algorithm>
-
 namespace proof {
 namespace {
 
@@ -16,35 +14,22 @@ Term dot(Plane a, Plane b) { return a.x * b.x + a.y * b.y; }
 Term cross(Plane a, Plane b) { return a.x * b.y - a.y * b.x; }
 Plane quarter_turn(Plane a) { return {-a.y, a.x}; }
 
-/// The inputs of a case, in the order of printed_inputs(), behind which comes the end: those that
-/// have a width are parameters.
+/// The inputs, and the end of the run: those that have a width are parameters, others constants.
 struct Inputs {
+  Row values, widths;
+
   explicit Inputs(const Case& of) {
-    const auto add = [&](const std::string& value, const Ball& width) {
-      values.emplace_back(value);
-      widths.push_back(width.upper());
-      if (width > 0) {
-        centre.push_back(values.back());
-        half.push_back(widths.back());
-      }
-    };
-    for (const auto& [name, value, rounding] : printed_inputs()) {
+    for (const auto& [name, value, rounding] : printed_inputs) {
       const auto given = of.inputs.find(name);
-      add(given == of.inputs.end() ? value : given->second, Ball(of.rounding) * Ball(rounding));
+      values.emplace_back(given == of.inputs.end() ? value : given->second);
+      widths.push_back((Ball(of.rounding) * Ball(rounding)).upper());
     }
-    add(of.until, 0);
+    values.emplace_back(of.until);
+    widths.emplace_back(0);
   }
-
-  const Ball& operator[](std::string_view name) const {
-    const auto printed = printed_inputs();
-    const auto found = std::ranges::find(printed, name, &PrintedInput::name);
-    return values.at(static_cast<std::size_t>(found - printed.begin()));
-  }
-
-  Row values, widths, centre, half;
 };
 
-/// Their terms.
+/// Their terms, in the same order.
 struct Quantities {
   Tape& tape;
   const Inputs& inputs;
@@ -187,14 +172,15 @@ Motion::Motion(const Case& of, const Inputs& inputs, const Phase& phase) {
 
 class Run {
  public:
-  explicit Run(const Case& of) : of_(of), inputs_(of), set_(Row(7), inputs_.centre, inputs_.half) {}
+  explicit Run(const Case& of)
+      : of_(of), inputs_(of), set_(Row(7), inputs_.values, inputs_.widths) {}
 
   Findings findings() {
     try {
-      follow_all();
-    } catch (const Undecided& e) {
-      findings_.undecided = e.what();
-      return std::move(findings_);
+      for (Switch now{"start", start()}; now.event != "end";) now = after(now);
+    } catch (const Undecided& what) {
+      throw Undecided(what.what() + (", after t = " + std::to_string(reached_s_.to_double())) +
+                      " s");
     }
     note("touch_downs", touch_downs_);
     if (touch_downs_ > 0) note("peak_normal_force_N", force_.value());
@@ -203,36 +189,24 @@ class Run {
   }
 
  private:
-  void follow_all() {
-    start();
-    Phase phase;
-    phase.motor = inputs_["motor-off-hz"] > inputs_["start-speed-hz"];
-    phase.mass_lost = inputs_["start-speed-hz"] > 0;
-    if (phase.mass_lost) lose_mass();
-    for (Switch now{"start", phase}; now.event != "end";) {
-      const Phase before = now.next;
-      const Motion motion(of_, inputs_, before);
-      now = motion.switches[follow(motion, now)];
-      decide(now, before);
-      note(motion, now.event);
-    }
-  }
-
-  std::size_t follow(const Motion& motion, const Switch& from) {
+  Switch after(const Switch& from) {
     const Phase& phase = from.next;
+    const Motion motion(of_, inputs_, phase);
     const auto observer = [&](const Step& step, const Ball& surely, const Ball& at_most) {
-      ++findings_.steps;
-      findings_.reached_s = step.range(motion.time, surely);
+      reached_s_ = step.range(motion.time, surely);
       if (!phase.mass_lost) return;
       displacement_.see(step, motion.displacement_squared, surely, at_most);
       if (phase.touches()) force_.see(step, motion.pressure, surely, at_most);
     };
-    return proof::follow(motion, set_, from.vanishing, {}, step_length_, observer);
+    Switch now = motion.switches[follow(motion, set_, from.vanishing, step_length_, observer)];
+    decide(now, phase);
+    note(motion, now.event);
+    return now;
   }
 
-  /// At rest, or in steady response to the unbalance: m w^2 e = (k - m w^2 + i w d) o, in axes that
-  /// turn with the rotor, at a speed that is constant.
-  void start() {
+  /// At rest, or just after the loss in steady response to the unbalance: m w^2 e = (k - m w^2 + i
+  /// w d) o, in axes that turn with the rotor, at a speed that is constant.
+  Phase start() {
     Tape tape;
     State z{tape};
     const Quantities p{tape, inputs_};
@@ -241,7 +215,12 @@ class Run {
     z.c = size * Plane{spring, -damper} + p.e * z.unit();
     z.v = w * quarter_turn(z.c);
     z.w = w;
+    Phase phase;
+    phase.motor = set_.range(tape, p.f_max - p.f_0) > 0;
+    phase.mass_lost = set_.range(tape, p.f_0) > 0;
     jump(tape, z);
+    if (phase.mass_lost) lose_mass();
+    return phase;
   }
 
   /// O and the rotation go on as they are, and C is elsewhere. As printed, O is given Delta_vy
@@ -265,11 +244,9 @@ class Run {
 
   /// What depends on the state: which way the rim slides, and whether friction can hold it.
   void decide(Switch& now, const Phase& before) {
-    if (now.event == "mass_loss") {
-      if (before.contact != Contact::free)
-        throw Undecided("a mass loss in contact, which is not provided for");
-      lose_mass();
-    }
+    if (now.event == "mass_loss" && before.contact != Contact::free)
+      throw Undecided("the outcome of a mass loss in contact");
+    if (now.event == "mass_loss") lose_mass();
     if (now.next.contact == Contact::sliding && now.next.direction == 0) {
       const Motion sliding(of_, inputs_, now.next);
       const Ball slip = set_.range(sliding.tape, sliding.slip);
@@ -289,7 +266,7 @@ class Run {
   }
 
   void note(const std::string& quantity, const Ball& value) {
-    findings_.quantities.emplace_back(quantity, value);
+    findings_.emplace_back(quantity, value);
   }
   void note(const Motion& motion, const std::string& event) {
     const Ball time = set_.range(motion.tape, motion.time);
@@ -297,8 +274,7 @@ class Run {
     if (event == "touch_down") note("touch_down_" + std::to_string(++touch_downs_) + "_s", time);
     if (event == "motor_off") note("motor_off_s", time);
     if (event == "mass_loss") note("speed_at_mass_loss_Hz", speed_Hz);
-    if (event != "rolling_onset" || rolled_) return;
-    rolled_ = true;
+    if (event != "rolling_onset" || std::exchange(rolled_, true)) return;
     note("rolling_onset_s", time);
     note("rolling_onset_speed_Hz", speed_Hz);
     note("rolling_onset_force_N", set_.range(motion.tape, motion.pressure));
@@ -311,32 +287,11 @@ class Run {
   Greatest force_, displacement_;
   long touch_downs_ = 0;
   bool rolled_ = false;
+  Ball reached_s_;
   Findings findings_;
 };
 
 }  // namespace
-
-std::span<const PrintedInput> printed_inputs() {
-  static const std::vector<PrintedInput> all = {
-      {"mass", "5", "0.5"},
-      {"inertia", "9e-3", "0.005e-3"},
-      {"eccentricity", "0.15e-3", "0.005e-3"},
-      {"support-stiffness", "20e3", "500"},
-      {"support-damping", "25", "0.5"},
-      {"gravity", "9.81", "0.005"},
-      {"torque", "0.3", "0.05"},
-      {"motor-off-hz", "150", "0"},
-      {"contact-stiffness", "8e8", "0.5e8"},
-      {"contact-damping", "1e4", "0.5e4"},
-      {"friction", "0.3", "0.05"},
-      {"rotor-radius", "0.06", "0.0005"},
-      {"clearance", "0.003", "0.0005"},
-      {"unbalance-factor", "3", "0.004"},
-      {"start-speed-hz", "0", "0.5"},
-      {"mass-loss-time", "29.1", "0.05"},
-  };
-  return all;
-}
 
 Findings prove(const Case& of) { return Run(of).findings(); }
 

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <map>
-#include <span>
 
 #include "verification/proof/solver.hpp"
 
@@ -16,7 +15,24 @@ namespace proof {
 struct PrintedInput {
   std::string name, value, rounding;
 };
-std::span<const PrintedInput> printed_inputs();
+inline const std::vector<PrintedInput> printed_inputs = {
+    {"mass", "5", "0.5"},
+    {"inertia", "9e-3", "0.005e-3"},
+    {"eccentricity", "0.15e-3", "0.005e-3"},
+    {"support-stiffness", "20e3", "500"},
+    {"support-damping", "25", "0.5"},
+    {"gravity", "9.81", "0.005"},
+    {"torque", "0.3", "0.05"},
+    {"motor-off-hz", "150", "0"},
+    {"contact-stiffness", "8e8", "0.5e8"},
+    {"contact-damping", "1e4", "0.5e4"},
+    {"friction", "0.3", "0.05"},
+    {"rotor-radius", "0.06", "0.0005"},
+    {"clearance", "0.003", "0.0005"},
+    {"unbalance-factor", "3", "0.004"},
+    {"start-speed-hz", "0", "0.5"},
+    {"mass-loss-time", "29.1", "0.05"},
+};
 
 /// A run about which something is to be proven.
 struct Case {
@@ -26,14 +42,10 @@ struct Case {
   std::string rounding = "0";  ///< inputs lie within this share of their rounding
 };
 
-/// What is proven, in the order in which it happens; forces are magnitudes.
-struct Findings {
-  std::vector<std::pair<std::string, Ball>> quantities;
-  long steps = 0;
-  Ball reached_s;
-  std::string undecided;  ///< what stopped the proof before the end, if anything did
-};
+/// Quantities in the order in which they are proven, called as the engine's; forces are magnitudes.
+using Findings = std::vector<std::pair<std::string, Ball>>;
 
+/// Throws Undecided, with the time that was reached.
 Findings prove(const Case& of);
 
 }  // namespace proof

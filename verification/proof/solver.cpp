@@ -1,11 +1,10 @@
 #include "verification/proof/solver.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace proof {
 
-Step::Step(const Flow& flow, const StateSet& set, const Settings& settings, const Ball& length)
+Step::Step(const Flow& flow, const StateSet& set, const Ball& length, const Settings& settings)
     : flow_(flow),
       set_(set),
       settings_(settings),
@@ -14,16 +13,8 @@ Step::Step(const Flow& flow, const StateSet& set, const Settings& settings, cons
       over_set_(flow.tape, set.all(), settings.order),
       over_box_(at_centre_) {
   for (int tries = 0; tries < 100; ++tries) {
-    double factor = 0.5;
-    if (enclose()) {
-      over_box_ = Series(flow_.tape, box_, settings_.order + 1);
-      const Ball too_much = excess();
-      if (too_much < 1) return;
-      const double shorter =
-          0.9 * std::pow(too_much.to_double(), -1 / static_cast<double>(settings_.order + 1));
-      if (shorter > 0.1) factor = shorter;  // which is not so if it is not finite
-    }
-    length_ = (length_ * factor).middle();
+    if (enclose() && is_accurate()) return;
+    length_ = (length_ * 0.8).middle();
   }
   throw Undecided("no step is short enough");
 }
@@ -54,17 +45,14 @@ bool Step::enclose() {
   return false;
 }
 
-/// The greatest remainder, as a share of what is tolerated.
-Ball Step::excess() const {
-  Ball greatest;
-  for (const Term z : flow_.states) {
-    const std::size_t last = settings_.order + 1;
+/// Whether the remainders are as small as they should be.
+bool Step::is_accurate() {
+  const std::size_t last = settings_.order + 1;
+  over_box_ = Series(flow_.tape, box_, last);
+  return std::ranges::all_of(flow_.states, [&](Term z) {
     const Ball remainder = (over_box_(z, last) * pow(length_, last)).size();
-    if (!(remainder > 0)) continue;
-    const Ball share = (remainder / (box_[z.index][0].size() * settings_.tolerance)).upper();
-    if (!share.is_finite() || share > greatest) greatest = share;
-  }
-  return greatest;
+    return !(remainder > 0) || remainder < box_[z.index][0].size() * settings_.tolerance;
+  });
 }
 
 // The series at the centre with the remainder, and the slopes all over the set.
@@ -150,12 +138,12 @@ StateSet Step::section(Term term, const Ball& crossing) const {
 }
 
 std::size_t follow(const Flow& flow, StateSet& set, std::vector<std::size_t> vanishing,
-                   const Settings& settings, Ball& step_length, const StepObserver& observer) {
+                   Ball& step_length, const StepObserver& observer) {
   const std::size_t guards = flow.guards.size();
   vanishing.resize(guards);
   const Ball shortest = step_length * Ball::power_of_two(-40);
   for (;;) {
-    const Step step(flow, set, settings, step_length);
+    const Step step(flow, set, step_length);
     Row positive_until;
     for (std::size_t g = 0; g < guards; ++g)
       positive_until.push_back(step.positive_until(flow.guards[g], vanishing[g]));

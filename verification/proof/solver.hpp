@@ -20,7 +20,7 @@ struct StateSet {
   std::vector<Form> values;
   Row directions;
 
-  /// One state, and parameters that each lie within `half` of `centre`.
+  /// One state, and parameters within `half` of `centre`, where that is not zero.
   StateSet(const Row& state, const Row& centre, const Row& half);
 
   Ball range(const Form& form) const { return dot(form, directions); }
@@ -56,7 +56,7 @@ struct Settings {
 class Step {
  public:
   /// The length is that which is asked for, or shorter.
-  Step(const Flow& flow, const StateSet& set, const Settings& settings, const Ball& length);
+  Step(const Flow& flow, const StateSet& set, const Ball& length, const Settings& settings = {});
 
   const Ball& length() const { return length_; }
   /// A time derivative of a term at a time of the step.
@@ -79,7 +79,7 @@ class Step {
 
  private:
   bool enclose();
-  Ball excess() const;
+  bool is_accurate();
   Ball first_doubt(Term term, const Ball& from, const Ball& until, int depth) const;
 
   const Flow& flow_;
@@ -98,7 +98,7 @@ using StepObserver = std::function<void(const Step&, const Ball& surely, const B
 /// returns the guard. Guards that are zero at the start, with so many of their first derivatives
 /// less one, are named in `vanishing`. Throws Undecided.
 std::size_t follow(const Flow& flow, StateSet& set, std::vector<std::size_t> vanishing,
-                   const Settings& settings, Ball& step_length, const StepObserver& observer);
+                   Ball& step_length, const StepObserver& observer);
 
 /// A ball of the greatest value of a term along solutions.
 class Greatest {

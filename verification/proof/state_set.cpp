@@ -3,16 +3,17 @@
 namespace proof {
 
 StateSet::StateSet(const Row& state, const Row& centre, const Row& half) {
-  const std::size_t n = state.size(), wide = half.size();
-  directions = Row(1 + wide + n);
-  values = std::vector<Form>(n + wide, Form(directions.size()));
-  directions[0] = 1;
-  for (std::size_t i = 0; i < n; ++i) values[i][0] = state[i];
-  for (std::size_t p = 0; p < wide; ++p) {
-    directions[1 + p] = Ball::within(1);
-    values[n + p][0] = centre[p];
-    values[n + p][1 + p] = half[p];
+  for (const Ball& x : state) values.push_back({x});
+  directions = {1};
+  for (std::size_t p = 0; p < half.size(); ++p) {
+    if (!(half[p] > 0)) continue;
+    values.push_back(Row(directions.size()));
+    values.back()[0] = centre[p];
+    values.back().push_back(half[p]);
+    directions.push_back(Ball::within(1));
   }
+  directions.resize(directions.size() + state.size());
+  for (Form& form : values) form.resize(directions.size());
 }
 
 Matrix StateSet::centre() const {
@@ -41,28 +42,31 @@ std::vector<Form> StateSet::map(const Tape& tape, const std::vector<Term>& terms
 
 StateSet StateSet::with(const std::vector<Form>& states, const Row& scale) const {
   const std::size_t n = states.size(), first = directions.size() - n;  // of the frame
-  const Row rest(directions.end() - static_cast<long>(n), directions.end());
   StateSet next = *this;
-  Matrix slopes(n, Row(n)), columns = slopes, frame = slopes;
-  Row left(n);  // of what is not along the frame, when exact midpoints are kept
+  Matrix old_frame(n, Row(n)), columns = old_frame, frame = old_frame;  // columns first
+  Row left(n);  // what is not along the frame, when midpoints are kept
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t d = 0; d < first; ++d) {
       next.values[i][d] = states[i][d].middle();
       left[i] = left[i] + (states[i][d] - next.values[i][d]) * directions[d];
     }
     for (std::size_t j = 0; j < n; ++j) {
-      slopes[i][j] = states[i][first + j];
-      columns[j][i] = slopes[i][j] * rest[j].size() / scale[i];
+      old_frame[j][i] = states[i][first + j];
+      columns[j][i] = old_frame[j][i] * directions[first + j].size() / scale[i];
     }
   }
   columns = orthonormal(columns);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       next.values[i][first + j] = frame[i][j] = (columns[j][i] * scale[i]).middle();
-  // slopes rest + left = frame (frame^-1 slopes rest + frame^-1 left)
-  const Matrix back = inverse(frame), turned = back * slopes;
-  for (std::size_t j = 0; j < n; ++j)
-    next.directions[first + j] = Ball::within((dot(turned[j], rest) + dot(back[j], left)).size());
+  // old_frame rest + left = frame (frame^-1 old_frame rest + frame^-1 left)
+  const Matrix back = inverse(frame);
+  for (std::size_t j = 0; j < n; ++j) {
+    Ball rest = dot(back[j], left);
+    for (std::size_t d = 0; d < n; ++d)
+      rest = rest + dot(back[j], old_frame[d]) * directions[first + d];
+    next.directions[first + j] = Ball::within(rest.size());
+  }
   return next;
 }
 
