@@ -104,8 +104,9 @@ inline Ball dot(const Row& a, const Row& b) { return dot(a.data(), b.data(), a.s
 
 /// Encloses the inverse. Throws Undecided if there may be none.
 Matrix inverse(const Matrix& a);
-/// About orthonormal columns, with exact entries: the first has the direction of the longest column
-/// given, the second that of the longest of what the first leaves of the others, and so on.
+/// About orthonormal columns, with exact entries, from others with such: the first has the
+/// direction of the longest column given, the second that of the longest of what the first leaves
+/// of the others, and so on.
 Matrix orthonormal(Matrix columns);
 
 }  // namespace proof

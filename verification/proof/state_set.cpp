@@ -52,7 +52,7 @@ StateSet StateSet::with(const std::vector<Form>& states, const Row& scale) const
     }
     for (std::size_t j = 0; j < n; ++j) {
       old_frame[j][i] = states[i][first + j];
-      columns[j][i] = old_frame[j][i] * directions[first + j].size() / scale[i];
+      columns[j][i] = (old_frame[j][i] * directions[first + j].size() / scale[i]).middle();
     }
   }
   columns = orthonormal(columns);
