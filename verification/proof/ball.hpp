@@ -25,8 +25,11 @@ class Ball {
   Ball(long n) : Ball() { arb_set_si(a_, n); }   // NOLINT: numbers in formulas
   Ball(int n) : Ball(static_cast<long>(n)) {}    // NOLINT
   Ball(double x) : Ball() { arb_set_d(a_, x); }  // NOLINT: exact
-  /// A number as printed, such as "0.15e-3". Throws std::invalid_argument if it is none.
-  explicit Ball(const std::string& decimal);
+  /// A number as printed, such as "0.15e-3". Throws std::invalid_argument if it is not a number.
+  explicit Ball(const std::string& decimal) : Ball() {
+    if (arb_set_str(a_, decimal.c_str(), bits) != 0)
+      throw std::invalid_argument("not a number: " + decimal);
+  }
   Ball(const Ball& b) : Ball() { arb_set(a_, b.a_); }
   Ball(Ball&& b) noexcept : Ball() { arb_swap(a_, b.a_); }
   Ball& operator=(Ball b) noexcept {
@@ -38,70 +41,52 @@ class Ball {
   arb_ptr get() { return a_; }
   arb_srcptr get() const { return a_; }
 
-  Ball& operator+=(const Ball& b) { return arb_add(a_, a_, b.a_, bits), *this; }
-  Ball& operator-=(const Ball& b) { return arb_sub(a_, a_, b.a_, bits), *this; }
-  Ball& operator*=(const Ball& b) { return arb_mul(a_, a_, b.a_, bits), *this; }
-  Ball& operator/=(const Ball& b) { return arb_div(a_, a_, b.a_, bits), *this; }
-  friend Ball operator+(Ball a, const Ball& b) { return std::move(a += b); }
-  friend Ball operator-(Ball a, const Ball& b) { return std::move(a -= b); }
-  friend Ball operator*(Ball a, const Ball& b) { return std::move(a *= b); }
-  friend Ball operator/(Ball a, const Ball& b) { return std::move(a /= b); }
-  friend Ball operator-(Ball a) { return arb_neg(a.a_, a.a_), std::move(a); }
+  friend Ball operator+(const Ball& a, const Ball& b) { return made(arb_add, a.a_, b.a_, bits); }
+  friend Ball operator-(const Ball& a, const Ball& b) { return made(arb_sub, a.a_, b.a_, bits); }
+  friend Ball operator*(const Ball& a, const Ball& b) { return made(arb_mul, a.a_, b.a_, bits); }
+  friend Ball operator/(const Ball& a, const Ball& b) { return made(arb_div, a.a_, b.a_, bits); }
+  friend Ball operator-(const Ball& a) { return made(arb_neg, a.a_); }
+  friend Ball sqrt(const Ball& a) { return made(arb_sqrt, a.a_, bits); }
+  friend Ball sin(const Ball& a) { return made(arb_sin, a.a_, bits); }
+  friend Ball cos(const Ball& a) { return made(arb_cos, a.a_, bits); }
+  friend Ball pow(const Ball& a, std::size_t n) { return made(arb_pow_ui, a.a_, n, bits); }
+  static Ball pi() { return made(arb_const_pi, bits); }
+  static Ball power_of_two(long n) { return made(arb_mul_2exp_si, Ball(1).a_, n); }
 
-  /// Whether every number of the ball is.
-  bool is_positive() const { return arb_is_positive(a_) != 0; }
-  bool is_negative() const { return arb_is_negative(a_) != 0; }
-  bool is_exactly_zero() const { return arb_is_zero(a_) != 0; }
-  bool is_finite() const { return arb_is_finite(a_) != 0; }
+  /// Whether that is so of all numbers of both. Balls that overlap are neither less nor greater.
+  friend bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.a_, b.a_) != 0; }
+  friend bool operator>(const Ball& a, const Ball& b) { return b < a; }
   bool contains(const Ball& b) const { return arb_contains(a_, b.a_) != 0; }
+  bool is_finite() const { return arb_is_finite(a_) != 0; }
 
-  Ball middle() const {
-    return made([&](arb_ptr r) { arb_get_mid_arb(r, a_); });
-  }
-  Ball radius() const {
-    return made([&](arb_ptr r) { arb_get_rad_arb(r, a_); });
-  }
-  /// The ends, which are exact, and lie outside by rounding.
-  Ball lower() const {
-    return made([&](arb_ptr r) { arb_get_lbound_arf(arb_midref(r), a_, bits); });
-  }
-  Ball upper() const {
-    return made([&](arb_ptr r) { arb_get_ubound_arf(arb_midref(r), a_, bits); });
-  }
-  /// The greatest absolute value.
-  Ball size() const {
-    return made([&](arb_ptr r) { arb_get_abs_ubound_arf(arb_midref(r), a_, bits); });
-  }
+  /// Exact numbers: the midpoint, the radius, the ends, and the greatest absolute value, of which
+  /// the last four are rounded outwards.
+  Ball middle() const { return made(arb_get_mid_arb, a_); }
+  Ball radius() const { return made(arb_get_rad_arb, a_); }
+  Ball lower() const { return end(arb_get_lbound_arf); }
+  Ball upper() const { return end(arb_get_ubound_arf); }
+  Ball size() const { return end(arb_get_abs_ubound_arf); }
   double to_double() const { return arf_get_d(arb_midref(a_), ARF_RND_NEAR); }
 
-  /// The ball of both, and one of what both contain. Throws std::logic_error if that is nothing:
-  /// then one of them is wrong.
-  friend Ball hull(const Ball& a, const Ball& b) {
-    return made([&](arb_ptr r) { arb_union(r, a.a_, b.a_, bits); });
-  }
-  friend Ball common(const Ball& a, const Ball& b);
-  friend Ball sqrt(const Ball& a) {
-    return made([&](arb_ptr r) { arb_sqrt(r, a.a_, bits); });
-  }
-  friend Ball sin(const Ball& a) {
-    return made([&](arb_ptr r) { arb_sin(r, a.a_, bits); });
-  }
-  friend Ball cos(const Ball& a) {
-    return made([&](arb_ptr r) { arb_cos(r, a.a_, bits); });
-  }
-  static Ball pi() {
-    return made([](arb_ptr r) { arb_const_pi(r, bits); });
-  }
+  /// A ball that contains both.
+  friend Ball hull(const Ball& a, const Ball& b) { return made(arb_union, a.a_, b.a_, bits); }
   /// All numbers from -size to size.
-  static Ball within(const Ball& size) {
-    return made([&](arb_ptr r) { arb_add_error(r, size.a_); });
-  }
+  static Ball within(const Ball& size) { return made(arb_add_error, size.a_); }
+
+  /// The ends as decimals with that many digits, rounded outwards; a count as it is.
+  std::pair<std::string, std::string> decimal_ends(int digits) const;
 
  private:
-  template <class Make>
-  static Ball made(const Make& make) {
+  template <class Function, class... Arguments>
+  static Ball made(const Function& function, const Arguments&... arguments) {
     Ball result;
-    make(result.a_);
+    function(result.a_, arguments...);
+    return result;
+  }
+  template <class Function>
+  Ball end(const Function& function) const {
+    Ball result;
+    function(arb_midref(result.a_), a_, bits);
     return result;
   }
 
@@ -110,30 +95,18 @@ class Ball {
 
 static_assert(sizeof(Ball) == sizeof(arb_struct), "rows of balls are rows of arb_t");
 
-/// The sum of the products a[i] b[k - i], i = first ... last.
-Ball convolution(const Ball* a, const Ball* b, long first, long last, long k);
-
-/// 2^n.
-inline Ball power_of_two(long n) {
-  Ball x(1);
-  arb_mul_2exp_si(x.get(), x.get(), n);
-  return x;
-}
-
 using Row = std::vector<Ball>;
 using Matrix = std::vector<Row>;
 
-/// The sum of the products.
-Ball dot(const Row& a, const Row& b);
+/// The sum of the products a[i] b[i], i = 0 ... count - 1; of b[-i] if the step is -1.
+Ball dot(const Ball* a, const Ball* b, std::size_t count, long b_step = 1);
+inline Ball dot(const Row& a, const Row& b) { return dot(a.data(), b.data(), a.size()); }
 
 /// Encloses the inverse. Throws Undecided if there may be none.
-Matrix inverse(Matrix a);
-/// About orthonormal columns that span what the first, the first two, ... columns of `a` span, the
-/// longest first: each is stretched by its size. Lengths and angles are those of rows in units of
-/// their scales. The result has exact entries.
-Matrix orthonormal(const Matrix& a, const Row& sizes, const Row& scales);
-
-/// Both ends as decimals with that many digits, rounded outwards.
-std::pair<std::string, std::string> decimal_ends(const Ball& a, int digits);
+Matrix inverse(const Matrix& a);
+/// About orthonormal columns, with exact entries, from others with such: the first has the
+/// direction of the longest column given, the second that of the longest of what the first leaves
+/// of the others, and so on.
+Matrix orthonormal(Matrix columns);
 
 }  // namespace proof

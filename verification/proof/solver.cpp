@@ -1,236 +1,209 @@
 #include "verification/proof/solver.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace proof {
-namespace {
 
-/// All numbers from zero to x.
-Ball from_zero_to(const Ball& x) { return hull(Ball(0), x); }
-
-}  // namespace
-
-Settings::Settings()
-    : order(static_cast<std::size_t>(3 * Ball::bits / 10)), tolerance(power_of_two(-Ball::bits)) {}
-
-Step::Step(const Flow& flow, const Inputs& inputs, const StateSet& set, const Settings& settings,
-           Ball length)
+Step::Step(const Flow& flow, const StateSet& set, const Ball& length, const Settings& settings)
     : flow_(flow),
-      inputs_(inputs),
-      directions_(set.directions()),
+      set_(set),
       settings_(settings),
-      at_centre_(*flow.tape, values(set.centre, inputs.centre), settings.order, 0),
-      over_set_(*flow.tape, over(set, inputs), settings.order, directions_.size()),
+      length_(length),
+      at_centre_(flow.tape, set.centre(), settings.order),
+      over_set_(flow.tape, set.all(), settings.order),
       over_box_(at_centre_) {
-  const Row start = set.hull();
   for (int tries = 0; tries < 100; ++tries) {
-    if (enclose(start, length)) {
-      over_box_ = Series(*flow.tape, anywhere(box_, inputs), settings.order + 1, 0);
-      const Ball too_much = excess();
-      if ((1 - too_much).is_positive()) return;
-      const double shorter =
-          std::pow(too_much.to_double(), -1 / static_cast<double>(settings.order + 1));
-      if (shorter > 0.1)
-        length *= 0.9 * shorter;  // which is not so if it is not finite
-      else
-        length /= 2;
-    } else {
-      length /= 2;
-    }
-    length = length.middle();
+    if (enclose() && is_accurate()) return;
+    length_ = (length_ * 0.8).middle();
   }
   throw Undecided("no step is short enough");
 }
 
-/// Finds a box that contains all solutions over the length: if f maps it so that start + [0, h] f
-/// is inside of it, then they cannot leave it (Picard).
-bool Step::enclose(const Row& start, const Ball& length) {
-  box_ = start;
-  length_ = length;
+/// Finds a box that contains all solutions over the length: if start + [0, h] f(box) is inside of
+/// the box, then they cannot leave it (Picard).
+bool Step::enclose() {
+  const Ball step = hull(0, length_);
+  const Matrix start = set_.all();
+  box_.clear();
+  for (const Row& row : start) box_.push_back({row[0]});
   for (int tries = 0; tries < 12; ++tries) {
-    const Series at(*flow_.tape, anywhere(box_, inputs_), 0, 0);
+    const Series at(flow_.tape, box_, 1);
     bool inside = true;
-    for (std::size_t i = 0; i < start.size(); ++i) {
-      const Ball reach = start[i] + from_zero_to(length * at(flow_.rates[i], 0));
+    for (const Term z : flow_.states) {
+      Ball& x = box_[z.index][0];
+      const Ball reach = start[z.index][0] + step * at(z, 1);
       if (!reach.is_finite()) return false;
-      inside = inside && box_[i].contains(reach);
-      box_[i] = reach;
+      inside = inside && x.contains(reach);
+      x = reach;
     }
     if (inside) return true;
-    for (Ball& x : box_) x += Ball::within(x.radius() * 0.2 + x.size() * power_of_two(-Ball::bits));
+    for (const Term z : flow_.states) {
+      Ball& x = box_[z.index][0];
+      x = x + Ball::within(x.radius() / 5 + x.size() * Ball::power_of_two(-Ball::bits));
+    }
   }
   return false;
 }
 
-/// The greatest remainder, as a share of what is tolerated.
-Ball Step::excess() const {
-  Ball greatest, power(1);
-  for (std::size_t k = 0; k <= settings_.order; ++k) power *= length_;
-  for (std::size_t i = 0; i < box_.size(); ++i) {
-    const Ball remainder = (over_box_(flow_.states[i], settings_.order + 1) * power).size();
-    if (remainder.is_exactly_zero()) continue;
-    const Ball share = (remainder / (box_[i].size() * settings_.tolerance)).upper();
-    if (!share.is_finite() || (share - greatest).is_positive()) greatest = share;
-  }
-  return greatest;
+/// Whether the remainders are as small as they should be.
+bool Step::is_accurate() {
+  const std::size_t last = settings_.order + 1;
+  over_box_ = Series(flow_.tape, box_, last);
+  return std::ranges::all_of(flow_.states, [&](Term z) {
+    const Ball remainder = (over_box_(z, last) * pow(length_, last)).size();
+    return !(remainder > 0) || remainder < box_[z.index][0].size() * settings_.tolerance;
+  });
 }
 
+// The series at the centre with the remainder, and the slopes all over the set.
 Form Step::at(Term term, const Ball& time, std::size_t derivative) const {
-  const std::size_t last = settings_.order + 1;
-  Form form{over_box_(term, last), Row(directions_.size())};  // the remainder
-  const auto factor = [&](std::size_t k) {                    // k (k - 1) ... of the derivative
-    long product = 1;
-    for (std::size_t j = 0; j < derivative; ++j) product *= static_cast<long>(k - j);
-    return product;
-  };
-  form.centre *= factor(last);
-  for (std::size_t k = last; k-- > derivative;) {
-    form.centre = form.centre * time + at_centre_(term, k) * factor(k);
-    for (std::size_t d = 0; d < directions_.size(); ++d)
-      form.slopes[d] = form.slopes[d] * time + over_set_.slope(term, k, d) * factor(k);
+  Form form(set_.directions.size());
+  for (std::size_t k = settings_.order + 2; k-- > derivative;) {
+    long factor = 1;  // k (k - 1) ... of the derivative
+    for (std::size_t j = 0; j < derivative; ++j) factor *= static_cast<long>(k - j);
+    const bool is_remainder = k == settings_.order + 1;
+    form[0] = form[0] * time + (is_remainder ? over_box_ : at_centre_)(term, k) * factor;
+    for (std::size_t d = 1; d < form.size() && !is_remainder; ++d)
+      form[d] = form[d] * time + over_set_(term, k, d) * factor;
   }
   return form;
 }
 
-Ball Step::range(Term term, const Ball& time, std::size_t derivative) const {
-  const Form form = at(term, time, derivative);
-  return form.centre + dot(form.slopes, directions_);
-}
-
 Ball Step::between(Term term, const Ball& from, const Ball& until, std::size_t derivative) const {
-  const Ball middle = ((from + until) / 2).middle();
-  const Ball half = hull(from - middle, until - middle).size();
+  const Ball times = hull(from, until), middle = times.middle();
   return range(term, middle, derivative) +
-         range(term, middle + Ball::within(half), derivative + 1) * Ball::within(half);
+         range(term, times, derivative + 1) * Ball::within(times.radius());
 }
 
 StateSet Step::after(const Ball& time) const {
   std::vector<Form> forms;
-  for (const Term term : flow_.states) forms.push_back(at(term, time));
-  return StateSet::of(forms, directions_, inputs_);
+  for (const Term z : flow_.states) forms.push_back(at(z, time));
+  return set_.with(forms, flow_.scale);
 }
 
-std::optional<Step::Crossing> Step::crossing(std::size_t guard, const Ball& positive_until) const {
-  const Term g = flow_.guards[guard];
-  const Ball rounding = length_ * power_of_two(8 - Ball::bits);
-  Ball about = positive_until;
-  for (int tries = 0; tries < 100; ++tries) {  // Newton, for the centre
-    const Ball move = (at(g, about).centre.middle() / at(g, about, 1).centre.middle()).middle();
+Ball Step::positive_until(Term term, std::size_t vanishing) const {
+  if (vanishing == 0) return first_doubt(term, 0, length_, 12);
+  // As long as the first derivative that is not zero is positive, so are the others.
+  Ball since = length_;
+  for (int halvings = 0; halvings < 30; ++halvings) {
+    if (between(term, 0, since, vanishing) > 0) return first_doubt(term, since, length_, 12);
+    since = (since / 2).middle();
+  }
+  return 0;
+}
+
+/// Where, between two times, a term is first not proven positive; the end, if nowhere.
+Ball Step::first_doubt(Term term, const Ball& from, const Ball& until, int depth) const {
+  if (!(from < until) || between(term, from, until) > 0) return until;
+  if (depth == 0) return from;
+  const Ball middle = ((from + until) / 2).middle();
+  const Ball doubt = first_doubt(term, from, middle, depth - 1);
+  return doubt < middle ? doubt : first_doubt(term, middle, until, depth - 1);
+}
+
+std::optional<Ball> Step::crossing(Term term, const Ball& clear) const {
+  const Ball rounding = length_ * Ball::power_of_two(8 - Ball::bits);
+  Ball about = clear, move = length_;
+  for (int tries = 0; tries < 100 && !(move.size() < rounding); ++tries) {  // Newton, at the centre
+    move = (at(term, about)[0] / at(term, about, 1)[0]).middle();
     about = (about - move).middle();
-    if (!move.is_finite() || !(length_ - about).is_positive() || (about + length_).is_negative())
-      return std::nullopt;
-    if ((rounding - move.size()).is_positive()) break;
+    if (!move.is_finite() || about < -length_ || about > length_) return std::nullopt;
   }
-  const Ball value = range(g, about), rate = range(g, about, 1);
-  if (!rate.is_negative() || (positive_until - about).is_positive()) return std::nullopt;
+  const Ball value = range(term, about), rate = range(term, about, 1);
   const Ball until = (about + 2 * (value / rate).size() + 16 * rounding).upper();
-  if (!(length_ - until).is_positive()) return std::nullopt;
-  // Each solution has its zero between the two, and one only if the slope keeps its sign.
-  const Ball slope = between(g, positive_until, until, 1);
-  if (!slope.is_negative() || !range(g, positive_until).is_positive() ||
-      !range(g, until).is_negative())
-    return std::nullopt;
-  const Ball when = about - value / slope;  // Newton, for all solutions
-  const Ball from = when.lower(), to = when.upper();
-  return Crossing{guard, about, (from - positive_until).is_positive() ? from : positive_until,
-                  (until - to).is_positive() ? to : until};
+  if (about < clear || !(until < length_)) return std::nullopt;
+  // Interval Newton: between `clear`, where the term is positive, and `until` each solution has one
+  // zero, since the slope is negative and no zero that it allows is as late as `until`.
+  const Ball slope = between(term, clear, until, 1);
+  if (!(range(term, clear) > 0) || !(slope < 0)) return std::nullopt;
+  const Ball zeros = about - value / slope;
+  if (!(zeros < until)) return std::nullopt;
+  return zeros.lower() < clear ? hull(clear, zeros.upper()) : zeros;
 }
 
-/// From the set at one time, close to it, along f by tau = -g / g' and the second order.
-StateSet Step::section(const Crossing& crossing) const {
-  const StateSet near = after(crossing.about);
-  const Row directions = near.directions();
-  const std::size_t count = directions.size();
-  const Ball tau = hull(crossing.from, crossing.until) - crossing.about;
-  Row box;
-  for (const Term term : flow_.states)
-    box.push_back(range(term, hull(crossing.about, hull(crossing.from, crossing.until))));
-  const Series centre(*flow_.tape, values(near.centre, inputs_.centre), 1, 0);
-  const Series all(*flow_.tape, over(near, inputs_), 1, count);
-  const Series second(*flow_.tape, anywhere(box, inputs_), 2, 0);
-
-  const Term g = flow_.guards[crossing.guard];
-  Form time{-centre(g, 0) / centre(g, 1), Row(count)};
-  for (std::size_t d = 0; d < count; ++d)
-    time.slopes[d] = (all(g, 0) * all.slope(g, 1, d) / all(g, 1) - all.slope(g, 0, d)) / all(g, 1);
-  const Ball first_order = time.centre + dot(time.slopes, directions);
-  const Ball left = -(tau * tau) * second(g, 2) / all(g, 1);
-  std::vector<Form> forms = forms_of(centre, all, flow_.states, 0);
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    const Term z = flow_.states[i];
-    forms[i].centre += centre(z, 1) * time.centre + all(z, 1) * left + tau * tau * second(z, 2);
-    for (std::size_t d = 0; d < count; ++d)
-      forms[i].slopes[d] += all.slope(z, 1, d) * first_order + all(z, 1) * time.slopes[d];
+// At its crossing, t + tau, a solution is where z + z' tau = z - (z' / g') g, with z and g at t and
+// the rates at times in between.
+StateSet Step::section(Term term, const Ball& crossing) const {
+  const Ball time = crossing.middle();
+  const Form g = at(term, time);
+  const auto rate = [&](Term z) { return between(z, crossing.lower(), crossing.upper(), 1); };
+  const Ball slope = rate(term);
+  std::vector<Form> forms;
+  for (const Term z : flow_.states) {
+    const Ball ratio = rate(z) / slope;
+    forms.push_back(at(z, time));
+    for (std::size_t d = 0; d < g.size(); ++d) forms.back()[d] = forms.back()[d] - ratio * g[d];
   }
-  return StateSet::of(forms, directions, inputs_);
+  return set_.with(forms, flow_.scale);
+}
+
+std::size_t follow(const Flow& flow, StateSet& set, std::vector<std::size_t> vanishing,
+                   Ball& step_length, const StepObserver& observer) {
+  const std::size_t guards = flow.guards.size();
+  vanishing.resize(guards);
+  const Ball shortest = step_length * Ball::power_of_two(-40);
+  for (;;) {
+    const Step step(flow, set, step_length);
+    Row positive_until;
+    for (std::size_t g = 0; g < guards; ++g)
+      positive_until.push_back(step.positive_until(flow.guards[g], vanishing[g]));
+    const auto first = std::min_element(positive_until.begin(), positive_until.end());
+    const Ball clear = *first;
+    if (clear < step.length()) {
+      const auto g = static_cast<std::size_t>(first - positive_until.begin());
+      const std::optional<Ball> crossing = step.crossing(flow.guards[g], clear);
+      *first = step.length();
+      if (crossing && std::all_of(positive_until.begin(), positive_until.end(),
+                                  [&](const Ball& t) { return t > *crossing; })) {
+        observer(step, crossing->lower(), crossing->upper());
+        set = step.section(flow.guards[g], *crossing);
+        return g;
+      }
+    }
+    // As far as nothing happens, if that is anywhere.
+    if (clear * 1024 > step.length()) {
+      observer(step, clear, clear);
+      step_length = (step.length() * 1.3).middle();
+      set = step.after(clear);
+      std::fill(vanishing.begin(), vanishing.end(), 0);
+    } else {
+      step_length = (step.length() / 8).middle();
+      if (step_length < shortest) throw Undecided("whether a guard vanishes");
+    }
+  }
 }
 
 namespace {
 
-/// Where, of what comes after `from`, a term is first not proven positive.
-std::optional<Ball> first_doubt(const Step& step, Term term, const Ball& from, const Ball& until,
-                                int depth = 12) {
-  if (step.between(term, from, until).is_positive()) return std::nullopt;
-  if (depth == 0) return from;
-  const Ball middle = ((from + until) / 2).middle();
-  if (auto doubt = first_doubt(step, term, from, middle, depth - 1)) return doubt;
-  return first_doubt(step, term, middle, until, depth - 1);
-}
-
-/// Since when a term is positive which vanishes at the start with its first derivatives: until then
-/// the next derivative is positive. None if that is not proven.
-std::optional<Ball> positive_since(const Step& step, Term term, std::size_t vanishing) {
-  if (vanishing == 0) return Ball(0);
-  Ball since = step.length();
-  for (int halvings = 0; halvings < 30; ++halvings) {
-    if (step.between(term, 0, since, vanishing).is_positive()) return since;
-    since = (since / 2).middle();
-  }
-  return std::nullopt;
+void raise(Ball& greatest, const Ball& x) {
+  if (x > greatest) greatest = x;
 }
 
 }  // namespace
 
-Passage follow(const Flow& flow, const Inputs& inputs, StateSet set,
-               std::vector<std::size_t> vanishing, const Settings& settings, Ball& step_length,
-               const StepObserver& observer) {
-  vanishing.resize(flow.guards.size());
-  const Ball shortest = step_length * power_of_two(-40);
-  for (;;) {
-    const Step step(flow, inputs, set, settings, step_length);
-    const Ball length = step.length();
-    std::vector<std::optional<Ball>> since, doubts;
-    Ball clear = length;
-    for (std::size_t g = 0; g < flow.guards.size(); ++g) {
-      since.push_back(positive_since(step, flow.guards[g], vanishing[g]));
-      doubts.push_back(since[g] ? first_doubt(step, flow.guards[g], *since[g], length) : Ball(0));
-      if (doubts[g] && (clear - *doubts[g]).is_positive()) clear = *doubts[g];
-    }
-    for (std::size_t g = 0; g < flow.guards.size(); ++g) {
-      const auto crossing = doubts[g] && since[g] ? step.crossing(g, *doubts[g]) : std::nullopt;
-      if (!crossing) continue;
-      bool is_first = true;
-      for (std::size_t other = 0; other < flow.guards.size(); ++other)
-        is_first = is_first &&
-                   (other == g || (since[other] && !first_doubt(step, flow.guards[other],
-                                                                *since[other], crossing->until)));
-      if (!is_first) continue;
-      observer(step, crossing->from, crossing->until);
-      return {g, step.section(*crossing)};
-    }
-    // As far as nothing happens, if that is anywhere.
-    if ((clear * 1024 - length).is_positive()) {
-      observer(step, clear, clear);
-      set = step.after(clear);
-      std::fill(vanishing.begin(), vanishing.end(), 0);
-      step_length = (length * 1.3).middle();
-    } else {
-      step_length = (length / 8).middle();
-      if ((shortest - step_length).is_positive()) throw Undecided("whether a guard vanishes");
-    }
+// What comes after `surely` may be, up to `at_most`.
+void Greatest::see(const Step& step, Term term, const Ball& surely, const Ball& at_most) {
+  see_part(step, term, 0, surely, 40);
+  raise(upper_, step.between(term, surely, at_most).upper());
+}
+
+void Greatest::see_part(const Step& step, Term term, const Ball& from, const Ball& until,
+                        int depth) {
+  Ball range = step.between(term, from, until);
+  if (range < lower_) return;
+  const Ball middle = ((from + until) / 2).middle(), there = step.range(term, middle);
+  raise(lower_, there.lower());
+  const Ball rate = step.between(term, from, until, 1);
+  if (rate > 0 || rate < 0) {  // then the greatest value is at an end
+    const Ball first = step.range(term, from), last = step.range(term, until);
+    raise(lower_, first.lower());
+    raise(lower_, last.lower());
+    range = hull(first, last);
+  } else if (depth > 0 && 9 * there.radius() < 8 * range.radius()) {  // or halving were of no use
+    see_part(step, term, from, middle, depth - 1);
+    return see_part(step, term, middle, until, depth - 1);
   }
+  raise(upper_, range.upper());
 }
 
 }  // namespace proof

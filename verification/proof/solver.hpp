@@ -4,63 +4,89 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 
-#include "verification/proof/state_set.hpp"
+#include "verification/proof/series.hpp"
 
 namespace proof {
 
-/// A motion: rates, and guards that are positive as long as it lasts.
-struct Flow {
-  std::shared_ptr<Tape> tape = std::make_shared<Tape>();  // which the terms point at
-  std::vector<Term> states, rates, guards;
+/// Values over a set: each is form[0] + sum of form[d] x_d, where x_d is within the set's
+/// directions[d]. directions[0] is 1, so that dot(form, directions) contains all of the values.
+using Form = Row;
+
+/// States, and behind them parameters. The first directions are those of the parameters, one each,
+/// and remain; the others are a frame of the states, chosen anew after each step.
+struct StateSet {
+  std::vector<Form> values;
+  Row directions;
+
+  /// One state, and parameters within `half` of `centre`, where that is not zero.
+  StateSet(const Row& state, const Row& centre, const Row& half);
+
+  Ball range(const Form& form) const { return dot(form, directions); }
+  /// The values of terms that do not depend on time, such as a reset.
+  std::vector<Form> map(const Tape& tape, const std::vector<Term>& terms) const;
+  Ball range(const Tape& tape, Term term) const { return range(map(tape, {term})[0]); }
+  /// The set of new states. Errors in proportion to `scale` weigh alike.
+  StateSet with(const std::vector<Form>& states, const Row& scale) const;
+
+  /// What a series is given: the centre, or all values and their slopes.
+  Matrix centre() const;
+  Matrix all() const;
 };
 
-/// How to integrate.
-struct Settings {
-  std::size_t order;  ///< of the series
-  Ball tolerance;     ///< remainder of a step, relative to the state
+/// A motion: states, whose rates the tape knows, and guards that are positive as long as it lasts.
+struct Flow {
+  Tape tape;
+  std::vector<Term> states, guards;
+  Row scale;  ///< of the states' errors
 
-  /// What suits the precision.
-  Settings();
+  Flow() = default;
+  Flow(const Flow&) = delete;  // the terms point at the tape
+  Flow& operator=(const Flow&) = delete;
+};
+
+/// Of the series, and the remainder of a step that is allowed, relative to the state.
+struct Settings {
+  std::size_t order = static_cast<std::size_t>(3 * Ball::bits / 10);
+  Ball tolerance = Ball::power_of_two(-Ball::bits);
 };
 
 /// The solutions from a set over a step.
 class Step {
  public:
-  /// The length is that which is wished for, or shorter.
-  Step(const Flow& flow, const Inputs& inputs, const StateSet& set, const Settings& settings,
-       Ball length);
+  /// The length is that which is asked for, or shorter.
+  Step(const Flow& flow, const StateSet& set, const Ball& length, const Settings& settings = {});
 
   const Ball& length() const { return length_; }
-  /// A time derivative of a term at a time of the step, or at any of a ball.
+  /// A time derivative of a term at a time of the step.
   Form at(Term term, const Ball& time, std::size_t derivative = 0) const;
-  Ball range(Term term, const Ball& time, std::size_t derivative = 0) const;
+  Ball range(Term term, const Ball& time, std::size_t derivative = 0) const {
+    return set_.range(at(term, time, derivative));
+  }
   /// The same for all times between two.
   Ball between(Term term, const Ball& from, const Ball& until, std::size_t derivative = 0) const;
   StateSet after(const Ball& time) const;
 
-  /// Where a guard vanishes and ceases to be positive, for all solutions between two times, and at
-  /// `about` for the one of the centre.
-  struct Crossing {
-    std::size_t guard;
-    Ball about, from, until;
-  };
-  /// That of a guard which is positive until `positive_until`, if it can be proven.
-  std::optional<Crossing> crossing(std::size_t guard, const Ball& positive_until) const;
-  /// The set on the surface where the guard vanishes.
-  StateSet section(const Crossing& crossing) const;
+  /// Until when a term is proven positive, if it and `vanishing` derivatives less one are zero at
+  /// the start.
+  Ball positive_until(Term term, std::size_t vanishing) const;
+  /// A ball of the times at which a term vanishes that is positive until `clear`: of all solutions,
+  /// and of each but one. None if that cannot be proven.
+  std::optional<Ball> crossing(Term term, const Ball& clear) const;
+  /// The set on the surface where the term vanishes.
+  StateSet section(Term term, const Ball& crossing) const;
 
  private:
-  bool enclose(const Row& start, const Ball& length);
-  Ball excess() const;
+  bool enclose();
+  bool is_accurate();
+  Ball first_doubt(Term term, const Ball& from, const Ball& until, int depth) const;
 
   const Flow& flow_;
-  const Inputs& inputs_;
-  Row directions_, box_;
-  Ball length_;
+  const StateSet& set_;
   Settings settings_;
+  Ball length_;
+  Matrix box_;
   Series at_centre_, over_set_, over_box_;
 };
 
@@ -68,16 +94,22 @@ class Step {
 /// `at_most`.
 using StepObserver = std::function<void(const Step&, const Ball& surely, const Ball& at_most)>;
 
-/// Which guard vanishes first, for all solutions the same, and the set of the states there.
-struct Passage {
-  std::size_t guard;
-  StateSet set;
-};
+/// Follows a flow until a guard vanishes, for all solutions the same one; maps the set to there and
+/// returns the guard. Guards that are zero at the start, with so many of their first derivatives
+/// less one, are named in `vanishing`. Throws Undecided.
+std::size_t follow(const Flow& flow, StateSet& set, std::vector<std::size_t> vanishing,
+                   Ball& step_length, const StepObserver& observer);
 
-/// Follows a flow until a guard vanishes. Guards that are known to vanish at the start, with so
-/// many of their first derivatives less one, are named in `vanishing`. Throws Undecided.
-Passage follow(const Flow& flow, const Inputs& inputs, StateSet set,
-               std::vector<std::size_t> vanishing, const Settings& settings, Ball& step_length,
-               const StepObserver& observer);
+/// A ball of the greatest value of a term along solutions.
+class Greatest {
+ public:
+  void see(const Step& step, Term term, const Ball& surely, const Ball& at_most);
+  Ball value() const { return hull(lower_, upper_); }
+
+ private:
+  void see_part(const Step& step, Term term, const Ball& from, const Ball& until, int depth);
+
+  Ball lower_, upper_;
+};
 
 }  // namespace proof

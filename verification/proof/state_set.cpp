@@ -1,126 +1,73 @@
-#include "verification/proof/state_set.hpp"
-
-#include <algorithm>
-#include <functional>
+#include "verification/proof/solver.hpp"
 
 namespace proof {
 
-std::vector<Dual> values(const Row& states, const Row& inputs) {
-  std::vector<Dual> all;
-  for (const Row* row : {&states, &inputs})
-    for (const Ball& x : *row) all.push_back({x});
-  return all;
-}
-
-std::vector<Dual> anywhere(const Row& states, const Inputs& inputs) {
-  Row balls = inputs.centre;
-  for (std::size_t i = 0; i < balls.size(); ++i) balls[i] += Ball::within(inputs.half[i]);
-  return values(states, balls);
-}
-
-std::vector<Dual> over(const StateSet& set, const Inputs& inputs) {
-  std::vector<Dual> all = anywhere(set.hull(), inputs);
-  const std::size_t n = set.centre.size();
-  std::size_t direction = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i < n) {
-      all[i].slopes = set.by_input[i];
-      all[i].slopes.insert(all[i].slopes.end(), set.frame[i].begin(), set.frame[i].end());
-    } else {
-      all[i].slopes = Row(set.by_input[0].size() + n);
-      const Ball& half = inputs.half[i - n];
-      if (!half.is_exactly_zero()) all[i].slopes[direction++] = half;
-    }
+StateSet::StateSet(const Row& state, const Row& centre, const Row& half) {
+  for (const Ball& x : state) values.push_back({x});
+  directions = {1};
+  for (std::size_t p = 0; p < half.size(); ++p) {
+    if (!(half[p] > 0)) continue;
+    values.push_back(Row(directions.size()));
+    values.back()[0] = centre[p];
+    values.back().push_back(half[p]);
+    directions.push_back(Ball::within(1));
   }
-  return all;
+  directions.resize(directions.size() + state.size());
+  for (Form& form : values) form.resize(directions.size());
 }
 
-std::vector<Form> forms_of(const Series& centre, const Series& all, const std::vector<Term>& terms,
-                           std::size_t k) {
+Matrix StateSet::centre() const {
+  Matrix rows;
+  for (const Form& form : values) rows.push_back({form[0]});
+  return rows;
+}
+
+Matrix StateSet::all() const {
+  Matrix rows = values;
+  for (Row& row : rows) row[0] = range(row);
+  return rows;
+}
+
+// By the mean value theorem: the value at the centre, and slopes from anywhere in the set.
+std::vector<Form> StateSet::map(const Tape& tape, const std::vector<Term>& terms) const {
+  const Series at_centre(tape, centre(), 0), over_set(tape, all(), 0);
   std::vector<Form> forms;
   for (const Term term : terms) {
-    forms.push_back({centre(term, k), Row(all.directions())});
-    for (std::size_t d = 0; d < all.directions(); ++d)
-      forms.back().slopes[d] = all.slope(term, k, d);
+    forms.push_back({at_centre(term, 0)});
+    for (std::size_t d = 1; d < directions.size(); ++d)
+      forms.back().push_back(over_set(term, 0, d));
   }
   return forms;
 }
 
-std::size_t Inputs::wide() const {
-  return static_cast<std::size_t>(
-      std::count_if(half.begin(), half.end(), [](const Ball& x) { return !x.is_exactly_zero(); }));
-}
-
-Row StateSet::directions() const {
-  Row all(by_input[0].size(), Ball::within(1));
-  all.insert(all.end(), rest.begin(), rest.end());
-  return all;
-}
-
-Row StateSet::hull() const {
-  Row all = centre;
-  const Row p(by_input[0].size(), Ball::within(1));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] += dot(by_input[i], p) + dot(frame[i], rest);
-  return all;
-}
-
-StateSet StateSet::at(const Row& state, const Inputs& inputs) {
-  std::vector<Form> forms;
-  const Row directions(inputs.wide(), Ball::within(1));
-  for (const Ball& x : state) forms.push_back({x, Row(directions.size())});
-  return of(forms, directions, inputs);
-}
-
-StateSet StateSet::of(const std::vector<Form>& forms, const Row& directions, const Inputs& inputs) {
-  const std::size_t n = forms.size(), wide = inputs.wide();
-  StateSet set{Row(n), Matrix(n, Row(wide)), Matrix(n, Row(n)), Row(n)};
-  Row left(n);  // what is not in the new centre, nor in the new slopes by inputs
+StateSet StateSet::with(const std::vector<Form>& states, const Row& scale) const {
+  const std::size_t n = states.size(), first = directions.size() - n;  // of the frame
+  StateSet next = *this;
+  Matrix old_frame(n, Row(n)), columns = old_frame, frame = old_frame;  // columns first
+  Row left(n);  // what is not along the frame, when midpoints are kept
   for (std::size_t i = 0; i < n; ++i) {
-    set.centre[i] = forms[i].centre.middle();
-    left[i] = forms[i].centre - set.centre[i];
-    for (std::size_t d = 0; d < wide; ++d) {
-      set.by_input[i][d] = forms[i].slopes[d].middle();
-      left[i] += (forms[i].slopes[d] - set.by_input[i][d]) * directions[d];
+    for (std::size_t d = 0; d < first; ++d) {
+      next.values[i][d] = states[i][d].middle();
+      left[i] = left[i] + (states[i][d] - next.values[i][d]) * directions[d];
+    }
+    for (std::size_t j = 0; j < n; ++j) {
+      old_frame[j][i] = states[i][first + j];
+      columns[j][i] = (old_frame[j][i] * directions[first + j].size() / scale[i]).middle();
     }
   }
-  // The rest in a new frame: frame^-1 (old slopes old rest + left).
-  const Row rest(directions.begin() + static_cast<long>(wide), directions.end());
-  const bool had_rest = !std::all_of(rest.begin(), rest.end(), std::mem_fn(&Ball::is_exactly_zero));
-  Matrix slopes(n, Row(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t d = 0; d < rest.size(); ++d) slopes[i][d] = forms[i].slopes[wide + d];
-    if (!had_rest) slopes[i][i] = 1;
+  columns = orthonormal(columns);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      next.values[i][first + j] = frame[i][j] = (columns[j][i] * scale[i]).middle();
+  // old_frame rest + left = frame (frame^-1 old_frame rest + frame^-1 left)
+  const Matrix back = inverse(frame);
+  for (std::size_t j = 0; j < n; ++j) {
+    Ball rest = dot(back[j], left);
+    for (std::size_t d = 0; d < n; ++d)
+      rest = rest + dot(back[j], old_frame[d]) * directions[first + d];
+    next.directions[first + j] = Ball::within(rest.size());
   }
-  Row sizes(n, Ball(1));
-  for (std::size_t d = 0; d < rest.size(); ++d) sizes[d] = rest[d].size();
-  set.frame = orthonormal(slopes, sizes, inputs.scale);
-  const Matrix back = inverse(set.frame);
-  for (std::size_t i = 0; i < n; ++i) {
-    set.rest[i] = dot(back[i], left);
-    for (std::size_t d = 0; d < rest.size(); ++d) {
-      Ball along;
-      for (std::size_t j = 0; j < n; ++j) along += back[i][j] * slopes[j][d];
-      set.rest[i] += along * rest[d];
-    }
-    set.rest[i] = Ball::within(set.rest[i].size());
-  }
-  return set;
-}
-
-StateSet map(const Tape& tape, const std::vector<Term>& terms, const Inputs& inputs,
-             const StateSet& set) {
-  const Row directions = set.directions();
-  const Series centre(tape, values(set.centre, inputs.centre), 0, 0);
-  const Series all(tape, over(set, inputs), 0, directions.size());
-  return StateSet::of(forms_of(centre, all, terms, 0), directions, inputs);
-}
-
-Ball range(const Tape& tape, Term term, const Inputs& inputs, const StateSet& set) {
-  const Row directions = set.directions();
-  const Series centre(tape, values(set.centre, inputs.centre), 0, 0);
-  const Series all(tape, over(set, inputs), 0, directions.size());
-  const Form form = forms_of(centre, all, {term}, 0)[0];
-  return common(form.centre + dot(form.slopes, directions), all(term, 0));
+  return next;
 }
 
 }  // namespace proof
