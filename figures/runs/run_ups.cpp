@@ -22,6 +22,13 @@ Scenario endless(Scenario run_up) {
   return run_up;
 }
 
+RunUpCheckpoint of(const Scenario& scenario, const RunUpCheckpoint& way) {
+  RunUpCheckpoint checkpoint = way;
+  checkpoint.simulation = way.simulation.with(scenario);
+  checkpoint.summary = way.summary.with(scenario);
+  return checkpoint;
+}
+
 }  // namespace
 
 RunUpCheckpoint::RunUpCheckpoint(const Scenario& scenario)
@@ -40,17 +47,13 @@ RunUps::Family& RunUps::family(const Scenario& scenario) {
     ++checkpoints_;
   }
   for (; checkpoints_ > most_checkpoints && families_.size() > 1; families_.pop_back())
-    checkpoints_ -= families_.back().checkpoints.size();
+    checkpoints_ -= families_.back().checkpoints.size() + families_.back().later.size();
   return families_.front();
 }
 
-RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& monitor,
-                                          double latest_s) {
-  const SummaryObserver fresh(scenario);
-  const double until_s =
-      std::min(latest_s, std::min(scenario.run_up_end(), fresh.time_of_speed_s()));
-  if (!scenario.loses_mass() || !(until_s > 0)) return RunUpCheckpoint(scenario);
-  std::vector<RunUpCheckpoint>& checkpoints = family(scenario).checkpoints;
+/// From the last of the checkpoints before a time to that time. What is far from them is kept.
+RunUpCheckpoint RunUps::follow(std::vector<RunUpCheckpoint>& checkpoints, double until_s,
+                               Observer& monitor) {
   const auto later = std::upper_bound(checkpoints.begin() + 1, checkpoints.end(), until_s,
                                       [](double limit_s, const RunUpCheckpoint& checkpoint) {
                                         return limit_s < time_s(checkpoint);
@@ -62,14 +65,27 @@ RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& mo
   observers.add(way.summary);
   way.simulation.run_up(until_s, observers);
   const bool is_far = steps(way) - steps(last) >= least_steps + steps(last) / parts_of_way;
-  RunUpCheckpoint checkpoint = way;
   if (is_far && !way.simulation.stopped()) {
-    checkpoints.insert(later, std::move(way));
+    checkpoints.insert(later, way);
     ++checkpoints_;
   }
-  checkpoint.simulation = checkpoint.simulation.with(scenario);
-  checkpoint.summary = checkpoint.summary.with(scenario);
-  return checkpoint;
+  return way;
+}
+
+RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& monitor,
+                                          double latest_s) {
+  const double speed_s = SummaryObserver(scenario).time_of_speed_s(),
+               until_s = std::min(latest_s, scenario.run_up_end());
+  if (!scenario.loses_mass() || !(std::min(until_s, speed_s) > 0)) return RunUpCheckpoint(scenario);
+  Family& shared = family(scenario);
+  if (until_s <= speed_s) return of(scenario, follow(shared.checkpoints, until_s, monitor));
+  if (shared.later.empty() || shared.later.front().summary.time_of_speed_s() != speed_s) {
+    const RunUpCheckpoint way = follow(shared.checkpoints, speed_s, monitor);
+    if (way.simulation.stopped()) return way;
+    checkpoints_ += 1 - shared.later.size();
+    shared.later = {of(scenario, way)};
+  }
+  return of(scenario, follow(shared.later, until_s, monitor));
 }
 
 SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,

@@ -39,8 +39,12 @@ class RunUps {
   struct Family {
     Scenario run_up;
     std::vector<RunUpCheckpoint> checkpoints;
+    /// Of those whose summary looks at the speed when the last one's did, from that time on.
+    std::vector<RunUpCheckpoint> later{};
   };
   Family& family(const Scenario& scenario);
+  RunUpCheckpoint follow(std::vector<RunUpCheckpoint>& checkpoints, double until_s,
+                         Observer& monitor);
 
   std::list<Family> families_;   ///< the most recently used first
   std::size_t checkpoints_ = 0;  ///< of all

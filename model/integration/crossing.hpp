@@ -37,15 +37,17 @@ bool stays_clear(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b, const S& 
   return a.value + meet * (a.slope - curvature * meet / 2) > 0;
 }
 
-/// The zero of a function that falls from a to b, as the inverse cubic through both has it.
+/// The last zero of a function that falls from a to b, as Newton's method finds it from b on the
+/// cubic through both; anything where that has none.
 template <class S>
 S estimated_zero(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
-  const S h = b.time - a.time;
-  if (!(a.slope < 0 && b.slope < 0)) return a.time + h / 2;
-  const S chord = (b.value - a.value) / h;
-  const S u = a.value / (a.value - b.value), v = 1 - u;
-  return a.time +
-         h * (u * u * (3 - 2 * u) + u * v * v * chord / a.slope - u * u * v * chord / b.slope);
+  const S h = b.time - a.time, rise = b.value - a.value, from = a.slope * h, to = b.slope * h;
+  const S square = 3 * rise - 2 * from - to, cube = from + to - 2 * rise;
+  S u(1);
+  for (int n = 0; n < 6; ++n)
+    u -=
+        (a.value + u * (from + u * (square + u * cube))) / (from + u * (2 * square + 3 * u * cube));
+  return a.time + h * u;
 }
 
 /// The first time between a and b after which f < 0, to within `resolution` and on that side. A
@@ -66,6 +68,8 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
     }
     a = left;
   }
+  // Zero is left at once, where that is by rounding: it must not be looked at ever more closely.
+  if (a.value < 0 && a.value + a.slope * resolution > 0) a.value = 0;
   for (int slow = 0;;) {
     const S h = b.time - a.time;
     const bool crosses = b.value < 0;

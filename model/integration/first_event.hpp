@@ -1,6 +1,6 @@
 /// The first event in a step. A system with events has event functions, event(i, x) for i up to
-/// event_count, and an event is where one of them becomes negative. It may bound them over a step
-/// beforehand, by event_bounds(from, to) for a step between two points.
+/// event_count, and an event is where one of them becomes negative. It says by bounds(from, to)
+/// what it knows of a step between two points beforehand, of the event functions by `events`.
 #pragma once
 
 #include "model/integration/step.hpp"
@@ -14,27 +14,22 @@ struct EventBound {
   std::optional<S> curvature{};  ///< bound of its second derivative
 };
 
-/// Where a step ends: at its first event, if there is one.
-template <class Point>
-struct StepEnd {
-  Point point;
-  std::optional<std::size_t> event;  ///< which of the system's
-};
-
+/// Which of the system's events ends a step, if one does. The step stops there.
 template <class S, class Stepper, class System>
-auto first_event(Step<S, Stepper, System>& step) {
-  const System& system = step.system();
-  StepEnd<typename Step<S, Stepper, System>::Point> end{step.end(), std::nullopt};
-  const auto bounds = system.event_bounds(step.start(), step.end());
+std::optional<std::size_t> first_event(Step<S, Stepper, System>& step) {
+  std::optional<std::size_t> first;
   for (std::size_t i = 0; i < System::event_count; ++i) {
-    if (bounds[i].stays_positive) continue;
-    const auto value = [&system, i](const auto& x) { return system.event(i, x); };
-    // Up to the end, which an earlier event may have moved already.
+    const EventBound<S>& bound = step.bounds().events[i];
+    if (bound.stays_positive) continue;
+    const auto value = [&step, i](const auto& x) { return step.system().event(i, x); };
+    // Up to the stop, which an earlier event may have moved already.
     if (const auto crossing = step.crossing(value, step.observe(value, step.start()),
-                                            step.observe(value, end.point), bounds[i].curvature))
-      end = {*crossing, i};
+                                            step.observe(value, step.stop()), bound.curvature)) {
+      step.stop_at(*crossing);
+      first = i;
+    }
   }
-  return end;
+  return first;
 }
 
 }  // namespace rotor

@@ -11,11 +11,8 @@ namespace rotor {
 template <class S, class Unknowns, std::size_t N>
 class HermitePolynomial {
  public:
-  struct Node {
-    S time;
-    Unknowns x, rates;
-  };
-
+  /// Of points with time, x and rates.
+  template <class Node>
   explicit HermitePolynomial(const std::array<Node, N>& nodes) {
     for (std::size_t i = 0; i < terms; ++i) {
       time_[i] = nodes[i / 2].time;

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "model/integration/crossing.hpp"
 #include "model/integration/hermite.hpp"
@@ -80,7 +81,8 @@ class ErrorControl {
   Stepper stepper_{};
 };
 
-/// A step that has been taken.
+/// A step that has been taken, to its end or to where an event stops it. Its start and its end have
+/// to stay where they are.
 template <class S, class Stepper, class System>
 class Step {
  public:
@@ -88,28 +90,32 @@ class Step {
   using Unknowns = typename Control::Unknowns;
   using Point = typename Control::Point;
   using DenseOutput = HermitePolynomial<S, Unknowns, 4>;
+  using Bounds =
+      decltype(std::declval<System>().bounds(std::declval<Point>(), std::declval<Point>()));
 
   /// Times are since the start of the step.
   Step(Control& control, const System& system, const Point& start, const Point& end)
-      : control_(control), system_(system), start_(start), end_(end) {}
+      : control_(control), system_(system), start_(start), end_(end), stop_(end) {}
 
   const System& system() const { return system_; }
   const Point& start() const { return start_; }
-  const Point& end() const { return end_; }
+  const Point& stop() const { return stop_; }
+  void stop_at(const Point& point) { stop_ = point; }
 
-  /// As accurate as the step: of its order, through two points between its ends. Costs two steps.
+  /// What the system knows of the step beforehand.
+  const Bounds& bounds() {
+    if (!bounds_) bounds_.emplace(system_.bounds(start_, end_));
+    return *bounds_;
+  }
+
+  /// As accurate as the step: of its order, through two points between its ends. Each of them costs
+  /// a step, unless the stop is one.
   const DenseOutput& dense_output() {
-    if (!dense_output_) {
-      std::array<typename DenseOutput::Node, 4> nodes;
-      Point point = start_;
-      for (std::size_t i = 0; i < 3; ++i) {
-        nodes[i] = {point.time, point.x, point.rates};
-        if (i < 2) point = step(point, end_.time * S(i + 1) / 3);
-      }
-      nodes[3] = {end_.time, end_.x, end_.rates};
-      dense_output_.emplace(nodes);
-    }
-    return *dense_output_;
+    if (dense_output_) return *dense_output_;
+    if (is_inside(stop_.time))
+      return dense_output_.emplace(curve(start_, step(start_, stop_.time / 2), stop_, end_));
+    const Point third = step(start_, end_.time / 3);
+    return dense_output_.emplace(curve(start_, third, step(third, end_.time * 2 / 3), end_));
   }
 
   Point at(const S& time) {
@@ -134,10 +140,10 @@ class Step {
     return {at.time, here, (later - here) / look_ahead()};
   }
 
-  /// The same at a time, on the dense output.
-  template <class Value>
-  ValueAndSlope<S> observe(const Value& value, const S& time) {
-    const S here = value(dense_output()(time)), later = value(dense_output()(time + look_ahead()));
+  /// The same at a time, on a curve such as the dense output.
+  template <class Value, class Curve>
+  ValueAndSlope<S> observe(const Value& value, const Curve& curve, const S& time) const {
+    const S here = value(curve(time)), later = value(curve(time + look_ahead()));
     return {time, here, (later - here) / look_ahead()};
   }
 
@@ -147,12 +153,26 @@ class Step {
   std::optional<Point> crossing(const Value& value, const ValueAndSlope<S>& from,
                                 const ValueAndSlope<S>& until,
                                 const std::optional<S>& curvature = std::nullopt) {
-    // Found on the dense output, which costs no right-hand sides; then polished.
-    const auto time = first_crossing(from, until, look_ahead(), curvature,
-                                     [&](const S& t) { return observe(value, t); });
+    using std::abs;
+    const auto first_on = [&](const auto& on, const std::optional<S>& bound) {
+      return first_crossing(from, until, look_ahead(), bound,
+                            [&](const S& time) { return observe(value, on, time); });
+    };
+    const auto polish = [&](const Point& near) {
+      return near.time == 0 ? near : polished(near, value, from.time, until.time);
+    };
+    // The curve through both ends says nearly where a crossing is that must be there, and the curve
+    // through the point there as well, which is the first.
+    if (until.value < 0)
+      if (const auto near = first_on(curve(start_, end_), std::nullopt); near && is_inside(*near)) {
+        const Point there = step(start_, *near);
+        if (const auto time = first_on(curve(start_, there, end_), curvature))
+          return polish(abs(*time - *near) > look_ahead() ? step(start_, *time) : there);
+      }
+    // Any other is looked for on the dense output, which costs two steps.
+    const auto time = first_on([this](const S& at) { return dense_output()(at); }, curvature);
     if (!time) return std::nullopt;
-    if (*time == 0) return start_;
-    return polished(step(start_, *time), value, from.time, until.time);
+    return polish(*time == 0 ? start_ : step(start_, *time));
   }
 
   /// Where value(x) becomes negative between two times at which it is positive and negative. If it
@@ -168,6 +188,17 @@ class Step {
   }
 
  private:
+  /// Through points of the step.
+  template <class... Points>
+  static auto curve(const Points&... points) {
+    return HermitePolynomial<S, Unknowns, sizeof...(points)>(std::array{points...});
+  }
+
+  /// Whether a time is far enough from both ends for a curve through all three.
+  bool is_inside(const S& time) const {
+    return 64 * time > end_.time && 64 * time < 63 * end_.time;
+  }
+
   Point step(const Point& from, const S& time) {
     Point to{.time = time};
     control_.step(system_, from, to);
@@ -202,7 +233,9 @@ class Step {
 
   Control& control_;
   const System& system_;
-  const Point start_, end_;
+  const Point &start_, &end_;
+  Point stop_;
+  std::optional<Bounds> bounds_;
   std::optional<DenseOutput> dense_output_;
 };
 

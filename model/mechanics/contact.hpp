@@ -123,10 +123,11 @@ struct Ring {
 
 /// What a friction of 1 N adds to the acceleration, which is linear in the friction.
 template <class S>
-inline Acceleration<S> friction_mobility(const Body<S>& body, const Motion<S>& motion,
-                                         const RimPoint<S>& k, const S& radius) {
+inline Acceleration<S> friction_mobility(const std::type_identity_t<Mobility<S>>& body,
+                                         const Motion<S>& motion, const RimPoint<S>& k,
+                                         const S& radius) {
   const S arm = radius - motion.eccentricity.dot(k.normal);  // of the friction force about C
-  return {k.tangent / body.mass, arm / body.inertia};
+  return {body.per_mass * k.tangent, body.per_inertia * arm};
 }
 
 /// Rate of v_Ktau, m/s^2. The tangent turns with the whirl of O.

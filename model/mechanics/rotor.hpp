@@ -8,6 +8,8 @@
 /// a contact. A chart such as rotating_frame.hpp says which basis the components belong to.
 #pragma once
 
+#include <type_traits>
+
 #include "model/mechanics/support_springs.hpp"
 
 namespace rotor {
@@ -130,15 +132,23 @@ struct Supports {
   }
 };
 
+/// What a load of 1 N or 1 N m accelerates a body by.
+template <class S>
+struct Mobility {
+  S per_mass;     ///< 1/kg
+  S per_inertia;  ///< 1/(kg m^2)
+
+  Mobility(const Body<S>& body) : per_mass(1 / body.mass), per_inertia(1 / body.inertia) {}
+};
+
 /// Solves the equations of motion for the accelerations. The mass matrix of Eq. (3) needs no
 /// general solver: force and moment balance about C are the same equations, and the moment balance
 /// stands alone.
 template <class S>
-inline Acceleration<S> acceleration(const Body<S>& body, const Motion<S>& motion,
-                                    const Loads<S>& loads) {
-  const S per_mass = 1 / body.mass, per_inertia = 1 / body.inertia;  // not kept waiting by loads
-  return {per_mass * loads.force,
-          per_inertia * (loads.moment - cross(motion.mass_centre(), loads.force))};  // Eq. (3)
+inline Acceleration<S> acceleration(const std::type_identity_t<Mobility<S>>& body,
+                                    const Motion<S>& motion, const Loads<S>& loads) {
+  return {body.per_mass * loads.force,
+          body.per_inertia * (loads.moment - cross(motion.mass_centre(), loads.force))};  // Eq. (3)
 }
 
 /// Acceleration of O relative to the stator, m/s^2.

@@ -170,7 +170,8 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
     }
     system(end.x, end.rates, S(0));
     Step<S, Stepper, PhaseSystem<S, Phase>> taken(control_, system, start_, end);
-    auto [stop, event] = first_event(taken);
+    const std::optional<std::size_t> event = first_event(taken);
+    Point stop = taken.stop();
     const S end_s = last && !event ? until_s : S(at_.time_s + stop.time);
     std::optional<Transition> next;
     if (event) next = phase.next(*event, stop.x);

@@ -30,12 +30,7 @@ class PhaseSystem {
     return phase_.guard(i, x);
   }
   using Point = rotor::Point<S, Unknowns>;
-  std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
-    if constexpr (requires { phase_.event_bounds(from, to); })
-      return phase_.event_bounds(from, to);
-    else
-      return {};
-  }
+  auto bounds(const Point& from, const Point& to) const { return phase_.bounds(from, to); }
   Unknowns scale(const Unknowns& x) const { return phase_.scale(x); }
 
  private:

@@ -59,24 +59,17 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
     return observer.threshold(of, start.time_s + from, start.time_s + until);
   };
   constexpr auto& kinds = std::remove_cvref_t<decltype(phase)>::extremes_of;
-  std::array<S, kinds.size()> reach;
-  reach.fill(std::numeric_limits<S>::infinity());
-  const auto is_beyond_reach = [&] {
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-      if (threshold(kinds[i], S(0), duration) < reach[i]) return false;
-    return true;
-  };
-  if (is_beyond_reach()) return;
-  if constexpr (requires(Point p) { phase.reach(p, p); }) {
-    reach = phase.reach(step.start(), step.end()).value_or(reach);
-    if (is_beyond_reach()) return;
-  }
+  const auto& reach = step.bounds().reach;
+  bool is_beyond_reach = true;
+  for (std::size_t i = 0; i < kinds.size() && is_beyond_reach; ++i)
+    is_beyond_reach = threshold(kinds[i], S(0), duration) >= reach[i];
+  if (is_beyond_reach) return;
   long parts = arcs(phase, step.start().x, duration);
   // In contact at loose tolerances most steps are long, and each look inside costs an
   // interpolation.
   if constexpr (requires(Point p) { phase.vibration_reach(p, p); })
     if (parts > 1) {
-      const auto vibration = phase.vibration_reach(step.start(), step.end());
+      const auto vibration = phase.vibration_reach(step.start(), step.stop());
       bool stays_below = true;
       for (std::size_t i = 0; i < kinds.size(); ++i)
         stays_below = stays_below && vibration[i] <= threshold(kinds[i], S(0), duration);
@@ -85,7 +78,7 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   std::vector<BasicMaximum<S>> found;
   Point left = step.start();
   for (long n = 1; n <= parts; ++n) {
-    const Point right = step.at(n == parts ? duration : duration * S(n) / S(parts));
+    const Point right = n == parts ? step.stop() : step.at(duration * S(n) / S(parts));
     const auto at_left = phase.extremes(left.x, left.rates);
     const auto at_right = phase.extremes(right.x, right.rates);
     for (std::size_t i = 0; i < at_left.size(); ++i) {
@@ -100,14 +93,16 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
         return phase.extremes(x, rates)[i].rate;
       };
       const Point maximum = step.zero(rate, {left.time, l.rate}, {right.time, r.rate});
-      found.push_back({kinds[i], bound, start});
-      found.back().at.time_s = min(until_s, S(start.time_s + maximum.time));
-      found.back().at.state = phase.chart.state(maximum.x);
+      BasicMaximum<S> next{kinds[i], bound, start};
+      next.at.time_s = min(until_s, S(start.time_s + maximum.time));
+      next.at.state = phase.chart.state(maximum.x);
+      const auto later =
+          std::upper_bound(found.begin(), found.end(), next,
+                           [](const auto& a, const auto& b) { return a.at.time_s < b.at.time_s; });
+      found.insert(later, next);
     }
     left = right;
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.at.time_s < b.at.time_s; });
   for (const BasicMaximum<S>& maximum : found) {
     const S& time_s = maximum.at.time_s;
     if (maximum.bound > observer.threshold(maximum.of, time_s, time_s))  // which the last may raise

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/mechanics/rotating_frame.hpp"
+#include "model/mechanics/turn.hpp"
 #include "model/phases/rotor_system.hpp"
 
 namespace rotor {
@@ -13,12 +14,13 @@ namespace rotor {
 template <class S>
 class ContactChart {
  public:
-  /// Delta, which is known more sharply than rho (m); direction of O in the rotating axes and angle
-  /// of the rotor, both since the chart was centred (rad); Delta' and the slip velocity v_Ktau
-  /// (m/s); the speed (rad/s). Where the clearance is a very small part of the radius, the
-  /// tangential velocity of O is there instead of the slip as long as it is less: it differs from
-  /// that by the rim's velocity, in whose rounding it would be lost, and rho divides it in the
-  /// whirl. Zeros of the slip want the slip itself.
+  /// Angle of the rotor and direction of O in its axes, both since the chart was centred (rad);
+  /// Delta, which is known more sharply than rho (m); Delta' and the slip velocity v_Ktau (m/s);
+  /// the speed (rad/s). The angles are first, side by side: their rates need no accelerations, so
+  /// that a processor can begin the next stage's sines early. Where the clearance is a very small
+  /// part of the radius, the tangential velocity of O is there instead of the slip as long as it is
+  /// less: it differs from that by the rim's velocity, in whose rounding it would be lost, and rho
+  /// divides it in the whirl. Zeros of the slip want the slip itself.
   using Unknowns = std::array<S, 6>;
 
   struct Kinematics {
@@ -29,7 +31,6 @@ class ContactChart {
       : eccentricity_(rotor.body.eccentricity),
         clearance_(rotor.ring.clearance),
         radius_(rotor.ring.rotor_radius),
-        gravity_(rotor.supports.gravity != 0),
         knows_slip_(is_wide()) {
     using std::atan2;
     centre(q[2], atan2(q[1], q[0]));
@@ -40,9 +41,9 @@ class ContactChart {
     const S rho = displacement.norm();
     const Vector<S> normal = displacement / rho;
     const Vector<S> velocity = Vector<S>(q[3], q[4]) + q[5] * quarter_turn(displacement);
-    return {rho - clearance_,
+    return {S(0),
             S(0),
-            S(0),
+            rho - clearance_,
             normal.dot(velocity),
             quarter_turn(normal).dot(velocity) + (knows_slip_ ? S(radius_ * q[5]) : S(0)),
             q[5]};
@@ -53,29 +54,26 @@ class ContactChart {
     const S c = cos(alpha_ + x[1]), s = sin(alpha_ + x[1]), rho = displacement(x);
     const Vector<S> q = turned(Vector<S>(rho, 0), c, s);
     const Vector<S> rate = turned(Vector<S>(x[3], tangential_velocity(x) - x[5] * rho), c, s);
-    return {q.x(), q.y(), q3_ + x[2], rate.x(), rate.y(), x[5]};
+    return {q.x(), q.y(), q3_ + x[0], rate.x(), rate.y(), x[5]};
   }
 
   Kinematics kinematics(const Unknowns& x) const {
-    using std::cos, std::sin;
-    const S c = cos(x[1]), s = -sin(x[1]);
-    Vector<S> down(S(0), S(0));
-    if (gravity_) down = turned(turned(down_, c, s), S(cos(x[2])), S(-sin(x[2])));
+    const auto [cosine, sine] = turns<S>(-x[1], -(x[0] + x[1]));
     return {{.displacement = Vector<S>(displacement(x), 0),
              .velocity = Vector<S>(x[3], tangential_velocity(x)),
-             .eccentricity = turned(arm_, c, s),
-             .down = down,
+             .eccentricity = turned(arm_, cosine[0], sine[0]),
+             .down = turned(down_, cosine[1], sine[1]),
              .speed = x[5]}};
   }
 
   S speed(const Unknowns& x) const { return x[5]; }
-  S whirl_angle(const Unknowns& x) const { return q3_ + alpha_ + x[1] + x[2]; }
+  S whirl_angle(const Unknowns& x) const { return q3_ + alpha_ + x[1] + x[0]; }
 
   RimPoint<S> rim_point(const Unknowns& x) const {
     return {.normal = Vector<S>(1, 0),
             .tangent = Vector<S>(0, 1),
             .displacement = displacement(x),
-            .indentation = x[0],
+            .indentation = x[2],
             .normal_velocity = x[3],
             .slip_velocity = slip_velocity(x)};
   }
@@ -84,16 +82,16 @@ class ContactChart {
     const Motion<S>& m = at.motion;
     const Vector<S> of_O = acceleration_of_centre(a, m);
     const S whirl = m.velocity.y() / m.displacement.x();  // of the basis, rad/s
-    return {x[3],
+    return {x[5],
             whirl - x[5],
-            x[5],
+            x[3],
             of_O.x() + whirl * m.velocity.y(),
             of_O.y() - whirl * x[3] + (knows_slip_ ? S(radius_ * a.angular) : S(0)),
             a.angular};
   }
 
   Unknowns scale(const S& length, const S& frequency, const S& speed) const {
-    return {length, S(1), S(1), length * frequency, radius_ * speed, speed};
+    return {S(1), S(1), length, length * frequency, radius_ * speed, speed};
   }
 
   /// The same without slip, or, of rates, without a change of the slip.
@@ -111,8 +109,8 @@ class ContactChart {
   /// the rates have become others.
   bool recentre(Unknowns& x) {
     using std::abs;
-    centre(q3_ + x[2], alpha_ + x[1]);
-    x[1] = x[2] = 0;
+    centre(q3_ + x[0], alpha_ + x[1]);
+    x[0] = x[1] = 0;
     const S slip = slip_velocity(x), tangential = tangential_velocity(x);
     const bool knew_slip = knows_slip_;
     knows_slip_ = is_wide() || abs(slip) <= abs(tangential);
@@ -134,11 +132,10 @@ class ContactChart {
   /// but the smallest.
   bool is_wide() const { return radius_ <= 100 * clearance_; }
 
-  S displacement(const Unknowns& x) const { return clearance_ + x[0]; }
+  S displacement(const Unknowns& x) const { return clearance_ + x[2]; }
   S slip_velocity(const Unknowns& x) const { return knows_slip_ ? x[4] : x[4] + radius_ * x[5]; }
 
   S eccentricity_, clearance_, radius_;
-  bool gravity_;
   bool knows_slip_;       ///< whether the slip is among the unknowns
   S q3_, alpha_;          ///< where the chart is centred
   Vector<S> arm_, down_;  ///< of C from O, and gravity's direction, in the basis there

@@ -5,7 +5,6 @@
 #include <optional>
 #include <tuple>
 
-#include "model/integration/first_event.hpp"
 #include "model/phases/flight_chart.hpp"
 #include "model/phases/rub.hpp"
 
@@ -37,12 +36,12 @@ template <class S, class Chart>
 struct Flight : Phase<S, Chart> {
   using Phase<S, Chart>::Phase;
   using typename Phase<S, Chart>::Unknowns;
-  using Phase<S, Chart>::rotor, Phase<S, Chart>::chart;
+  using Phase<S, Chart>::rotor, Phase<S, Chart>::chart, Phase<S, Chart>::mobility;
   static constexpr bool contact_in_rates = false;
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const auto at = chart.kinematics(x);
-    rates = chart.rates(x, at, acceleration(rotor.body, at.motion, rotor.loads(at.motion)));
+    rates = chart.rates(x, at, acceleration(mobility, at.motion, rotor.loads(at.motion)));
   }
 
   S swing(const Unknowns& x, const S& h) const {
@@ -63,7 +62,7 @@ struct Flight : Phase<S, Chart> {
   std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
     const Motion<S> m = chart.kinematics(x).motion;
     const Supports<S>& supports = rotor.supports;
-    const Vector<S> of_O = acceleration_of_centre(acceleration(rotor.body, m, rotor.loads(m)), m);
+    const Vector<S> of_O = acceleration_of_centre(acceleration(mobility, m, rotor.loads(m)), m);
     return {
         {ExtremeValue<S>::length(m.displacement, m.velocity),
          ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
@@ -96,23 +95,28 @@ struct FreeFlight : Flight<S, Chart> {
 
   using Point = rotor::Point<S, Unknowns>;
 
-  /// Whether the guards can end the phase within a step, and how fast that of touch-down can bend.
-  std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
-    const auto bounds = motion_bounds(from, to);
-    if (!bounds) return {};
-    const S of_O = bounds->acceleration + rotor.body.eccentricity * (bounds->speed * bounds->speed +
-                                                                     bounds->angular_acceleration);
-    const S bend = 2 * (bounds->velocity * bounds->velocity + rotor.ring.clearance * of_O);
-    return {{{bounds->displacement < rotor.ring.clearance, bend},
-             {!rotor.motor_on || bounds->speed < rotor.motor_off, std::nullopt}}};
-  }
-
-  /// Bounds of them within a step, if they can be told.
-  std::optional<std::array<S, 2>> reach(const Point& from, const Point& to) const {
-    const auto bounds = motion_bounds(from, to);
-    if (!bounds) return std::nullopt;
-    return {{bounds->displacement,
-             rotor.supports.greatest_bearing_force(bounds->displacement, bounds->velocity)}};
+  /// Whether the guards can end the phase within a step, how fast that of touch-down can bend if
+  /// so, and what the extremes reach until then, if it can be told.
+  StepBounds<S, event_count, 2> bounds(const Point& from, const Point& to) const {
+    StepBounds<S, event_count, 2> all;
+    const auto motion = motion_bounds(from, to);
+    if (!motion) return all;
+    using std::max, std::min;
+    const S clearance = rotor.ring.clearance, reach = min(motion->displacement, clearance);
+    all.reach = {reach, rotor.supports.greatest_bearing_force(reach, motion->velocity)};
+    all.events[1].stays_positive = !rotor.motor_on || motion->speed < rotor.motor_off;
+    all.events[0].stays_positive = motion->displacement < clearance;
+    if (all.events[0].stays_positive) return all;
+    const S of_O = motion->acceleration + rotor.body.eccentricity * (motion->speed * motion->speed +
+                                                                     motion->angular_acceleration);
+    const auto velocity = [&](const Point& at) {
+      return chart.kinematics(at.x).motion.velocity.norm();
+    };
+    // It is no more than at the faster end by more than it can change until there.
+    const S fastest =
+        min(motion->velocity, max(velocity(from), velocity(to)) + of_O * (to.time - from.time) / 2);
+    all.events[0].curvature = 2 * (fastest * fastest + clearance * of_O);
+    return all;
   }
 
  private:
@@ -201,6 +205,11 @@ struct IndentedFlight : Flight<S, Chart> {
       default:
         return rotor.motor_guard(x[5]);  // f = f_max
     }
+  }
+  StepBounds<S, event_count, 2> bounds(const Point<S, Unknowns>&, const Point<S, Unknowns>&) const {
+    StepBounds<S, event_count, 2> all;
+    all.events[2].stays_positive = !rotor.motor_on;
+    return all;
   }
   Transition next(std::size_t guard, const Unknowns& x) const {
     switch (guard) {

@@ -16,6 +16,10 @@
 /// needs it.
 #pragma once
 
+#include <array>
+#include <limits>
+
+#include "model/integration/first_event.hpp"
 #include "model/phases/rotor_system.hpp"
 #include "model/phases/transition.hpp"
 
@@ -38,6 +42,15 @@ struct ExtremeValue {
   }
 };
 
+/// What a phase knows of a step beforehand: of its guards, and what its extremes reach at most.
+template <class S, std::size_t guards, std::size_t extremes>
+struct StepBounds {
+  std::array<EventBound<S>, guards> events{};
+  std::array<S, extremes> reach;
+
+  StepBounds() { reach.fill(std::numeric_limits<S>::infinity()); }
+};
+
 template <class S, class Chart>
 struct Phase {
   using Unknowns = typename Chart::Unknowns;
@@ -47,9 +60,10 @@ struct Phase {
 
   const RotorSystem<S>& rotor;
   const Chart& chart;
+  const Mobility<S> mobility;  ///< of the body, which is the same in all of the phase
 
   Phase(const RotorSystem<S>& system, const Chart& coordinates)
-      : rotor(system), chart(coordinates) {}
+      : rotor(system), chart(coordinates), mobility(system.body) {}
 };
 
 }  // namespace rotor

@@ -5,7 +5,6 @@
 #include <array>
 #include <limits>
 
-#include "model/integration/first_event.hpp"
 #include "model/phases/contact_chart.hpp"
 #include "model/phases/phase.hpp"
 
@@ -66,9 +65,9 @@ struct Rub : Phase<S, Chart> {
         : at(phase.chart.kinematics(x)),
           k(phase.chart.rim_point(x)),
           normal_force(phase.rotor.ring.elastic_force(k)),
-          without_friction(acceleration(phase.rotor.body, at.motion, phase.loads(*this))),
+          without_friction(acceleration(phase.mobility, at.motion, phase.loads(*this))),
           per_newton(
-              friction_mobility(phase.rotor.body, at.motion, k, phase.rotor.ring.rotor_radius)) {}
+              friction_mobility(phase.mobility, at.motion, k, phase.rotor.ring.rotor_radius)) {}
 
     typename Chart::Kinematics at;
     RimPoint<S> k;
@@ -147,6 +146,11 @@ struct Sliding : Rub<S, Chart> {
         return rotor.motor_guard(x[5]);  // f = f_max
     }
   }
+  StepBounds<S, event_count, 3> bounds(const Point<S, Unknowns>&, const Point<S, Unknowns>&) const {
+    StepBounds<S, event_count, 3> all;
+    all.events[2].stays_positive = !rotor.motor_on;
+    return all;
+  }
   Transition next(std::size_t guard, Unknowns& x) const {
     switch (guard) {
       case 0:
@@ -206,7 +210,7 @@ struct Rolling : Rub<S, Chart> {
   /// In most steps friction stays far from its limit, and the guard that costs most needs no look:
   /// twice as much as can hold the rim at the ends of the step is less than the limit all through
   /// it, which is as smooth as estimated_curvature takes it to be.
-  std::array<EventBound<S>, event_count> event_bounds(const Point& from, const Point& to) const {
+  StepBounds<S, event_count, 3> bounds(const Point& from, const Point& to) const {
     using std::max;
     const S friction = 2 * max(friction_bound(from), friction_bound(to));
     const auto reserve = [&](const Point& at) -> ValueAndSlope<S> {
@@ -215,8 +219,10 @@ struct Rolling : Rub<S, Chart> {
               ring.friction * (ring.stiffness * at.x[3] + ring.damping * at.rates[3])};
     };
     const auto first = reserve(from), last = reserve(to);
-    const bool holds = stays_clear(first, last, estimated_curvature(first, last));
-    return {EventBound<S>{}, EventBound<S>{.stays_positive = holds}, EventBound<S>{}};
+    StepBounds<S, event_count, 3> all;
+    all.events[1].stays_positive = stays_clear(first, last, estimated_curvature(first, last));
+    all.events[2].stays_positive = !rotor.motor_on;
+    return all;
   }
 
   Transition next(std::size_t guard, Unknowns& x) const {

@@ -34,8 +34,8 @@ class BasicOutcomeWatch {
 
   /// When the speed is to be shown by note_speed, if the motor drives then, s.
   const S& time_of_speed_s() const { return time_of_speed_s_; }
-  void note_speed(const S& speed) { early_speed_ = speed; }
-  bool knows_speed() const { return early_speed_.has_value(); }
+  void note_speed(const std::optional<S>& speed) { early_speed_ = speed; }
+  const std::optional<S>& early_speed() const { return early_speed_; }
 
   /// Takes all events, and the end.
   void note(const BasicInstant<S>& at);

@@ -38,6 +38,7 @@ BasicSummaryObserver<S> BasicSummaryObserver<S>::with(const Scenario& scenario) 
   BasicSummaryObserver branch = *this;
   branch.ring_ = Ring<S>(scenario.parameters);
   branch.watch_ = BasicOutcomeWatch<S>(scenario);
+  branch.watch_.note_speed(watch_.early_speed());
   branch.note_parameters(scenario.parameters);
   return branch;
 }
@@ -82,7 +83,7 @@ template <class S>
 bool BasicSummaryObserver<S>::goes_on(const BasicProgress<S>& now) {
   // Fixed steps are not shown: the speed at the end of the one before has to do.
   const S& time_s = watch_.time_of_speed_s();
-  if (!watch_.knows_speed() && last_progress_ && last_progress_->time_s <= time_s &&
+  if (!watch_.early_speed() && last_progress_ && last_progress_->time_s <= time_s &&
       time_s < now.time_s)
     watch_.note_speed(last_progress_->speed);
   last_progress_ = whirl_ = now;

@@ -112,16 +112,23 @@ TEST(Crossing, EndsWhereTheFunctionIsNotFinite) {
   EXPECT_EQ(evaluations, 2);
 }
 
+TEST(Crossing, IsNotSearchedWhereAFunctionLeavesZeroFromBeyondItByRounding) {
+  int looks = 0;
+  const auto look = [&](double t) { return ++looks, ValueAndSlope<double>{t, t - 1e-17, 1}; };
+  EXPECT_FALSE(first_crossing<double>(look(0), look(1), resolution, 1., look));
+  EXPECT_EQ(looks, 2);  // at the ends
+}
+
 constexpr double gravity = 9.81;
 
 /// A system of two unknowns of size one, with one event of which nothing is known beforehand.
 struct Toy {
   using Unknowns = std::array<double, 2>;
   static constexpr std::size_t event_count = 1;
-  std::array<EventBound<double>, 1> event_bounds(const Point<double, Unknowns>&,
-                                                 const Point<double, Unknowns>&) const {
-    return {};
-  }
+  struct Bounds {
+    std::array<EventBound<double>, 1> events{};
+  };
+  Bounds bounds(const Point<double, Unknowns>&, const Point<double, Unknowns>&) const { return {}; }
   Unknowns scale(const Unknowns&) const { return {1, 1}; }
 };
 
@@ -161,7 +168,8 @@ std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, 
     control.step(system, start, end);
     system(end.x, end.rates, 0);
     Step<double, Stepper2, System> step(control, system, start, end);
-    auto [stop, event] = first_event(step);
+    const auto event = first_event(step);
+    Point2 stop = step.stop();
     time += stop.time;
     x = stop.x;
     if (!event) continue;
@@ -221,8 +229,8 @@ TEST(Step, FindsTheBeginningOfAShallowDip) {
     ball(end.x, end.rates, 0);
     Step<double, Stepper2, Ball> step(control, ball, start, end);
     const auto room = [](const Ball::Unknowns& x) { return -x[0]; };
-    const auto dip =
-        step.crossing(room, step.observe(room, start), step.observe(room, apex_s + 0.1), gravity);
+    const auto dip = step.crossing(room, step.observe(room, start),
+                                   step.observe(room, step.dense_output(), apex_s + 0.1), gravity);
     ASSERT_TRUE(dip) << depth;
     EXPECT_LE(room(dip->x), 0) << depth;
     const double half_s = std::sqrt(2 * depth / gravity);
