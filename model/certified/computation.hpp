@@ -22,16 +22,19 @@ struct Disturbance {
 
   void disturb(RotorSystem<S>& rotor, BasicInstant<S>& start, MassLoss<S>& loss) const {
     unsigned bits = signs;
-    for (S* of : {&rotor.supports.stiffness, &rotor.supports.damping, &rotor.supports.gravity,
-                  &rotor.supports.torque,    &rotor.ring.clearance,   &rotor.ring.rotor_radius,
-                  &rotor.ring.stiffness,     &rotor.ring.damping,     &rotor.ring.friction,
-                  &rotor.motor_off,          &start.state[0],         &start.state[1],
-                  &start.state[5],           &start.body.mass,        &start.body.inertia,
-                  &start.body.eccentricity,  &loss.lost_mass,         &loss.piece_distance,
-                  &loss.after.mass,          &loss.after.inertia,     &loss.after.eccentricity}) {
-      *of *= 1 + (bits % 2 == 0 ? share : S(-share));
+    const auto disturb = [&](S* number) {
+      *number *= 1 + (bits % 2 == 0 ? share : S(-share));
       bits /= 2;
-    }
+    };
+    for (S* of : rotor.supports.springs.numbers()) disturb(of);
+    for (S* of : {&rotor.supports.damping, &rotor.supports.gravity,  &rotor.supports.torque,
+                  &rotor.ring.clearance,   &rotor.ring.rotor_radius, &rotor.ring.stiffness,
+                  &rotor.ring.damping,     &rotor.ring.friction,     &rotor.motor_off,
+                  &start.state[0],         &start.state[1],          &start.state[5],
+                  &start.body.mass,        &start.body.inertia,      &start.body.eccentricity,
+                  &loss.lost_mass,         &loss.piece_distance,     &loss.after.mass,
+                  &loss.after.inertia,     &loss.after.eccentricity})
+      disturb(of);
   }
   S at_touch_downs() const { return signs % 2 == 0 ? share : S(-share); }
 };

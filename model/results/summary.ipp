@@ -25,7 +25,8 @@ BasicSummaryObserver<S>::BasicSummaryObserver(const Scenario& scenario)
 template <class S>
 void BasicSummaryObserver<S>::note_parameters(const Parameters& p) {
   using std::sqrt;
-  summary_.critical_speed_Hz = in_Hz(S(sqrt(S(p.support_stiffness) / S(p.mass))));
+  summary_.critical_speed_Hz =
+      in_Hz(S(sqrt(supports_.springs.tangent_stiffness(S(0)) / S(p.mass))));
   if (!p.loses_mass) return;
   const MassLoss<S> loss(p);
   summary_.lost_mass_kg = loss.lost_mass;

@@ -87,7 +87,7 @@ TEST(DisturbedComputation, HasEachNumberOffByTheShareAndNotAllInOneDirection) {
   const auto numbers = [](const RotorSystem<double>& of, const Instant& at,
                           const MassLoss<double>& lost) {
     const auto& [supports, ring] = std::tie(of.supports, of.ring);
-    std::vector<double> all = {supports.stiffness, supports.damping, supports.gravity,
+    std::vector<double> all = {supports.springs.force(1), supports.damping, supports.gravity,
                                supports.torque, of.motor_off};
     for (const double number : {ring.clearance, ring.rotor_radius, ring.stiffness, ring.damping,
                                 ring.friction, at.state[0], at.state[1], at.state[5]})

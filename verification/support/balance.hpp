@@ -74,7 +74,7 @@ class BalanceObserver : public Observer {
     const double rho = m.displacement.norm();
     const double indentation =
         at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
-    double energy = kinetic_energy(at.body, m) + supports_.stiffness * rho * rho / 2 +
+    double energy = kinetic_energy(at.body, m) + supports_.springs.energy(m.displacement) +
                     ring_.stiffness * indentation * indentation / 2;
     if (conserves_gravity())
       energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);
