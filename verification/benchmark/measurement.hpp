@@ -11,7 +11,7 @@ namespace rotor {
 /// One method with one setting on one problem. What failed is not a number.
 struct Row {
   std::string problem, method, setting;
-  double error_state{}, error_event_s{}, error_peak{}, time_s{}, time_median_s{};
+  double error_state{}, error_event_s{}, error_peak{}, time_s{};
   long right_hand_sides{}, steps{}, events{}, contact_evaluations{};
 };
 

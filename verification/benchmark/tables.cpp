@@ -60,12 +60,12 @@ void print_ratios(const std::vector<Row>& rows) {
 std::string to_csv(const std::vector<Row>& rows) {
   std::string text =
       "# Run time against error, from make bench\n"
-      "problem,method,setting,error_state,error_event_s,error_peak,time_s,time_median_s,"
+      "problem,method,setting,error_state,error_event_s,error_peak,time_s,"
       "right_hand_sides,steps,events\n";
   for (const Row& r : rows)
-    text += fmt::format("{},{},{},{:.3e},{:.3e},{:.3e},{:.4e},{:.4e},{},{},{}\n", r.problem,
-                        r.method, r.setting, r.error_state, r.error_event_s, r.error_peak, r.time_s,
-                        r.time_median_s, r.right_hand_sides, r.steps, r.events);
+    text += fmt::format("{},{},{},{:.3e},{:.3e},{:.3e},{:.4e},{},{},{}\n", r.problem, r.method,
+                        r.setting, r.error_state, r.error_event_s, r.error_peak, r.time_s,
+                        r.right_hand_sides, r.steps, r.events);
   return text;
 }
 

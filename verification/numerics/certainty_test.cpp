@@ -43,22 +43,6 @@ TEST(Margins, TellThatARunEndsTooShortlyBeforeItsNextEvent) {
   }
 }
 
-TEST(UnsureCourse, LeavesOnlyWhatIsStatedWithDigits) {
-  auto found = compare<double>(short_run(0.02), 1e-10, always);
-  ASSERT_TRUE(found && has_digits(*found, 3));
-  EXPECT_EQ(complaint(*found, 3), "");
-  found->margins.front() = {.name = "miss", .estimate = Estimate{1, 2}};
-  EXPECT_FALSE(has_digits(*found, 3));
-  EXPECT_NE(complaint(*found, 3), "");
-  found->invalidate_path_dependent_values();
-  for (const EventEstimate& event : found->events)
-    for (const NamedEstimate& value : event.values)
-      EXPECT_TRUE(sure_digits(value) == 0 || value.of_tolerance == 0) << value.name;
-  for (const NamedEstimate& value : found->summary)
-    EXPECT_TRUE(!value.estimate || sure_digits(value) == 0 || value.name == "final_time_s")
-        << value.name;
-}
-
 // Of a run that ends between the instants which two computations find for an event.
 TEST(Comparisons, KnowACourseOnlyIfAllComputationsTakeIt) {
   using Fehlberg = Fehlberg78<std::array<double, 6>, double>;

@@ -14,12 +14,11 @@
 #include "figures/results/certified_result.hpp"
 #include "verification/support/certain_digits.hpp"
 #include "verification/support/reference_tables.hpp"
+#include "verification/support/short_run.hpp"
 #include "verification/support/summary_of.hpp"
 
 namespace rotor {
 namespace {
-
-const GoesOn always = [](double /*time_s*/) { return true; };
 
 /// For so many steps, of which quadruple precision takes some thousands a second.
 GoesOn for_steps(long most) {

@@ -72,17 +72,21 @@ Number number(const char* printed, const char* rule, const Stored& a, const Stor
 TEST(Verdicts, FollowFromTheMedianOfTheFirstPopulationAndTheRangeOfTheSecond) {
   for (const auto& [printed, rule, half] :
        {std::tuple("0", "minor", 10.), {"0.0", "digits", 0.05}}) {
-    const auto verdict = [&, p = printed, r = rule, h = half](double median, double low) {
-      return verdict_of(
-          number(p, r, stored(0.9 * median * h, median * h, 9 * h), stored(low * h, 5 * h, 9 * h)),
-          published);
+    const auto verdict = [&, p = printed, r = rule, h = half](double median, double nearest) {
+      const auto range = [&](double near, double middle) {
+        return near > 0 ? stored(near * h, middle * h, 9 * h)
+                        : stored(-9 * h, middle * h, near * h);
+      };
+      return verdict_of(number(p, r, range(0.9 * median, median), range(nearest, 5)), published);
     };
-    EXPECT_EQ(verdict(0.9, 3).says, "reproduced") << rule;
-    EXPECT_EQ(verdict(3, 0.9).says, "within rounding") << rule;
-    const Verdict refuted = verdict(3, 1.1);
-    EXPECT_EQ(refuted.says, "refuted") << rule;
-    EXPECT_NEAR(refuted.off_a, 3, 1e-12);
-    EXPECT_NEAR(refuted.off_b, 1.1, 1e-12);
+    for (const double side : {-1., 1.}) {  // below what is allowed, and above it
+      EXPECT_EQ(verdict(side * 0.9, side * 3).says, "reproduced") << rule;
+      EXPECT_EQ(verdict(side * 3, side * 0.9).says, "within rounding") << rule;
+      const Verdict refuted = verdict(side * 3, side * 1.1);
+      EXPECT_EQ(refuted.says, "refuted") << rule;
+      EXPECT_NEAR(refuted.off_a, 3, 1e-12);
+      EXPECT_NEAR(refuted.off_b, 1.1, 1e-12);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "verification/paper/claims.hpp"
 #include "verification/paper/readings.hpp"
@@ -20,9 +21,11 @@ TEST(PopulationB, PrintsEveryConditioningNumber) {
   constexpr long count = 1000;
   const PopulationDraws draws(Population::b, data, count);
   EXPECT_LT(draws.proposals_a_draw(), 50);
+  std::set<double> torques;  // which differ, as the drawn times of switching off do
   for (long n = 0; n < count; n += n < 20 ? 1 : 20) {  // the run-ups take time
     const PaperInputs inputs = draws(n, Equations::published);
     const auto& of = inputs.spec.numbers;
+    EXPECT_TRUE(torques.insert(of.at("torque")).second) << n;
     const double m = of.at("mass"), e = of.at("eccentricity"), r = of.at("rotor_radius"),
                  k_u = of.at("unbalance_factor"), inertia = of.at("inertia"),
                  w = two_pi * of.at("motor_off_hz");

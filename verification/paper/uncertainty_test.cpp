@@ -29,6 +29,10 @@ TEST(Uncertainty, IsRelativeToTheSimulatedValue) {
   const Uncertainty& peak = of("peak_force");
   EXPECT_NEAR(peak.error, (peak.simulated - 455) / peak.simulated, 1e-12);
   EXPECT_NEAR(peak.u_printed, 0.5 / peak.simulated, 1e-12);
+  const Spread b = read_ensembles(ROTOR_REFERENCE_DATA "/ensembles.csv")
+                       .at({"published", "b", "peak_force", "peak_kN"})
+                       .spread;
+  EXPECT_NEAR(2 * peak.u_input * peak.simulated, b.high - b.low, 1e-9);
   EXPECT_TRUE(std::isnan(of("onset_at_peak").error));  // which has no number printed
 }
 

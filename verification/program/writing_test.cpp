@@ -219,16 +219,5 @@ TEST_F(Writing, ReplacesNothingThatItHadBetterKeep) {
   remove("s.toml");
 }
 
-TEST_F(Writing, TakesNoMemoryForALongTrace) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the sanitizer needs more memory";
-#endif
-  // 200,000 rows of 16 columns are 26 MB as numbers alone.
-  EXPECT_EQ(shell("ulimit -v 30000; $rotor run --method rk4 --no-mass-loss --step-run-up 1e-5 "
-                  "--until 2 --trace /dev/null")
-                .status,
-            0);
-}
-
 }  // namespace
 }  // namespace rotor
