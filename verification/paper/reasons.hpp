@@ -36,9 +36,9 @@ std::vector<Reason> read_reasons(const std::filesystem::path& table);
 /// How a statement fares on random rotors, with a random pair of values on each.
 struct Trial {
   long pairs = 0, apply = 0, violate = 0;
-  std::vector<double> sizes{};///< of each violation: the force at the riskier value, relative to
-                              ///< that at the other one; harmless: the other way round
-  std::string example{};      ///< the first violation, as options of `rotor run`
+  std::vector<double> sizes{};  ///< of each violation: the force at the riskier value, relative to
+                                ///< that at the other one; harmless: the other way round
+  std::string example{};        ///< the first violation, as options of `rotor run`
 
   double share() const;  ///< of those to which it applies, that violate it
   double standard_error() const;

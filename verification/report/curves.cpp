@@ -48,16 +48,16 @@ FigureCurve& curve_of(std::vector<FigureCurve>& all, const std::string& run,
                    FigureCurve{run, std::string(quantity), "path of the rotor's centre", "mm", {}});
 }
 
-std::string length_of(const Point& from_centre) {
+std::string length_of(const CurvePoint& from_centre) {
   return fmt::format("{:.2f} mm", std::hypot(from_centre.x, from_centre.y));
 }
 
 /// Turns about the centre with the rotation, and against it. On the page y_a points to the right
 /// and x_a down, so that the rotation, from x_a to y_a, is positive here.
-std::array<double, 2> turns(const std::vector<Point>& path) {
+std::array<double, 2> turns(const std::vector<CurvePoint>& path) {
   std::array<double, 2> sums{};
   for (std::size_t n = 1; n < path.size(); ++n) {
-    const Point &a = path[n - 1], &b = path[n];
+    const CurvePoint &a = path[n - 1], &b = path[n];
     const double angle = std::atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y);
     sums[angle < 0] += std::abs(angle) / (2 * std::numbers::pi);
   }
@@ -66,7 +66,7 @@ std::array<double, 2> turns(const std::vector<Point>& path) {
 
 std::string path_in_words(const FigureCurve& curve) {
   const auto farthest = std::ranges::max_element(
-      curve.points, {}, [](const Point& point) { return std::hypot(point.x, point.y); });
+      curve.points, {}, [](const CurvePoint& point) { return std::hypot(point.x, point.y); });
   const auto [along, against] = turns(curve.points);
   return fmt::format(
       "it begins {} from the centre, reaches out to {} and ends at {}, after {:.1f} turns with the "
@@ -75,7 +75,7 @@ std::string path_in_words(const FigureCurve& curve) {
       against);
 }
 
-long contacts(const std::vector<Point>& force) {
+long contacts(const std::vector<CurvePoint>& force) {
   long count = 0;
   for (std::size_t n = 0; n < force.size(); ++n)
     count += force[n].y < 0 && (n == 0 || force[n - 1].y == 0);
@@ -85,13 +85,13 @@ long contacts(const std::vector<Point>& force) {
 std::string force_in_words(const FigureCurve& curve) {
   const long times = contacts(curve.points);
   if (times == 0) return "it stays zero: there is no contact";
-  const Point peak = *std::ranges::min_element(curve.points, {}, &Point::y);
+  const CurvePoint peak = *std::ranges::min_element(curve.points, {}, &CurvePoint::y);
   return fmt::format(
       "zero until {:.4f} s, then {} contacts; its magnitude is greatest, {:.1f} kN, at {:.4f} s, "
       "and "
       "{:.1f} kN at the end",
-      std::ranges::find_if(curve.points, [](const Point& p) { return p.y < 0; })->x, times, -peak.y,
-      peak.x, -curve.points.back().y);
+      std::ranges::find_if(curve.points, [](const CurvePoint& p) { return p.y < 0; })->x, times,
+      -peak.y, peak.x, -curve.points.back().y);
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ std::vector<FigureCurve> read_curves(const std::filesystem::path& csv) {
 std::string in_words(const FigureCurve& curve) {
   if (curve.quantity == "orbit") return path_in_words(curve);
   if (curve.quantity == "normal_force_N") return force_in_words(curve);
-  const auto [least, greatest] = std::ranges::minmax_element(curve.points, {}, &Point::y);
+  const auto [least, greatest] = std::ranges::minmax_element(curve.points, {}, &CurvePoint::y);
   const auto& unit = curve.unit;
   return fmt::format(
       "from {:.4g} {} at {:g} s to {:.4g} {} at {:g} s; greatest {:.4g} {} at {:.4f} s, least "

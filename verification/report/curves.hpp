@@ -7,7 +7,7 @@
 
 namespace rotor {
 
-struct Point {
+struct CurvePoint {
   double x, y;
 };
 
@@ -15,7 +15,7 @@ struct Point {
 struct FigureCurve {
   std::string run, quantity;  ///< names of the data; "orbit" for the path
   std::string words, unit;    ///< of what is drawn upwards
-  std::vector<Point> points;
+  std::vector<CurvePoint> points;
 };
 
 /// Throws std::runtime_error if the file is none of a figure.

@@ -18,7 +18,7 @@ const FigureCurve* find(const std::vector<FigureCurve>& curves, const ReadPoint&
 }
 
 /// From the origin to a straight line between two points.
-double distance_to_origin(const Point& a, const Point& b) {
+double distance_to_origin(const CurvePoint& a, const CurvePoint& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double along = square > 0 ? std::clamp(-(a.x * dx + a.y * dy) / square, 0., 1.) : 0;
   return std::hypot(a.x + along * dx, a.y + along * dy);
@@ -27,8 +27,8 @@ double distance_to_origin(const Point& a, const Point& b) {
 }  // namespace
 
 double distance_to(const FigureCurve& curve, const ReadPoint& point) {
-  const auto scaled = [&](const Point& p) {
-    return Point{(p.x - point.at.x) / point.error.x, (p.y - point.at.y) / point.error.y};
+  const auto scaled = [&](const CurvePoint& p) {
+    return CurvePoint{(p.x - point.at.x) / point.error.x, (p.y - point.at.y) / point.error.y};
   };
   double least = std::hypot(scaled(curve.points.front()).x, scaled(curve.points.front()).y);
   for (std::size_t n = 1; n < curve.points.size(); ++n)

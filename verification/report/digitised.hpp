@@ -9,7 +9,7 @@ namespace rotor {
 /// A point of a printed figure, in the units of its axes, and what the reading may be off by.
 struct ReadPoint {
   std::string run, quantity, unit;
-  Point at, error;
+  CurvePoint at, error;
 };
 
 /// Throws std::runtime_error, naming file and line, for a point of another figure, without errors,
