@@ -259,7 +259,7 @@ ranking: build ## redraw reference-data/ranking.csv: which input decides each nu
 	$(call build-target,ranking)
 	@$(BUILD)/ranking reference-data 512
 
-prove: build ## prove what happens by ball arithmetic: reference-data/proven.csv (minutes)
+prove: need-deps ## prove what happens by ball arithmetic: reference-data/proven.csv (minutes)
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(PROVE_PACKAGES))),$(error Missing packages: $(call missing,$(PROVE_PACKAGES)) (make deps-prove installs them)))
 	$(call build-target,prove prover-tests)
 	@$(BUILD)/prover-tests --gtest_brief=1
