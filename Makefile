@@ -246,7 +246,7 @@ ensembles: build ## redraw reference-data/ensembles.csv: every claim over the ro
 	$(call build-target,ensembles)
 	@$(BUILD)/ensembles reference-data 10000
 
-prove: build ## prove what happens by ball arithmetic: reference-data/proven.csv (minutes)
+prove: need-deps ## prove what happens by ball arithmetic: reference-data/proven.csv (minutes)
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(PROVE_PACKAGES))),$(error Missing packages: $(call missing,$(PROVE_PACKAGES)) (make deps-prove installs them)))
 	$(call build-target,prove prover-tests)
 	@$(BUILD)/prover-tests --gtest_brief=1
