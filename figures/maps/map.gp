@@ -52,7 +52,7 @@ unset contour; set surface
 nth_word(n) = real(word(strcol(1), n))    # of a table, which knows no commas
 array seen[forms] = [0, 0, 0, 0, 0, 0]
 
-set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "what becomes of the rotor" : "largest normal force")
+set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome" : "largest normal force")
 set tics front out
 unset grid
 unset colorbox

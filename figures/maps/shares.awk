@@ -1,4 +1,4 @@
-# The share of draws that roll, at each point of a sweep's axes: the rows of its draws stand together.
+# The share of draws that roll, at each point of a sweep's axes: the rows of its draws are adjacent.
 BEGIN { FS = OFS = "," }
 /^#/ { print; next }
 !outcome {
@@ -7,10 +7,10 @@ BEGIN { FS = OFS = "," }
   next
 }
 { point = $1 OFS $2 OFS $3 }
-point != last { tell(); last = point; draws = rolling = 0 }
+point != last { print_share(); last = point; draws = rolling = 0 }
 { ++draws; rolling += $outcome == "rolling" }
-END { tell() }
-function tell(share) {
+END { print_share() }
+function print_share(share) {
   if (!draws) return
   share = rolling / draws
   print last, draws, share, sqrt(share * (1 - share) / draws)

@@ -22,7 +22,7 @@ eval "set terminal ".wide
 small = sprintf(",%g", 0.8*(format eq "svg" ? 14 : format eq "png" ? 11 : 8))    # a font of keys that say much
 set output output
 
-# Colours that colour-blind readers can tell apart; what is published is grey and dashed.
+# Colours that colour-blind readers can distinguish; what is published is grey and dashed.
 set colorsequence podo
 blue = "#0072b2"; vermilion = "#d55e00"; green = "#009e73"; black = "#000000"; grey = "#707070"
 set linetype 1 linecolor rgb blue linewidth 1.3

@@ -169,10 +169,10 @@ async function checkKnobs() {
   // On the map: a drag reruns the instrument.
   await page.locator("#map").scrollIntoViewIfNeeded();
   const box = await page.locator("#map").boundingBox();
-  await page.mouse.move(box.x + 0.8 * box.width, box.y + 0.5 * box.height);
+  await page.mouse.move(box.x + 0.55 * box.width, box.y + 0.5 * box.height);
   await page.mouse.down();
   for (let n = 0; n < 20; ++n) {
-    await page.mouse.move(box.x + (0.8 - 0.02 * n) * box.width, box.y + 0.5 * box.height);
+    await page.mouse.move(box.x + (0.55 - 0.01 * n) * box.width, box.y + 0.5 * box.height);
     await page.waitForTimeout(150);
   }
   await page.mouse.up();
@@ -206,7 +206,7 @@ async function checkRefusals() {
 /// A rotor that takes minutes says how far it is, and leaves when the next one comes.
 async function checkLongRuns() {
   await page.evaluate(() => (location.hash = "#torque=0.01&until=100000&from=99999&support-damping=0"));
-  await page.waitForFunction(() => /^The run has got to/.test(document.getElementById("status").textContent), null, { timeout: 60_000 });
+  await page.waitForFunction(() => /^The run has reached/.test(document.getElementById("status").textContent), null, { timeout: 60_000 });
   const before = Date.now();
   await set({});
   const waited_s = (Date.now() - before) / 1e3;
@@ -221,7 +221,9 @@ async function checkFiles() {
   const theirs = execFileSync(rotor, ["run", "--friction", "0.2", "--from", "29.1", "--trace", "-"],
     { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }).split("\n");
   const head = theirs.findIndex((line) => !line.startsWith("#")) + 1;
-  expect(ours.slice(0, head).join("\n") === theirs.slice(0, head).join("\n"), "the head of the CSV is another one");
+  // Closed forms in it may differ in their last digits, as sines do.
+  const headOf = (lines) => lines.slice(0, head).join("\n").replace(/\d+\.\d+(e[-+]?\d+)?/g, (number) => Number(number).toPrecision(9));
+  expect(headOf(ours) === headOf(theirs), "the head of the CSV is another one");
   expect(Math.abs(ours.length - theirs.length) < 0.01 * theirs.length, `the CSV has ${ours.length} rows, not ${theirs.length}`);
 }
 

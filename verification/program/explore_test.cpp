@@ -1,5 +1,4 @@
-/// The page with knobs, as far as it is the program's: `make check-explore` looks at it in a
-/// browser.
+/// What the page asks of the engine; `make check-explore` checks the page itself in a browser.
 #include <fmt/format.h>
 
 #include <algorithm>

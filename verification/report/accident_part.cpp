@@ -11,7 +11,7 @@
 namespace rotor {
 namespace {
 
-// On the page the ring's radius is 100.
+// In the picture the ring's radius is 100.
 constexpr double enlarged = 5;  ///< the clearance
 constexpr double arrow_per_N = 60 / 455e3;
 
@@ -38,7 +38,7 @@ double rounded(double value, int digits) {
   return std::round(value * scale) / scale + 0;  // no -0
 }
 
-/// Where things stand on the page: y_a to the right, x_a down. The rotor turns from x_a to y_a.
+/// Where things are in the picture: y_a to the right, x_a down. The rotor turns from x_a to y_a.
 Json drawn(const Frame& frame, const Parameters& p) {
   const double per_m = 100 / p.stator_radius;
   const double clearance_m = p.stator_radius - p.rotor_radius;

@@ -1,5 +1,4 @@
-/// What the reviewer's page shows, as one JSON document: nothing stands on the page that does not
-/// stand there.
+/// What the reviewer's page shows, as one JSON document: nothing is on the page that is not in it.
 #pragma once
 
 #include <filesystem>

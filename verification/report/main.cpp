@@ -1,6 +1,6 @@
 /// Writes the reviewer's page and the document behind it:
 ///   report-page SOURCES BUILD OUT COMMIT DATE this-machine|archive
-/// OUT holds what stands beside the page; index.html, report.json and machine.json come to it.
+/// OUT holds the data beside the page; this adds index.html, report.json and machine.json.
 #include <fmt/format.h>
 
 #include <regex>
@@ -70,7 +70,7 @@ int main(const Arguments& arguments) {
       render(content_of(room / "index.mustache.html"),
              {{"claim_rows", content_of(room / "claim_rows.mustache.html")}}, shown);
   for (Json& figure : page["figures"])
-    for (Json& picture : figure["pictures"]) picture.erase("svg");  // which stand beside it
+    for (Json& picture : figure["pictures"]) picture.erase("svg");  // they are files beside it
   FileTransaction files;
   files.write(out / "accident.svg", shown["stills"].get<std::string>());
   files.write(out / "index.html", html);

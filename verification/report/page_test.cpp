@@ -1,4 +1,4 @@
-/// The reviewer's page: its texts, its verdicts, its points, and what stands on it.
+/// The reviewer's page: its texts, verdicts, points and pictures.
 #include "verification/report/page.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ const Json& texts() {
   return all;
 }
 
-/// All texts of a document, wherever they stand.
+/// All texts of a document, at any depth.
 void gather(const Json& of, std::vector<std::string>& all) {
   if (of.is_string()) all.push_back(of.get<std::string>());
   if (of.is_structured())
@@ -42,14 +42,14 @@ std::vector<std::string> all_texts() {
 Json all_values() { return values_json(judged()); }
 
 TEST(ReportTexts, StateNoResultThemselves) {
-  // What the scenarios state, places in the paper, names and units may stand there; results come in
+  // A text may hold what the scenarios state, places in the paper, names and units; results come in
   // by places such as {{reading.f_q1.f0}}.
-  const std::regex may_stand(
+  const std::regex may_be_typed(
       "\\{\\{[^}]*\\}\\}|Eqs?\\. \\([0-9]+\\)|mu = 0\\.[0-9]+|(29\\.1|14\\.15|2\\.2|2|6) s\\b|"
       "(first|over) 5 ms|clearance is 3 mm|1e-11|2 "
       "pi|\\^2|/2|[A-Za-z_]+[0-9]'?|[A-Za-z/]+\\.[A-Z]\\w+");
   for (const std::string& text : all_texts()) {
-    const std::string rest = std::regex_replace(text, may_stand, "");
+    const std::string rest = std::regex_replace(text, may_be_typed, "");
     EXPECT_EQ(rest.find_first_of("0123456789"), std::string::npos) << text;
   }
 }
@@ -162,7 +162,7 @@ TEST(Accident, IsThePictureInTheReadme) {
   const Json accident = accident_json();
   EXPECT_EQ(render(content_of(room / "accident.mustache.svg"), {}, accident),
             content_of(ROTOR_SOURCES "/figures/paper/preview/accident.svg"));
-  // At the end of slip and at the greatest force stands what the engine locates there.
+  // The last two stills are the end of slip and the greatest force as the engine locates them.
   Scenario scenario{.until = 29.14};
   EventRecorder events;
   SummaryObserver summary(scenario);

@@ -4,7 +4,7 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 export const onColoursChanged = (act) =>
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", act);
 
-/// A canvas of its own size, emptied: its context in pixels of the page.
+/// An emptied canvas, as large as it is shown: its context in pixels of the page.
 export function cleared(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas;
   canvas.width = width * devicePixelRatio;

@@ -39,8 +39,7 @@ function gained({ motion, works }, cause) {
   });
 }
 
-/// Round numbers from a least to a greatest one, about so many, and the digits behind the point that
-/// tell them apart.
+/// Round numbers from a least to a greatest one, about so many, with as many decimals as distinguish them.
 export function ticks(least, greatest, about) {
   const rough = (greatest - least) / about, decade = 10 ** Math.floor(Math.log10(rough));
   const step = decade * [1, 2, 5, 10].find((digit) => digit * decade >= rough);

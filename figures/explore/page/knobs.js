@@ -90,7 +90,7 @@ class Knob {
     return track;
   }
 
-  /// To three digits, as a text; the paper's value where the slider stands on its mark.
+  /// To three digits, as a text; the paper's value where the slider is on its mark.
   #valueAt(position) {
     const { from, to, logarithmic, paper } = this.#quantity;
     if (paper !== null && position === Math.round(this.#positionOf(paper))) return null;

@@ -134,7 +134,7 @@ function use(wanted) {
   keepView();
 }
 
-/// States an option by its text, or takes it back; what it stands for cannot be stated beside it.
+/// States an option by its text, or removes it; another option for the same quantity is removed.
 function turn(option, text, insteadOf) {
   const { [option]: before, ...others } = options;
   if (text !== null && insteadOf) delete others[insteadOf];

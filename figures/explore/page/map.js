@@ -110,6 +110,7 @@ export class OutcomeMap {
   /// Each cell about its point, its edges on whole pixels, so that none is smoothed into its neighbours.
   #paintCells(ctx, { width, height }) {
     const rows = this.#maps[this.#set].cells, count = rows[0].length;
+    const inks = Object.fromEntries(Object.keys(outcomes).map((letter) => [letter, colour(`outcome-${letter === "-" ? "none" : letter}`)]));
     const edge = (n, of, length) => Math.round((length * (n - 0.5)) / (of - 1));
     ctx.save();
     ctx.beginPath();
@@ -118,7 +119,7 @@ export class OutcomeMap {
     rows.forEach((cells, row) => {
       const y = top + height - edge(row, rows.length, height), next = top + height - edge(row + 1, rows.length, height);
       for (let n = 0; n < count; ++n) {
-        ctx.fillStyle = colour(`outcome-${cells[n] === "-" ? "none" : cells[n]}`);
+        ctx.fillStyle = inks[cells[n]];
         ctx.fillRect(left + edge(n, count, width), next, edge(n + 1, count, width) - edge(n, count, width), y - next);
       }
     });

@@ -8,14 +8,14 @@ const trail_s = 0.004, flies_s = 0.0015; // what lies behind O; how long the pie
 
 export class RotorView {
   #canvas;
-  #told;
+  #words;
   #picture = null;
   #time_s = 0;
 
   /// Shows on a canvas, and says state and time in words.
-  constructor(canvas, told) {
+  constructor(canvas, words) {
     this.#canvas = canvas;
-    this.#told = told;
+    this.#words = words;
     new ResizeObserver(() => this.paint()).observe(canvas);
   }
   show(picture, time_s) {
@@ -31,7 +31,7 @@ export class RotorView {
     if (!this.#picture) return;
     const { motion, mass_loss_s: loss_s, summary } = this.#picture;
     const now = stateAt(motion, this.#time_s);
-    this.#told.textContent = inWords(now, loss_s);
+    this.#words.textContent = inWords(now, loss_s);
     if (this.#canvas.hidden) return;
     const { ctx, width, height } = cleared(this.#canvas);
     ctx.translate(width / 2, height / 2);

@@ -1,5 +1,5 @@
 // Settings are what the command line would state: options of `rotor run` without their dashes, and
-// their texts. What is not stated is the paper's. The same options stand in the page's address.
+// their texts. What is not stated is the paper's. The page's address holds the same options.
 
 const flag = "no-mass-loss"; // the one option without a text
 

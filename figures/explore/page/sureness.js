@@ -5,39 +5,39 @@ import { inKilonewton, outcomes } from "./outcome.js";
 const draw_count = 30;
 
 export class Sureness {
-  #engine = null; // of its own, once it is needed
-  #told;
+  #engine = null; // one for draws alone, once it is needed
+  #words;
   #onCurves;
   #asked = 0; // which request the draws belong to
 
   /// Says it in words, and shows the curves of the draws.
-  constructor(told, onCurves) {
-    this.#told = told;
+  constructor(words, onCurves) {
+    this.#words = words;
     this.#onCurves = onCurves;
   }
 
   async ask(options) {
     const asked = this.forget();
     this.#engine ??= new Engine();
-    this.#told.ariaBusy = "true"; // a screen reader waits for the sentences
+    this.#words.ariaBusy = "true"; // a screen reader waits for the sentences
     const draws = [];
     for (let n = 0; n < draw_count; ++n) {
       const draw = await this.#engine.ask({ kind: "draw", options, n, count: draw_count });
       if (asked !== this.#asked) return;
       draws.push(draw);
-      this.#told.replaceChildren(line(`${draws.length} of ${draw_count} …`));
+      this.#words.replaceChildren(line(`${draws.length} of ${draw_count} …`));
     }
     const drawn = draws.filter((draw) => !draw.refusal);
     this.#onCurves(drawn);
-    this.#told.replaceChildren(...sentences(drawn, draws.length - drawn.length).map(line));
-    this.#told.ariaBusy = "false";
+    this.#words.replaceChildren(...sentences(drawn, draws.length - drawn.length).map(line));
+    this.#words.ariaBusy = "false";
   }
 
   forget() {
     this.#engine?.drop();
     this.#onCurves([]);
-    this.#told.replaceChildren();
-    this.#told.ariaBusy = "false";
+    this.#words.replaceChildren();
+    this.#words.ariaBusy = "false";
     return ++this.#asked;
   }
 }
