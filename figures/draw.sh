@@ -7,7 +7,8 @@ output=$1 settings=$2
 shift 2
 export LC_ALL=C.UTF-8
 trap 'rm -f "$output.part"' EXIT
-gnuplot -d -e "output = '$output.part'; format = '${output##*.}'; $settings" \
+gnuplot -d -e "output = '$output.part'; format = '${output##*.}'; \
+  printed_inputs = '$(dirname "$0")/../reference-data/printed-inputs.csv'; $settings" \
   "$(dirname "$0")/paper/style.gp" "$@"
 # gnuplot does not report a full disk: a picture is whole if its end is there.
 if ! tail -c 16 "$output.part" | grep -aq '</svg>\|%%EOF\|IEND'; then
