@@ -11,7 +11,7 @@ namespace {
 /// So many checkpoints are kept, some kB each,
 constexpr std::size_t most_checkpoints = 2048;
 /// that are so many steps apart, and so large a part of the way there.
-constexpr long least_steps = 16, parts_of_way = 64;
+constexpr long least_steps = 4, parts_of_way = 64;
 
 double time_s(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.instant().time_s; }
 long steps(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.counters().steps; }
@@ -64,7 +64,8 @@ RunUpCheckpoint RunUps::follow(std::vector<RunUpCheckpoint>& checkpoints, double
   observers.add(monitor);
   observers.add(way.summary);
   way.simulation.run_up(until_s, observers);
-  const bool is_far = steps(way) - steps(last) >= least_steps + steps(last) / parts_of_way;
+  const long on_the_way = steps(last) - steps(checkpoints.front());
+  const bool is_far = steps(way) - steps(last) >= least_steps + on_the_way / parts_of_way;
   if (is_far && !way.simulation.stopped()) {
     checkpoints.insert(later, way);
     ++checkpoints_;
