@@ -161,7 +161,8 @@ TEST(MarksOfAFigure, CountItsClaimsInEachSetOfEquations) {
 
 TEST(ApprovedAccident, IsThePictureInTheReadme) {
   const std::filesystem::path picture = ROTOR_SOURCES "/figures/paper/preview/accident.svg";
-  const std::string drawn = render(content_of(room / "accident.mustache.svg"), {}, accident_json());
+  const Json accident = accident_json();
+  const std::string drawn = render(content_of(room / "accident.mustache.svg"), {}, accident);
   if (std::getenv("ROTOR_APPROVE")) std::ofstream(picture, std::ios::binary) << drawn;
   EXPECT_EQ(drawn, content_of(picture)) << "If this is as it should be: make approve";
   // The last two stills are the end of slip and the greatest force as the engine locates them.
