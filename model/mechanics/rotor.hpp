@@ -20,7 +20,9 @@ struct Body {
   S inertia;       ///< about the mass centre C, kg m^2
   S eccentricity;  ///< distance of C from the geometrical centre O, m
 
-  static Body of(const Parameters& p) { return {S(p.mass), S(p.inertia), S(p.eccentricity)}; }
+  static Body of(const Parameters& p) {
+    return {stated<S>(p.mass), stated<S>(p.inertia), stated<S>(p.eccentricity)};
+  }
 };
 
 /// Position and velocity of the rotor, the vectors with their components in one common basis.
@@ -83,10 +85,10 @@ struct Supports {
   bool balanced_by_springs;  ///< whether the springs' preload takes its part of the gravity moment
 
   Supports(const Parameters& p, Equations equations)
-      : stiffness(S(p.support_stiffness)),
-        damping(S(p.support_damping)),
-        gravity(S(p.gravity)),
-        torque(S(p.torque)),
+      : stiffness(stated<S>(p.support_stiffness)),
+        damping(stated<S>(p.support_damping)),
+        gravity(stated<S>(p.gravity)),
+        torque(stated<S>(p.torque)),
         balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
   /// What the supports are loaded with by a position and a velocity of O, and what that changes by

@@ -40,7 +40,7 @@ BasicOutcomeWatch<S>::BasicOutcomeWatch(const Scenario& scenario)
       until_s_(scenario.until) {
   using std::sqrt;
   const S period =
-      RotorSystem<S>::radians_per_turn() * sqrt(S(parameters_.mass) / supports_.stiffness);
+      RotorSystem<S>::radians_per_turn() * sqrt(stated<S>(parameters_.mass) / supports_.stiffness);
   time_of_speed_s_ = until_s_ - stalling::periods * period;
 }
 
