@@ -112,15 +112,7 @@ OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
   std::error_code error;
   if (fs::is_directory(file, error)) fail("it is a folder");
   if (error == std::errc::too_many_symbolic_link_levels) fail(error.message());
-  try {
-    is_written_in_place(file) ? open_in_place() : open_draft();
-  } catch (...) {
-    for (const fs::path& folder : folders_) {
-      std::error_code ignored;
-      fs::remove(folder, ignored);
-    }
-    throw;
-  }
+  is_written_in_place(file) ? open_in_place() : open_draft();
 }
 
 /// What stands for a descriptor is written to as that is: behind what it has got already.
@@ -143,7 +135,7 @@ void OutputFile::open_draft() {
   if (exists && status.st_nlink > 1)
     fail("it has several hard links, which replacing it would cut; remove it, or write elsewhere");
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail_by_errno();
-  create_folders();
+  require_folder();
   remove_stale_drafts();
   const mode_t mode = exists ? status.st_mode & 07777U : 0666U;
   for (int attempt = 0; descriptor_ < 0; ++attempt) {
@@ -180,21 +172,19 @@ void OutputFile::remove_stale_drafts() const {
   }
 }
 
-void OutputFile::create_folders() {
-  const fs::path parent = target_.parent_path();
+void OutputFile::require_folder() const {
   std::error_code error;
-  for (fs::path folder = parent; !folder.empty() && !fs::exists(folder, error);
-       folder = folder.parent_path())
-    folders_.push_back(folder);
-  fs::create_directories(parent, error);
-  if (error) fail(error.message());
+  fs::path missing;
+  for (fs::path folder = (fs::is_symlink(named_, error) ? target_ : named_).parent_path();
+       !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path())
+    missing = folder;
+  if (!missing.empty()) fail(fmt::format("there is no folder {}", shown(missing.string())));
 }
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   std::error_code ignored;
   if (!draft_.empty()) fs::remove(draft_, ignored);
-  for (const fs::path& folder : folders_) fs::remove(folder, ignored);  // if empty
 }
 
 void OutputFile::write(std::string_view text) {
@@ -226,7 +216,6 @@ void OutputFile::commit() {
   if (!draft_.empty() && ::rename(draft_.c_str(), target_.c_str()) != 0) fail_by_errno();
   if (is_synced_) sync_folder(target_.parent_path());
   draft_.clear();
-  folders_.clear();
 }
 
 void OutputFile::fail(std::string_view reason) const {
@@ -252,11 +241,6 @@ void FileTransaction::require_distinct(const std::vector<fs::path>& files, const
           fmt::format("{}: cannot be written: it is asked for twice", shown(file.string())));
     identities.push_back(its);
   }
-}
-
-/// The first one has made the folders, which are empty without the others.
-FileTransaction::~FileTransaction() {
-  while (!files_.empty()) files_.pop_back();
 }
 
 OutputFile& FileTransaction::open(const fs::path& file) {

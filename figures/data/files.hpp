@@ -13,7 +13,8 @@ namespace rotor {
 
 /// A file that is being written. A regular one is written beside its place under a name of its own,
 /// and takes the place when it is committed, with the mode and the owner of what was there; before
-/// that nothing existing is touched, and without it nothing is left behind. Links are followed.
+/// that nothing existing is touched, and without it nothing is left behind. Links are followed; no
+/// folder is created.
 /// What is no regular file, such as a device or a pipe, is written straight away; so is "-", which
 /// is standard output. All throw std::runtime_error, naming the file and the reason.
 class OutputFile {
@@ -34,14 +35,13 @@ class OutputFile {
   void open_in_place();
   void open_draft();
   void remove_stale_drafts() const;
-  void create_folders();
+  void require_folder() const;  ///< that the file is to be in
   [[noreturn]] void fail(std::string_view reason) const;
   [[noreturn]] void fail_by_errno() const;
 
-  std::filesystem::path named_;                 ///< as it was asked for
-  std::filesystem::path target_;                ///< what that leads to
-  std::filesystem::path draft_;                 ///< empty if it is written straight away
-  std::vector<std::filesystem::path> folders_;  ///< that had to be created
+  std::filesystem::path named_;   ///< as it was asked for
+  std::filesystem::path target_;  ///< what that leads to
+  std::filesystem::path draft_;   ///< empty if it is written straight away
   int descriptor_ = -1;
   bool is_synced_ = false;
   std::string buffer_;
@@ -53,11 +53,6 @@ bool is_standard_output(const std::filesystem::path& file);
 /// Files that appear together, when all have been written.
 class FileTransaction {
  public:
-  FileTransaction() = default;
-  FileTransaction(const FileTransaction&) = delete;
-  FileTransaction& operator=(const FileTransaction&) = delete;
-  ~FileTransaction();
-
   /// To be called before any work, for the files that will be opened: throws if two are the same.
   static void require_distinct(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& source = {});
