@@ -47,17 +47,14 @@ ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $
 PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
             nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev libkainjow-mustache-dev \
             gnuplot-nox fonts-dejavu-core
-# Peers of the benchmark: SUNDIALS and GSL in C, SciPy in Debian's Python; Google Benchmark times
-# single evaluations.
-BENCH_PACKAGES := libsundials-dev libgsl-dev python3-scipy libbenchmark-dev
+# A peer of the benchmark.
+BENCH_PACKAGES := libgsl-dev
 LINT_PACKAGES  := clang-format clang-tidy python3
 # The program that makes wrong changes is written in Python, with nothing but its own library.
 MUTANTS_PACKAGES := python3
 # Another compiler; another processor, with a program that runs its programs here.
 CLANG_PACKAGES    := clang
 PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
-# Designs and estimators of which input decides a result.
-RANKING_PACKAGES := libopenturns-dev
 # A browser that checks the reviewer's page, Node.js to drive it, and a dictionary for its words. Node.js
 # of other makers brings npm along, and does not bear Debian's.
 REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
@@ -86,7 +83,7 @@ endef
 .PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws deps-mutants deps-clang deps-portable deps-mpi deps-explore explore check-explore explore-preview mpi stress \
-        sanitize portable deps-ranking ranking deps-prove prove clean
+        sanitize portable deps-prove prove clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -99,7 +96,7 @@ help: ## list all targets
 
 deps: ## install the Debian packages that are missing
 	$(call install,$(PACKAGES))
-deps-bench: deps ## install the peers that the benchmark compares with (optional)
+deps-bench: deps ## install what the benchmark compares with (optional)
 	$(call install,$(BENCH_PACKAGES))
 deps-lint: deps ## install what make lint needs (optional)
 	$(call install,$(LINT_PACKAGES))
@@ -110,8 +107,6 @@ deps-clang: deps ## install the other compiler, for make verify CXX=clang++ (opt
 deps-portable: deps ## install what make portable needs (optional)
 	$(call install,$(PORTABLE_PACKAGES))
 
-deps-ranking: deps ## install what make ranking needs (optional)
-	$(call install,$(RANKING_PACKAGES))
 deps-report: deps ## install what make check-report needs (optional)
 	$(call install,$(REPORT_PACKAGES))
 	@mkdir -p $(BUILD)/check-report && cp verification/report/package*.json $(BUILD)/check-report
@@ -256,19 +251,14 @@ COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
 	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under "$(UNDER)"
 
-reference: build ## recompute high-precision.csv and figure-values.csv in quadruple precision, and random-runs.csv (minutes)
+reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (minutes)
 	$(call build-target,reference digits-reference)
 	@$(BUILD)/digits-reference reference-data/random-runs.csv
-	@$(BUILD)/reference reference-data/high-precision.csv reference-data/figure-values.csv
+	@$(BUILD)/reference reference-data/high-precision.csv
 
 ensembles: build ## redraw reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes)
 	$(call build-target,ensembles)
 	@$(BUILD)/ensembles reference-data 10000
-
-ranking: build ## redraw reference-data/ranking.csv: which input decides each number of the text (minutes)
-	$(if $(and $(shell command -v dpkg-query),$(call missing,$(RANKING_PACKAGES))),$(error Missing package: $(RANKING_PACKAGES) (make deps-ranking installs it)))
-	$(call build-target,ranking)
-	@$(BUILD)/ranking reference-data 512
 
 prove: build ## prove what happens by ball arithmetic: reference-data/proven.csv (minutes)
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(PROVE_PACKAGES))),$(error Missing packages: $(call missing,$(PROVE_PACKAGES)) (make deps-prove installs them)))
@@ -288,25 +278,19 @@ laws: build ## hold the laws of model/theory against 10,000 random rotors: refer
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run
-	$(call build-target,benchmark scene-costs sweep-costs stress precision reference digits-reference)
+	$(call build-target,benchmark stress reference digits-reference)
 bench: bench-programs ## run time against error of every method, with pictures, into build/bench
-	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench $(PYTHON) verification/benchmark/peers/scipy_peer.py
-	@echo && $(BUILD)/scene-costs figures/paper
-	@echo && $(BUILD)/sweep-costs
-	@[ ! -x $(BUILD)/mpi/rotor ] || verification/benchmark/ranks.sh $(BUILD)/mpi/rotor
+	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
 	@LC_ALL=C.UTF-8 gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
 	  verification/benchmark/work-precision.gp
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
-	@cmake --build $(BUILD) --target micro-costs >/dev/null 2>&1 && $(BUILD)/micro-costs || \
-	  echo "Without Google Benchmark, which make deps-bench installs."
 
 RUNS ?= 1000
-stress: build ## a hundred thousand random rotors, stability, precision: numbers and pictures (minutes)
-	$(call build-target,stress precision digits-reference)
+stress: build ## a hundred thousand random rotors, stability, guaranteed digits: numbers and pictures (minutes)
+	$(call build-target,stress digits-reference)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
-	@$(BUILD)/precision reference-data/high-precision.csv $(BUILD)/stress-results
 	@LC_ALL=C.UTF-8 gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
 	  figures/paper/style.gp verification/robustness/stress.gp
 	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)

@@ -64,9 +64,8 @@ constexpr std::array table = {
              const bool is_clear = v.at().contact == ContactState::free;  // where K may not exist
              return is_clear ? 0 : v.ring().damping_power(v.rim_point(), v.at().contact);
            }},
-    Column{
-        "support_energy_J", "potential energy of the supports' springs",
-        [](View& v) { return v.supports().stiffness * v.motion().displacement.squaredNorm() / 2; }},
+    Column{"support_energy_J", "potential energy of the supports' springs",
+           [](View& v) { return v.supports().springs.energy(v.motion().displacement); }},
     Column{"contact_energy_J", "potential energy of the indented ring",
            [](View& v) {
              const bool indented = v.at().contact != ContactState::free;

@@ -32,8 +32,7 @@ constexpr long negligible = 1'000'000;
 /// The real numbers of a summary.
 template <class S>
 std::vector<NamedValue<S>> values_of(const BasicSummary<S>& summary, const Parameters& p) {
-  const S length = Ring<S>(p).clearance / negligible,
-          force = stated<S>(p.support_stiffness) * length;
+  const S length = Ring<S>(p).clearance / negligible, force = SupportSprings<S>(p).force(length);
   std::vector<NamedValue<S>> all;
   for (const SummaryField<S>& field : summary_fields<S>) {
     const auto add = [&](const std::optional<S>& value) {

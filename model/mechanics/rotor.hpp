@@ -8,8 +8,7 @@
 /// a contact. A chart such as rotating_frame.hpp says which basis the components belong to.
 #pragma once
 
-#include "model/mechanics/parameters.hpp"
-#include "model/mechanics/plane.hpp"
+#include "model/mechanics/support_springs.hpp"
 
 namespace rotor {
 
@@ -78,27 +77,35 @@ S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
 /// supports, gravity, motor.
 template <class S>
 struct Supports {
-  S stiffness;               ///< k, N/m
+  SupportSprings<S> springs;
   S damping;                 ///< d, N s/m
   S gravity;                 ///< g, m/s^2
   S torque;                  ///< M_mot while the motor drives, N m
   bool balanced_by_springs;  ///< whether the springs' preload takes its part of the gravity moment
 
   Supports(const Parameters& p, Equations equations)
-      : stiffness(stated<S>(p.support_stiffness)),
+      : springs(p),
         damping(stated<S>(p.support_damping)),
         gravity(stated<S>(p.gravity)),
         torque(stated<S>(p.torque)),
         balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
-  /// What the supports are loaded with by a position and a velocity of O, and what that changes by
-  /// with their rates, N or N/s.
+  /// What the supports are loaded with by a position and a velocity of O, N.
   Vector<S> bearing_force(const Vector<S>& displacement, const Vector<S>& velocity) const {
-    return stiffness * displacement + damping * velocity;
+    return springs.force(displacement) + damping * velocity;
+  }
+  /// Its rate, N/s.
+  Vector<S> bearing_force_rate(const Vector<S>& displacement, const Vector<S>& velocity,
+                               const Vector<S>& acceleration) const {
+    return springs.force_rate(displacement, velocity) + damping * acceleration;
+  }
+  /// Its magnitude, at most, N.
+  S greatest_bearing_force(const S& distance, const S& velocity) const {
+    return springs.force(distance) + damping * velocity;
   }
 
   Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
-    const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;
+    const Vector<S> force = -damping * motion.velocity - springs.force(motion.displacement);
     return {force, -damping * cross(motion.displacement, motion.velocity) +
                        gravity_moment(body, motion) + (motor_on ? torque : S(0))};  // Eq. (4)
   }
@@ -113,8 +120,10 @@ struct Supports {
 
   /// The steady response to the unbalance at a constant speed in rad/s, gravity's moment left out:
   /// O_a C = e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes, as complex numbers, m.
+  /// Throws std::domain_error unless the springs are linear.
   Vector<S> unbalance_response(const Body<S>& body, const S& speed) const {
     if (speed == 0) return {body.eccentricity, S(0)};  // without springs, too
+    const S& stiffness = springs.linear_stiffness("the steady response to the unbalance");
     const Vector<S> force(stiffness, damping * speed);
     const Vector<S> impedance = force - Vector<S>(body.mass * speed * speed, S(0));
     const Vector<S> inverse =

@@ -46,7 +46,8 @@ struct Flight : Phase<S, Chart> {
   }
 
   S swing(const Unknowns& x, const S& h) const {
-    return rotor.swing(rotor.supports.stiffness, chart.speed(x), h);
+    return rotor.swing(rotor.supports.springs.tangent_stiffness(rotor.ring.clearance),
+                       chart.speed(x), h);
   }
 
   /// Every contact multiplies the errors that it begins with, and a flight is cheap: its lengths
@@ -63,9 +64,10 @@ struct Flight : Phase<S, Chart> {
     const Motion<S> m = chart.kinematics(x).motion;
     const Supports<S>& supports = rotor.supports;
     const Vector<S> of_O = acceleration_of_centre(acceleration(rotor.body, m, rotor.loads(m)), m);
-    return {{ExtremeValue<S>::length(m.displacement, m.velocity),
-             ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
-                                     supports.bearing_force(m.velocity, of_O))}};
+    return {
+        {ExtremeValue<S>::length(m.displacement, m.velocity),
+         ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
+                                 supports.bearing_force_rate(m.displacement, m.velocity, of_O))}};
   }
 };
 
@@ -109,8 +111,8 @@ struct FreeFlight : Flight<S, Chart> {
   std::optional<std::array<S, 2>> reach(const Point& from, const Point& to) const {
     const auto bounds = motion_bounds(from, to);
     if (!bounds) return std::nullopt;
-    return {{bounds->displacement, rotor.supports.stiffness * bounds->displacement +
-                                       rotor.supports.damping * bounds->velocity}};
+    return {{bounds->displacement,
+             rotor.supports.greatest_bearing_force(bounds->displacement, bounds->velocity)}};
   }
 
  private:
@@ -123,16 +125,17 @@ struct FreeFlight : Flight<S, Chart> {
     S angular_acceleration;  ///< rad/s^2
   };
 
-  /// Bounds that hold through a step, contact or not. The deviation from the synchronous motion is
-  /// a damped oscillation that only the little drives which the synchronous motion leaves; so its
-  /// amplitude grows by no more than that. Twice what is seen of it at the ends of the step, and a
-  /// thousandth of the amplitude, are taken for what it is in between.
+  /// Bounds that hold through a step, contact or not, on linear springs. The deviation from the
+  /// synchronous motion is a damped oscillation that only the little drives which the synchronous
+  /// motion leaves; so its amplitude grows by no more than that. Twice what is seen of it at the
+  /// ends of the step, and a thousandth of the amplitude, are taken for what it is in between.
   std::optional<Bounds> motion_bounds(const Point& from, const Point& to) const {
     using std::abs, std::max, std::min, std::sqrt;
     const Body<S>& body = rotor.body;
     const Supports<S>& supports = rotor.supports;
+    if (!supports.springs.is_linear()) return std::nullopt;
     const S h = to.time - from.time, e = body.eccentricity;
-    const S frequency = sqrt(supports.stiffness / body.mass);
+    const S frequency = rotor.support_frequency();
     const auto synchronous = [&] {
       const auto a = chart.synchronous_amplitudes(from.x), b = chart.synchronous_amplitudes(to.x);
       return decltype(a){max(a.displacement, b.displacement), max(a.velocity, b.velocity),
@@ -154,20 +157,21 @@ struct FreeFlight : Flight<S, Chart> {
     const S speed = abs(chart.speed(from.x)) + synchronous.speed_ripple;
     const S velocity = deviation + synchronous.velocity + speed * e;  // but for the change of speed
     const S moment = supports.torque + body.mass * supports.gravity * (of_C + e) +
-                     e * (supports.stiffness * of_O + supports.damping * velocity);
+                     e * supports.greatest_bearing_force(of_O, velocity);
     const S relief = 1 - supports.damping * e * e * h / body.inertia;
     if (!(relief > S(0.5))) return std::nullopt;
     const S angular = moment / body.inertia / relief;
     const S velocity_of_O = velocity + angular * h * e;
     return Bounds{of_O, velocity_of_O,
-                  (supports.stiffness * of_O + supports.damping * velocity_of_O) / body.mass,
+                  supports.greatest_bearing_force(of_O, velocity_of_O) / body.mass,
                   speed + angular * h, angular};
   }
 
   /// By what the deviation is not a free damped oscillation, m/s^2.
   S drive(const Point& at, const S& frequency) const {
-    const S k = rotor.supports.stiffness / rotor.body.mass,
-            d = rotor.supports.damping / rotor.body.mass;
+    const Supports<S>& supports = rotor.supports;
+    const S k = supports.springs.linear_stiffness("the free oscillation") / rotor.body.mass,
+            d = supports.damping / rotor.body.mass;
     const auto& [x, rates] = std::tie(at.x, at.rates);
     return norm((rates[0] - x[3]) * frequency, (rates[1] - x[4]) * frequency,
                 rates[3] + d * x[3] + k * x[0], rates[4] + d * x[4] + k * x[1]);

@@ -196,10 +196,11 @@ class FlightChart {
   }
 
   /// Above the critical speed by 1.4 times. Nearer to it the response changes too fast with the
-  /// speed to be worth subtracting.
+  /// speed to be worth subtracting. On springs that are not linear there is no such response.
   bool is_fast(const S& speed) const {
-    const S critical = rotor_.supports.stiffness / rotor_.body.mass;  // squared
-    return speed * speed > 2 * critical;
+    const SupportSprings<S>& springs = rotor_.supports.springs;
+    const S critical = springs.tangent_stiffness(S(0)) / rotor_.body.mass;  // squared
+    return springs.is_linear() && speed * speed > 2 * critical;
   }
 
   RotorSystem<S> rotor_;

@@ -33,10 +33,16 @@ struct RotorSystem {
   /// Becomes negative where the motor is to be switched off.
   S motor_guard(const S& speed) const { return motor_on ? motor_off - speed : S(1); }
 
+  /// Fastest natural frequency on the supports alone, rad/s.
+  S support_frequency() const {
+    using std::sqrt;
+    return sqrt(supports.springs.tangent_stiffness(ring.clearance) / body.mass);
+  }
+
   /// Fastest natural rate of change in flight, rad/s.
   S flight_frequency(const S& speed) const {
-    using std::abs, std::max, std::sqrt;
-    return max({S(1), abs(speed), sqrt(supports.stiffness / body.mass)});
+    using std::abs, std::max;
+    return max({S(1), abs(speed), support_frequency()});
   }
 
   /// The same in contact.

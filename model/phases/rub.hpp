@@ -35,8 +35,9 @@ struct Rub : Phase<S, Chart> {
     const Vector<S> velocity(x[3], chart.tangential_velocity(x)),
         velocity_rate(rates[3], chart.tangential_velocity(rates));
     return {{{k.displacement, k.normal_velocity},
-             ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
-                                     rotor.supports.bearing_force(position_rate, velocity_rate)),
+             ExtremeValue<S>::length(
+                 rotor.supports.bearing_force(position, velocity),
+                 rotor.supports.bearing_force_rate(position, position_rate, velocity_rate)),
              {-ring.elastic_force(k), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
 
@@ -90,7 +91,7 @@ struct Rub : Phase<S, Chart> {
   S grip(const Pressed& p, const S& holding_friction) const {
     // A friction that rounding alone asks for is there even when F_n has vanished.
     const S rounding =
-        64 * std::numeric_limits<S>::epsilon() * rotor.supports.stiffness * p.k.displacement;
+        64 * std::numeric_limits<S>::epsilon() * rotor.supports.springs.force(p.k.displacement);
     const S limit = rotor.ring.friction * -p.normal_force + rounding;
     return limit * limit - holding_friction * holding_friction;
   }
@@ -250,8 +251,7 @@ struct Rolling : Rub<S, Chart> {
     const RimPoint<S> k = chart.rim_point(at.x);
     const S e = body.eccentricity, r = rotor.ring.rotor_radius, w = abs(at.x[5]);
     if (!(e < r)) return std::numeric_limits<S>::infinity();
-    const S support =
-        supports.stiffness * k.displacement + supports.damping * (abs(at.x[3]) + r * w);
+    const S support = supports.greatest_bearing_force(k.displacement, abs(at.x[3]) + r * w);
     const S moment = body.inertia * abs(at.rates[5]) + supports.torque +
                      body.mass * supports.gravity * (k.displacement + e) +
                      e * (support + abs(rotor.ring.elastic_force(k)));

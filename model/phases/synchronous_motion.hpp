@@ -218,7 +218,8 @@ class SynchronousMotion {
   void expand(const RotorSystem<S>& rotor, const Vector<S>& down) {
     using std::sqrt;
     const Supports<S>& supports = rotor.supports;
-    const S k = supports.stiffness, d = supports.damping, m = rotor.body.mass;
+    const S k = supports.springs.linear_stiffness("the synchronous motion");
+    const S d = supports.damping, m = rotor.body.mass;
     const S e = rotor.body.eccentricity, inertia = rotor.body.inertia;
     const S rounding = 100 * std::numeric_limits<S>::epsilon();
     Rate rate{centre_};

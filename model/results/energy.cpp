@@ -69,7 +69,7 @@ void EnergyObserver::take_stock(const Instant& at) {
   const Motion<double> m = at.motion();
   const double indentation = at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
   balance_.kinetic = kinetic_energy(at.body, m);
-  balance_.support_springs = supports_.stiffness * m.displacement.squaredNorm() / 2;
+  balance_.support_springs = supports_.springs.energy(m.displacement);
   balance_.contact_spring = ring_.stiffness * indentation * indentation / 2;
 }
 

@@ -21,7 +21,8 @@ enum class Outcome {
 
 /// How far O can get from O_a while the rotor stays clear of the ring and its speed what it is, m:
 /// the steady response to the unbalance, and a vibration about it that can but die out. By how much
-/// gravity makes the speed ripple, and that O swing, is left out.
+/// gravity makes the speed ripple, and that O swing, is left out. Infinite unless the springs of
+/// the supports are linear.
 template <class S>
 S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "model/results/outcome.hpp"
 
@@ -20,7 +21,8 @@ constexpr double speeds = 1.5;
 template <class S>
 S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion) {
   using std::hypot, std::sqrt;
-  const S frequency = sqrt(supports.stiffness / body.mass);
+  if (!supports.springs.is_linear()) return std::numeric_limits<S>::infinity();
+  const S frequency = sqrt(supports.springs.linear_stiffness("the reach") / body.mass);
   const Vector<S> along = motion.eccentricity / body.eccentricity;  // the rotor's axis x
   const Vector<S> steady =
       body.eccentricity > 0
@@ -39,8 +41,8 @@ BasicOutcomeWatch<S>::BasicOutcomeWatch(const Scenario& scenario)
       supports_(scenario.parameters, scenario.equations),
       until_s_(scenario.until) {
   using std::sqrt;
-  const S period =
-      RotorSystem<S>::radians_per_turn() * sqrt(stated<S>(parameters_.mass) / supports_.stiffness);
+  const S period = RotorSystem<S>::radians_per_turn() *
+                   sqrt(stated<S>(parameters_.mass) / supports_.springs.tangent_stiffness(S(0)));
   time_of_speed_s_ = until_s_ - stalling::periods * period;
 }
 
@@ -77,7 +79,8 @@ bool BasicOutcomeWatch<S>::stays_clear() const {
   const Body<S>& body = last_.body;
   const Motion<S> motion = last_.motion();
   const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
-  const S square = supports_.stiffness / body.mass, decay = supports_.damping / body.mass;
+  const S stiffness = supports_.springs.linear_stiffness("the resonance");
+  const S square = stiffness / body.mass, decay = supports_.damping / body.mass;
   const auto response = [&](const S& w) {  // how far the unbalance alone takes O
     return (supports_.unbalance_response(body, w) - Vector<S>(body.eccentricity, S(0))).norm();
   };
@@ -85,7 +88,7 @@ bool BasicOutcomeWatch<S>::stays_clear() const {
   const S farthest = reach(body, supports_, motion), vibration = farthest - response(speed);
   const S velocity = vibration * sqrt(square) + response(speed) * speed;
   const S exchanged = body.mass * (velocity * velocity / 2 + 2 * supports_.gravity * farthest) +
-                      supports_.stiffness * farthest * farthest / 2;
+                      stiffness * farthest * farthest / 2;
   const S damped = supports_.damping * velocity * velocity * left_s;
   const S driven = last_.motor_on ? supports_.torque / body.inertia * left_s : S(0);
   const S least = sqrt(max(S(0), S(speed * speed - 2 * (exchanged + damped) / body.inertia)));
@@ -102,7 +105,7 @@ template <class S>
 bool BasicOutcomeWatch<S>::is_stalled() const {
   if (!last_.motor_on || !early_speed_ || !(supports_.torque > 0)) return false;
   using std::abs, std::sqrt;
-  const S critical = sqrt(supports_.stiffness / last_.body.mass);
+  const S critical = sqrt(supports_.springs.tangent_stiffness(S(0)) / last_.body.mass);
   const S unresisted = supports_.torque / last_.body.inertia * (last_.time_s - time_of_speed_s_);
   const S speed = last_.state[5];
   return abs(speed) < S(stalling::speeds) * critical &&

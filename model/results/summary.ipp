@@ -25,10 +25,10 @@ BasicSummaryObserver<S>::BasicSummaryObserver(const Scenario& scenario)
 template <class S>
 void BasicSummaryObserver<S>::note_parameters(const Parameters& p) {
   using std::sqrt;
-  const S natural = sqrt(stated<S>(p.support_stiffness) / stated<S>(p.mass));
+  const S mass = stated<S>(p.mass),
+          natural = sqrt(S(supports_.springs.tangent_stiffness(S(0)) / mass));
   summary_.critical_speed_Hz = in_Hz(natural);
-  if (natural > 0)
-    summary_.damping_ratio = stated<S>(p.support_damping) / (2 * stated<S>(p.mass) * natural);
+  if (natural > 0) summary_.damping_ratio = supports_.damping / (2 * mass * natural);
   loses_mass_ = p.loses_mass;
   if (!p.loses_mass) return;
   const MassLoss<S> loss(p);

@@ -70,12 +70,13 @@ class UntilContact : public Observer {
 };
 
 /// The moment by which gravity and the springs drive and brake the rotor as it turns, N m.
-double ripple(const Parameters& p, const Instant& at) {
+double ripple(const Scenario& scenario, const Instant& at) {
+  const Parameters& p = scenario.parameters;
+  const Supports<double> supports(p, scenario.equations);
   const Motion<double> m = at.motion();
   const double displacement = m.displacement.norm() + p.eccentricity;
   return p.mass * p.gravity * displacement +
-         p.eccentricity *
-             (p.support_stiffness * displacement + p.support_damping * m.velocity.norm());
+         p.eccentricity * supports.greatest_bearing_force(displacement, m.velocity.norm());
 }
 
 }  // namespace
@@ -130,7 +131,7 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
             look->touches};
   // If the ripple brakes the rotor more than the motor drives it, the speed may be reached several
   // times; if it drives the rotor, before the last step begins.
-  const double moment = ripple(p, before.instant());
+  const double moment = ripple(scenario, before.instant());
   const bool may_slow_down = moment > p.torque / 2;
   if (may_slow_down || excess(before_s) >= 0) {
     const double back_s = 4 * moment / (2 * std::numbers::pi * speed_Hz * p.torque);

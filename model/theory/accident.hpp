@@ -27,7 +27,8 @@ inline double whirling_friction(const Parameters& p, double mass, double velocit
                                 double restitution) {
   const double kicks = velocity * (1 + restitution) / (1 - restitution);
   const double way = (p.stator_radius - p.rotor_radius) / kicks;
-  return std::sqrt(way * (way * p.support_stiffness + p.support_damping) / mass);
+  const double k = SupportSprings<double>(p).linear_stiffness("the friction that leads to whirl");
+  return std::sqrt(way * (way * k + p.support_damping) / mass);
 }
 
 /// SI units; speeds and rates in rad/s. What does not happen is empty.
@@ -51,7 +52,8 @@ struct Accident {
     const Whirl whirl(p);
     const Ring<double> ring(p);
     const double m = body.mass, e_1 = body.eccentricity, r = ring.rotor_radius, c = ring.clearance;
-    const double natural = std::sqrt(p.support_stiffness / m), d = p.support_damping;
+    const double k = SupportSprings<double>(p).linear_stiffness("the laws of the accident");
+    const double natural = std::sqrt(k / m), d = p.support_damping;
     const double jumps = equations.velocity_jump == VelocityJump::twice ? 2 : 1;
     contact_speed = natural * (c - e_1) /
                     (jumps * (e_1 - p.eccentricity) * swing(d / (2 * m * natural)));  // (1)
@@ -70,7 +72,7 @@ struct Accident {
     whirl_friction = whirling_friction(p, m, v_O.real(), swing(zeta) * swing(zeta));
     if (!(ring.friction > 0)) return;
 
-    const double kappa = m * r * r / body.inertia, stiffness = ring.stiffness + p.support_stiffness;
+    const double kappa = m * r * r / body.inertia, stiffness = ring.stiffness + k;
     const double least_rate = whirl.separatrix_rate(ring.friction);
     const auto softness = [&](double rate) { return rate * std::sqrt(m / stiffness); };
     const auto momentum = [&](double w) {

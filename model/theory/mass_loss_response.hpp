@@ -28,7 +28,7 @@ class MassLossResponse {
   using Complex = std::complex<double>;
 
   /// Throws std::domain_error for supports that do not vibrate, as they have no stiffness or as
-  /// much damping as is critical.
+  /// much damping as is critical, and for springs that are not linear.
   MassLossResponse(const Parameters& p, Equations equations, double speed)
       : speed_(speed), clearance_(p.stator_radius - p.rotor_radius) {
     const MassLoss<double> loss(p);
@@ -43,7 +43,8 @@ class MassLossResponse {
     const Complex z(after[0], after[1]), rate = Complex(after[3], after[4]) + i * speed * z;
     steady_ = steady(loss.after);
     decay_ = p.support_damping / (2 * loss.after.mass);
-    const double square = p.support_stiffness / loss.after.mass - decay_ * decay_;
+    const double stiffness = supports.springs.linear_stiffness("the response to the mass loss");
+    const double square = stiffness / loss.after.mass - decay_ * decay_;
     if (!(square > 0)) throw std::domain_error("the supports must be able to vibrate");
     frequency_ = std::sqrt(square);
     const Complex free = z - steady_, free_rate = rate - i * speed * steady_;

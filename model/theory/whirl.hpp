@@ -40,12 +40,13 @@
 
 namespace rotor {
 
-/// The rotor after its mass loss.
+/// The rotor after its mass loss. Throws std::domain_error unless the springs of its supports are
+/// linear.
 class Whirl {
  public:
   explicit Whirl(const Parameters& p)
       : body_(MassLoss<double>(p).after),
-        stiffness_(p.support_stiffness),
+        stiffness_(SupportSprings<double>(p).linear_stiffness("the whirl along the ring")),
         damping_(p.support_damping),
         ring_(p) {}
 

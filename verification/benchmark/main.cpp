@@ -1,14 +1,13 @@
 /// Run time against error: each method, over its steps or tolerances, on scenes of the paper.
-/// `benchmark FOLDER` prints tables and writes FOLDER/work-precision.csv; `benchmark FOLDER PYTHON
-/// SCRIPT` asks that script, in another process, for SciPy's rows. Times are of this machine;
-/// ratios are what counts. The reference is a run in extended precision by another stepper.
+/// `benchmark FOLDER` prints tables and writes FOLDER/work-precision.csv. Times are of this
+/// machine; ratios are what counts. The reference is a run in extended precision by another
+/// stepper.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "figures/data/files.hpp"
 #include "verification/benchmark/methods.hpp"
-#include "verification/benchmark/scipy.hpp"
 #include "verification/benchmark/tables.hpp"
 #include "verification/support/program.hpp"
 
@@ -24,7 +23,6 @@ void enter_methods(const Problem& problem, const std::vector<Peer>& peers,
   };
   enter(ours, 3, 12, by_events);
   enter("event Fehlberg 7(8)", 4, 11, by_events_fehlberg78);
-  enter("event Cash-Karp 5(4)", 4, 9, by_events_cash_karp54);
   const double step = problem.is_run_up ? Scenario{}.step_run_up : Scenario{}.step_rub;
   for (const int part : {1, 2, 4, 8, 16})
     measurement.enter(published, fmt::format("h/{}", part),
@@ -34,8 +32,7 @@ void enter_methods(const Problem& problem, const std::vector<Peer>& peers,
 }
 
 int main(const Arguments& arguments) {
-  if (arguments.size() != 1 && arguments.size() != 3)
-    throw std::runtime_error("needs: FOLDER [PYTHON SCRIPT]");
+  if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER");
   const std::filesystem::path folder = arguments[0];
   std::filesystem::create_directories(folder);
   const std::vector<Peer> installed = peers();
@@ -45,7 +42,7 @@ int main(const Arguments& arguments) {
 
   Measurement measurement(0.1);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    // What the reference is off by, as far as another stepper and tolerance can tell.
+    // The error of the reference, estimated by another stepper and tolerance.
     const Outcome other = by_other_reference(all[i]);
     measurement.add({.problem = all[i].name,
                      .method = "reference",
@@ -56,11 +53,7 @@ int main(const Arguments& arguments) {
     enter_methods(all[i], installed, measurement);
     measurement.run(all[i], exact[i]);
   }
-  if (arguments.size() == 3)
-    for (const Row& row : rows_of_scipy(all, exact, folder, arguments[1], arguments[2]))
-      measurement.add(row);
   print_ratios(measurement.rows());
-  print_costs(measurement.rows(), all, exact);
   FileTransaction files;
   files.write(folder / "work-precision.csv", to_csv(measurement.rows()));
   files.commit();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <numbers>
 
@@ -13,9 +12,6 @@
 #include "model/methods/event_method.ipp"
 #include "model/methods/published_method.hpp"
 #include "verification/benchmark/peers/peer.hpp"
-#ifdef ROTOR_SUNDIALS
-#include "verification/benchmark/peers/sundials_solver.hpp"
-#endif
 #ifdef ROTOR_GSL
 #include "verification/benchmark/peers/gsl_solver.hpp"
 #endif
@@ -29,10 +25,6 @@ template <class S>
 using Verner = Verner87<std::array<S, 6>, S>;
 template <class S>
 using Fehlberg = Fehlberg78<std::array<S, 6>, S>;
-template <class S>
-using CashKarp54 = odeint::runge_kutta_cash_karp54<std::array<S, 6>, S, std::array<S, 6>, S,
-                                                   odeint::array_algebra>;
-
 /// Watches for touch-downs and the peak force.
 template <class S>
 class Landmarks : public BasicObserver<S> {
@@ -112,10 +104,6 @@ Outcome by_events(const Problem& problem, double tolerance) {
 Outcome by_events_fehlberg78(const Problem& problem, double tolerance) {
   return by_stepper<double, Fehlberg<double>>(problem, tolerance);
 }
-Outcome by_events_cash_karp54(const Problem& problem, double tolerance) {
-  return by_stepper<double, CashKarp54<double>>(problem, tolerance);
-}
-
 Outcome by_fixed_steps(const Problem& problem, double step) {
   Scenario scenario = problem.scenario;
   scenario.method = Method::rk4;
@@ -159,31 +147,14 @@ Outcome by_odeint_off_the_shelf(const Problem& problem, double tolerance) {
 
 std::vector<Peer> peers() {
   std::vector<Peer> all;
-  using Make = std::function<std::unique_ptr<PeerSolver>(double tolerance)>;
-  [[maybe_unused]] const auto add = [&](const std::string& name, PeerCoordinates coordinates,
-                                        const Make& make) {
-    all.push_back({name, [=](const Problem& problem, double tolerance) {
-                     return by_peer(problem, coordinates, *make(tolerance));
-                   }});
-  };
-  [[maybe_unused]] const auto add_both = [&](const std::string& name, const Make& make) {
-    add(name, PeerCoordinates::of_the_paper, make);
-    add(name + " in our coordinates", PeerCoordinates::of_the_phases, make);
-  };
-#ifdef ROTOR_SUNDIALS
-  using Kind = SundialsSolver::Kind;
-  const auto sundials = [](Kind kind) {
-    return [kind](double tolerance) { return std::make_unique<SundialsSolver>(kind, tolerance); };
-  };
-  add_both("CVODE Adams", sundials(Kind::adams));
-  add("CVODE BDF", PeerCoordinates::of_the_paper, sundials(Kind::bdf));
-  add("ARKODE ERK 5", PeerCoordinates::of_the_paper, sundials(Kind::erk5));
-  add_both("ARKODE ERK 8", sundials(Kind::erk8));
-#else
-  fmt::print("Without SUNDIALS, which make deps-bench installs.\n");
-#endif
 #ifdef ROTOR_GSL
-  add_both("GSL rk8pd", [](double tolerance) { return std::make_unique<GslSolver>(tolerance); });
+  for (const auto& [name, coordinates] :
+       {std::pair("GSL rk8pd", PeerCoordinates::of_the_paper),
+        {"GSL rk8pd in our coordinates", PeerCoordinates::of_the_phases}})
+    all.push_back({name, [in = coordinates](const Problem& problem, double tolerance) {
+                     GslSolver solver(tolerance);
+                     return by_peer(problem, in, solver);
+                   }});
 #else
   fmt::print("Without GSL, which make deps-bench installs.\n");
 #endif

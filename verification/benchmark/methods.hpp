@@ -6,14 +6,13 @@
 namespace rotor {
 
 /// The event-located method in extended precision by another stepper, which is the reference, and
-/// by the same stepper, which tells the error of the reference.
+/// by the same stepper, which estimates the error of the reference.
 Outcome by_reference(const Problem& problem);
 Outcome by_other_reference(const Problem& problem);
 
 /// The event-located method at a tolerance.
 Outcome by_events(const Problem& problem, double tolerance);
 Outcome by_events_fehlberg78(const Problem& problem, double tolerance);
-Outcome by_events_cash_karp54(const Problem& problem, double tolerance);
 
 /// The published method with its step.
 Outcome by_fixed_steps(const Problem& problem, double step);

@@ -57,26 +57,6 @@ void print_ratios(const std::vector<Row>& rows) {
   fmt::print("- : the method has not reached that error with any of its settings.\n");
 }
 
-void print_costs(const std::vector<Row>& rows, const std::vector<Problem>& problems,
-                 const std::vector<Outcome>& exact) {
-  fmt::print("\nWhat a problem costs ({}, tolerance 1e-8)\n", ours);
-  fmt::print("{:<14} {:>9} {:>9} {:>9} {:>10} {:>7} {:>12} {:>14}\n", "problem", "time, s",
-             "contacts", "rhs", "of contact", "events", "ms of 1 s", "us a contact");
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    const Problem& problem = problems[i];
-    const auto row = std::ranges::find_if(rows, [&](const Row& r) {
-      return r.problem == problem.name && r.method == ours && r.setting == power_of_ten(8);
-    });
-    if (row == rows.end()) continue;
-    const double duration = problem.scenario.until - static_cast<double>(problem.start.time_s);
-    const auto contacts = static_cast<double>(exact[i].touch_downs.size());
-    fmt::print("{:<14} {:>9.3f} {:>9} {:>9} {:>10} {:>7} {:>12.2f} {:>14}\n", problem.name,
-               duration, contacts, row->right_hand_sides, row->contact_evaluations, row->events,
-               1e3 * row->time_s / duration,
-               contacts > 0 ? fmt::format("{:.0f}", 1e6 * row->time_s / contacts) : "-");
-  }
-}
-
 std::string to_csv(const std::vector<Row>& rows) {
   std::string text =
       "# Run time against error, from make bench\n"

@@ -8,16 +8,12 @@ namespace rotor {
 /// Names of methods in the rows.
 inline const std::string ours = "event Verner 8(7)", published = "published RK4";
 
-/// How a tolerance stands in the rows.
+/// A tolerance as the rows show it.
 std::string power_of_ten(int minus_exponent);
 
 /// How many times longer the others take than ours for the same error of the state; nothing is
 /// extrapolated.
 void print_ratios(const std::vector<Row>& rows);
-
-/// Cost against simulated time and against number of contacts: ours at a tolerance of 1e-8.
-void print_costs(const std::vector<Row>& rows, const std::vector<Problem>& problems,
-                 const std::vector<Outcome>& exact);
 
 std::string to_csv(const std::vector<Row>& rows);
 

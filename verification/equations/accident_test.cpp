@@ -40,33 +40,6 @@ TEST(AccidentLaws, BeginsAtItsContactSpeedFarAboveResonance) {
     }
 }
 
-/// A rotor that hits the ring along a radius and does not turn.
-struct Blow : testing::TestWithParam<double> {
-  Blow() { scenario.parameters.contact_damping = 2 * GetParam() * contact_rate() * mass(); }
-  double mass() const { return scenario.parameters.mass; }
-  double contact_rate() const { return std::sqrt(scenario.parameters.contact_stiffness / mass()); }
-  Scenario scenario = bare();
-};
-
-TEST_P(Blow, HasTheLargestForceAndTheReboundOfTheClosedForm) {
-  const Parameters& p = scenario.parameters;
-  const double speed = 0.7, unit = p.contact_stiffness * speed / contact_rate();
-  Instant at = at_rest(p);
-  at.state = {0, 0, 0, speed, 0, 0};
-  at.motor_on = false;
-  SummaryObserver summary(scenario);
-  const Instant last = follow(scenario, at, 8e-3, summary).last;
-  Law("largest force of a blow", 1e-9)
-      .expect_left(summary.summary().peak_normal_force_N.value() / (unit * impact(GetParam())) - 1);
-  Law("rebound of a blow", 1e-9)
-      .expect_left(-last.state[3] / speed - swing(GetParam()) * swing(GetParam()));
-}
-
-INSTANTIATE_TEST_SUITE_P(Of, Blow, testing::Values(0.02, 0.3, 0.49, 0.6, 1.2),
-                         [](const auto& ratio) {
-                           return "DampingRatio" + std::to_string(std::lround(100 * ratio.param));
-                         });
-
 // Without unbalance and damping, from a blow along a radius: rebounds smaller and smaller, until
 // the rotor whirls for good or hardly moves along the ring.
 TEST(AccidentLaws, WhirlsAboveItsFrictionAndNotBelow) {

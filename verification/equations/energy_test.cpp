@@ -89,16 +89,6 @@ TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {
   }
 }
 
-TEST(EnergyByCause, OfTheMotorIsTorqueTimesAngle) {
-  Scenario scenario{.until = 3};
-  scenario.parameters.loses_mass = false;
-  EnergyObserver energy(scenario);
-  const RunEnd end = run(scenario, energy);
-  EXPECT_NEAR(energy.balance().motor, scenario.parameters.torque * end.last.state[2], 1e-10);
-  EXPECT_EQ(energy.balance().friction, 0);
-  EXPECT_EQ(energy.balance().contact_damping, 0);
-}
-
 // In the ring's spring, too, when the rim has left it before it has sprung back.
 TEST(EnergyByCause, AddsUpWhereTheRingIsStillIndented) {
   Scenario scenario = short_run(0.03);

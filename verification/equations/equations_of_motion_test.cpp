@@ -1,6 +1,6 @@
 /// Eqs. (3), (4) and (15)-(25) against Lagrange's equation, whose derivatives of the kinetic energy
 /// of Eq. (2) come from automatic differentiation instead of anybody's algebra, and against
-/// Newton's laws, written out anew.
+/// Newton's laws, written independently of the model.
 #include <gtest/gtest.h>
 
 #include <boost/math/differentiation/autodiff.hpp>
@@ -81,38 +81,8 @@ TEST_F(RandomMotion, ObeysLagrangesEquationForEveryGeneralisedForce) {
   }
 }
 
-TEST_F(RandomMotion, HasTheKineticEnergyOfEqs1And2) {
-  for (int trial = 0; trial < 100; ++trial) {
-    const State<double> x = next_state();
-    const double v_x = x[3] - x[5] * x[1];
-    const double v_y = x[4] + x[5] * (x[0] + body_.eccentricity);
-    const double T = body_.mass / 2 * (v_x * v_x + v_y * v_y) + body_.inertia / 2 * x[5] * x[5];
-    EXPECT_NEAR(kinetic_energy(body_, RotatingFrame<double>::motion(body_, x)), T, 1e-14 * T);
-  }
-}
-
-TEST_F(RandomMotion, CarriesTheSupportForcesOfEq4) {
-  const Parameters p;
-  const Supports<double> supports(p, Equations::published);
-  for (int trial = 0; trial < 100; ++trial) {
-    const State<double> x = next_state();
-    const auto& [q1, q2, q3, q1_rate, q2_rate, w] = x;
-    const auto Q = supports.loads(body_, RotatingFrame<double>::motion(body_, x), true);
-    const double v_x = q1_rate - w * q2, v_y = q2_rate + w * q1;
-    // As printed in Eq. (4); 1e-13 of the largest terms is what their rounding can make.
-    EXPECT_NEAR(Q.force.x(), -p.support_damping * v_x - p.support_stiffness * q1, 1e-11);
-    EXPECT_NEAR(Q.force.y(), -p.support_damping * v_y - p.support_stiffness * q2, 1e-11);
-    EXPECT_NEAR(
-        Q.moment,
-        p.support_damping * v_x * q2 - p.support_damping * v_y * q1 -
-            p.mass * p.gravity * ((q1 + p.eccentricity) * std::sin(q3) + q2 * std::cos(q3)) +
-            p.torque,
-        1e-13);
-  }
-}
-
-// Newton's laws in the stator's frame, written out anew: O at (x, y), mass centre C at distance e
-// in the direction of the angle, x downwards.
+// Newton's laws in the stator's frame, written independently: O at (x, y), mass centre C at
+// distance e in the direction of the angle, x downwards.
 TEST(NewtonsLaws, GiveTheSameAccelerationsInTheStatorsFrame) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> draw(-1, 1);

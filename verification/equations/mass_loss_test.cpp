@@ -10,15 +10,6 @@
 namespace rotor {
 namespace {
 
-TEST(MassLoss, GivesTheMassInertiaAndVelocitiesOfTheText) {
-  const MassLoss<double> loss{Parameters{}};
-  const double speed = 943;                               // as printed
-  EXPECT_NEAR(loss.lost_mass, 0.0248, 0.00005);           // m_u, last digit printed
-  EXPECT_NEAR(loss.after.inertia, 8.91e-3, 0.005e-3);     // I_C1
-  EXPECT_NEAR(loss.piece_velocity(speed), 56.7, 0.05);    // v_DC
-  EXPECT_NEAR(loss.velocity_jump(speed), 0.283, 0.0005);  // Delta_vy
-}
-
 TEST(MassLoss, RaisesTheMassCentresVelocityByDeltaVyThroughEq1Alone) {
   const MassLoss<double> loss{Parameters{}};
   for (const double speed : {942., -10.}) {
@@ -83,27 +74,6 @@ TEST(PlaceOfLoss, KeepsEnergyMomentumAndAngularMomentumInTheConsistentEquationsW
                 kinetic_energy(at.body, before), 1e-11)  // of 4000 J
         << angle;
   }
-}
-
-// The text's two sentences on the location. How far C moves hardly depends on it, so that whether
-// the ring is touched does not; how far C then lies from O does.
-TEST(PlaceOfLoss, MovesTheMassCentreAlikeButUnbalancesMostOpposite) {
-  const Parameters p;
-  const double m_u = MassLoss<double>(p).lost_mass, most = p.unbalance_factor * p.eccentricity;
-  const double opposite = m_u * (p.rotor_radius + p.eccentricity) / (p.mass - m_u);
-  double last = most;
-  for (int n = 0; n <= 16; ++n) {
-    const double from_opposite = n * pi / 16;
-    const Instant at = PlaceOfLoss(p, -from_opposite).lose_mass(moving(), Equations::consistent);
-    EXPECT_LE(at.body.eccentricity, last * (1 + 1e-15));  // falls all the way round
-    last = at.body.eccentricity;
-    // C from where it was: |C_1 - C|, C_1 at the angle of the new axis.
-    const double turn = at.state[2] - moving().state[2];
-    const double shift = std::hypot(at.body.eccentricity * std::cos(turn) - p.eccentricity,
-                                    at.body.eccentricity * std::sin(turn));
-    EXPECT_NEAR(shift / opposite, 1, 2 * p.eccentricity / p.rotor_radius);
-  }
-  EXPECT_LT(last, p.eccentricity);  // on the side of the unbalance, the loss reduces it
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include "model/mechanics/mass_loss.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/law.hpp"
-#include "verification/support/observers.hpp"
-#include "verification/support/other_units.hpp"
 
 namespace rotor {
 namespace {
@@ -77,38 +75,6 @@ TEST_F(Symmetry, WithoutDissipationTimeCanBeReversedThroughContacts) {
   EXPECT_GT(std::abs(after(rub_s, first).state[0] - first.state[0]), 1e-4);
   expect_equal(back.state, first.state,
                Law("time reversed through contacts without dissipation", after_rub));
-}
-
-// A slip that friction cannot hold leaves zero, from rolling or through it, in the sense of the
-// motor's torque or in that of the springs' moment about C, on either side, whatever the units
-// (numerics/units_test.cpp has whole runs in other units).
-TEST_F(Symmetry, AChangeOfUnitsChangesNoSlip) {
-  struct Start {
-    double torque, friction, slip;
-    int side;  ///< of the rim's point that touches, from the eccentricity
-  };
-  for (const auto& [torque, friction, slip, side] :
-       {Start{3000, 1e-3, 0, 0}, {3000, 1e-3, -0.01, 0}, {0, 1e-6, 0, 1}, {0, 1e-6, 0, -1}}) {
-    Parameters& p = scenario_.parameters;
-    p.torque = torque;
-    p.friction = friction;
-    Instant from = at_rest(p);
-    from.contact = slip == 0 ? ContactState::rolling : ContactState::sliding;
-    const double rho = 3.05e-3, rate = slip - (p.rotor_radius + rho) * 100;  // along the rim
-    from.state = side == 0 ? State<double>{rho, 0, 0, 0, rate, 100}
-                           : State<double>{0, side * rho, 0, -side * rate, 0, 100};
-    EventRecorder events;
-    follow(scenario_, from, 1e-4, events);
-    EXPECT_EQ(events.count(slip == 0 ? Event::break_away : Event::slip_reversal), 1) << side;
-    Scenario scaled = scenario_;
-    scaled.parameters = in_other_units(p);
-    Instant other = at_rest(scaled.parameters);
-    other.contact = from.contact;
-    other.state = in_other_units(from.state);
-    EventRecorder same;
-    follow(scaled, other, 1e-4 * second, same);
-    EXPECT_EQ(same.last().state, in_other_units(events.last().state)) << slip << ' ' << side;
-  }
 }
 
 }  // namespace

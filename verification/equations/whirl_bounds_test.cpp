@@ -35,21 +35,6 @@ Instant pressed(const Scenario& scenario, ContactState contact, double rho, doub
   return at;
 }
 
-// s = Omega/rho drho/dOmega with rho = c k_t/(k_t + k - m Omega^2), of rings soft and stiff.
-TEST(ShrinkingWhirl, IsTheSlopeOfItsRadius) {
-  for (const double stiffness : {1e5, 1e6, 8e8}) {
-    Parameters p;
-    p.contact_stiffness = stiffness;
-    const double mass = MassLoss<double>(p).after.mass;
-    const auto log_rho = [&](double rate) {
-      return -std::log(stiffness + p.support_stiffness - mass * rate * rate);
-    };
-    const double rate = 0.7 * std::sqrt((stiffness + p.support_stiffness) / mass), h = 1e-5;
-    const double slope = (log_rho(rate * (1 + h)) - log_rho(rate * (1 - h))) / (2 * h);
-    EXPECT_NEAR(Whirl(p).shrinking(rate) / slope, 1, 1e-8) << stiffness;
-  }
-}
-
 struct BackwardRolling : testing::Test {
   static constexpr double speed = 300;  // rad/s
   Scenario scenario = supported();
@@ -92,23 +77,6 @@ TEST_F(BackwardRolling, NeedsTheFrictionOfTheClosedForm) {
   EXPECT_EQ(rolled(1e-3).count(Event::break_away), 0);
   scenario.parameters.friction = 0.97 * least;
   EXPECT_GT(rolled(1e-3).count(Event::break_away), 0);
-}
-
-// So slow that the springs pull the rim off the ring, or nearly.
-TEST_F(BackwardRolling, IsHeldAgainstTheSpringsByTheCentrifugalForceAlone) {
-  const Parameters& p = scenario.parameters;
-  const Body<double> body = MassLoss<double>(p).after;
-  const Whirl whirl(p);
-  const double clearance = p.stator_radius - p.rotor_radius;
-  const double natural = std::sqrt(p.support_stiffness / body.mass);
-  EXPECT_TRUE(std::isinf(whirl.rolling_friction(0.99 * natural * clearance / p.rotor_radius)));
-  const double slow = 1.02 * natural * clearance / p.rotor_radius, rate = whirl.rolling_rate(slow);
-  const double pressure = body.mass * rate * rate - p.support_stiffness;
-  const double of_spring = body.mass * rate * rate / p.contact_stiffness, s = 2 * of_spring;
-  const double rim = body.mass * p.rotor_radius * p.rotor_radius * (1 + 2 * s) / (1 + s);
-  EXPECT_NEAR(whirl.rolling_friction(slow) /
-                  (body.inertia / (body.inertia + rim) * p.support_damping * rate / pressure),
-              1, 1e-6);
 }
 
 /// Forward rub, with C where friction can be greatest.
@@ -154,16 +122,6 @@ TEST_F(SynchronousRub, LastsUpToTheClosedFormsFriction) {
     EXPECT_TRUE(lasts(scenario, 0.97)) << inertia << ' ' << damping;
     EXPECT_FALSE(lasts(scenario, 1.03)) << inertia << ' ' << damping;
   }
-}
-
-TEST_F(SynchronousRub, NeedsAnUnbalanceThatOvercomesTheSupportsDamping) {
-  Parameters p;
-  p.support_damping = 700;  // d w = 6.3e5 N/m, m w^2 e / c = 6.0e5 N/m
-  EXPECT_EQ(Whirl(p).synchronous_friction(speed), 0);
-  p.stator_radius = p.rotor_radius + 0.4e-3;  // less than e: C ahead of O overcomes all friction
-  EXPECT_EQ(Whirl(p).synchronous_friction(speed), std::numeric_limits<double>::infinity());
-  p.support_damping = p.eccentricity = 0;
-  EXPECT_EQ(Whirl(p).synchronous_friction(speed), 0);
 }
 
 // Below the critical speed, about it and above, with C ahead of O by any angle.
@@ -222,21 +180,6 @@ TEST(SynchronousFriction, IsTheGreatestThatSomePlaceOfTheMassCentreAllows) {
   EXPECT_GT(limited, 50);
   EXPECT_GT(below_critical, 10);
   EXPECT_GT(wide, 20);
-}
-
-// A rotor without supports has limits, too.
-TEST(FreeRotor, HasTheWhirlOfTheSoftestSupports) {
-  Parameters none, soft;
-  none.support_stiffness = 0;
-  soft.support_stiffness = 1e-9;
-  for (const double damping : {0., 25.}) {
-    none.support_damping = soft.support_damping = damping;
-    EXPECT_NEAR(Whirl(none).whip_friction(), Whirl(soft).whip_friction(), 1e-12);
-    EXPECT_NEAR(Whirl(none).separatrix_rate(0.3), Whirl(soft).separatrix_rate(0.3), 1e-4);
-  }
-  EXPECT_GT(Whirl(none).whip_friction(), 1e-5);
-  none.support_damping = 0;
-  EXPECT_EQ(Whirl(none).separatrix_rate(0), 0);
 }
 
 }  // namespace

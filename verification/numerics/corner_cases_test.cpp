@@ -5,7 +5,7 @@
 
 #include "model/methods/event_method.hpp"
 #include "verification/support/balance.hpp"
-#include "verification/support/starts.hpp"
+#include "verification/support/follow.hpp"
 
 namespace rotor {
 namespace {
@@ -139,18 +139,6 @@ TEST_F(Whirl, ThatRollsSlowsDownUntilTheSupportsTakeTheRotorFromTheRing) {
   EXPECT_EQ(run.count(Event::release), 1);
 }
 
-TEST_F(Whirl, InTheOtherSenseRollsAsWell) {
-  const BalancedRun run = pressed(-300, 0, 0.05);
-  EXPECT_EQ(run.last().contact, ContactState::rolling);
-}
-
-TEST_F(Whirl, SlidesForEverWithoutFriction) {
-  scenario.parameters.friction = 0;
-  const BalancedRun run = pressed(300, 2, 0.05);
-  EXPECT_EQ(run.last().contact, ContactState::sliding);
-  EXPECT_EQ(run.last().state[5], 300);
-}
-
 TEST_F(Whirl, WithAnOverdampedContactEndsRollingAllTheSame) {
   scenario.parameters.contact_damping = 1e7;  // 80 times critical
   const BalancedRun run = pressed(300, 2, 0.05);
@@ -186,17 +174,6 @@ TEST_F(Whirl, BouncesAThousandTimesOnARingWithoutDamping) {
   EXPECT_GT(run.count(Event::touch_down), 1000);
   EXPECT_EQ(run.count(Event::ring_clear), 0);
   EXPECT_EQ(run.count(Event::renewed_contact), 0);
-}
-
-TEST(Speed, MayPassThroughZero) {
-  Scenario scenario;
-  scenario.parameters.loses_mass = false;
-  Instant at = at_rest(scenario.parameters);
-  at.state[5] = -5;
-  EventRecorder run;
-  follow(scenario, at, 1, run);
-  const double rate = scenario.parameters.torque / scenario.parameters.inertia;
-  EXPECT_NEAR(run.last().state[5], -5 + rate, 1e-3 * rate);  // drag and gravity are that small
 }
 
 }  // namespace

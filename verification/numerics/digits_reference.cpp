@@ -1,6 +1,6 @@
 /// `digits-reference FILE` writes random runs in quadruple precision: inputs, summaries and ends.
 /// `digits-reference stress COUNT SEED FOLDER` holds so many others against `rotor run --digits`,
-/// and the errors that `--estimate-error` tells against the true ones.
+/// and the errors that `--estimate-error` states against the true ones.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -11,7 +11,6 @@
 #include "figures/input/names.hpp"
 #include "figures/results/certified_result.hpp"
 #include "figures/sweep/block_scheduler.hpp"
-#include "figures/sweep/journal.hpp"
 #include "model/certified/quad.hpp"
 #include "model/certified/values.hpp"
 #include "model/integration/fehlberg.hpp"
@@ -48,7 +47,7 @@ Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
   return all;
 }
 
-/// What stands in a table, event by event being too much.
+/// What a table lists: all but the values of single events.
 bool is_tabled(const std::string& name) { return !name.starts_with("event") || name == "events"; }
 
 /// The largest relative distance of what is tabled.
@@ -144,35 +143,32 @@ std::string row_of(long n, const Scenario& scenario) {
                      csv_field(short_of), csv_field(falsehoods));
 }
 
-/// A stress that was stopped is taken up where it was.
 int stress(long count, unsigned seed, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "digits.csv";
-  std::filesystem::create_directories(folder);
   RandomRuns runs(seed);
   std::vector<Scenario> scenarios;
   for (long n = 0; n < count; ++n) scenarios.push_back(runs.scenario());
-  Journal journal(
-      file, csv_head({fmt::format("{} random runs of seed {} to 3, 6, 9 and 12 digits, against "
-                                  "quadruple precision.",
-                                  count, seed),
-                      "rotor " ROTOR_VERSION
-                      "; precisions: double, extended, quadruple; worst: the largest error "
-                      "relative to the stated one;",
-                      "estimate_is_less: whether --estimate-error is below the largest error"},
-                     {"run", "precisions", "worst", "estimate_is_less", "short", "false"}));
-  BlockScheduler scheduler(journal.rows(), count, [&](std::string_view rows, long done) {
-    journal.write(rows);
+  std::string csv =
+      csv_head({fmt::format("{} random runs of seed {} to 3, 6, 9 and 12 digits, against quadruple "
+                            "precision.",
+                            count, seed),
+                "rotor " ROTOR_VERSION
+                "; precisions: double, extended, quadruple; worst: the largest error relative to "
+                "the stated one;",
+                "estimate_is_less: whether --estimate-error is below the largest error"},
+               {"run", "precisions", "worst", "estimate_is_less", "short", "false"});
+  BlockScheduler scheduler(0, count, [&](std::string_view rows, long done) {
+    csv += rows;
     fmt::print(stderr, "\r{} of {} runs", done, count);
   });
-  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  work(
-      scheduler, threads,
-      [&]() -> Work {
-        return [&](long n) { return row_of(n, scenarios[static_cast<std::size_t>(n)]); };
-      },
-      [] {});
-  journal.finish();
+  const auto make = [&]() -> Work {
+    return [&](long n) { return row_of(n, scenarios[static_cast<std::size_t>(n)]); };
+  };
+  work(scheduler, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), make, [] {});
   fmt::print(stderr, "\n");
+  FileTransaction files;
+  files.write(file, csv);
+  files.commit();
 
   long false_runs = 0, short_runs = 0, underestimated = 0;
   std::map<char, long> precisions;

@@ -179,8 +179,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedAboutTheSynchronousMotion) {
     FlightChart<double> chart(rotor, {-e, 0, 0, 0, 0, speed});
     FlightChart<double>::Unknowns turned_far = {0, 0, 40, 0, 0, 0};
     chart.recentre(turned_far);
-    const double swing = 0.1 * rotor.ring.clearance,
-                 frequency = std::sqrt(rotor.supports.stiffness / rotor.body.mass),
+    const double swing = 0.1 * rotor.ring.clearance, frequency = rotor.support_frequency(),
                  h = 0.3 / std::max(std::abs(speed), frequency);
     const FlightChart<double>::Unknowns x = {swing * any(engine),
                                              swing * any(engine),

@@ -58,7 +58,7 @@ TEST_P(Rub, AgreesWithTheReferenceInQuadruplePrecision) {
 }
 
 // At mu = 0.08 the 41 contacts multiply a rounding error of the first by some 1e5 until the late
-// ones, which are nearly tangential: double precision cannot tell their times to 1e-12 s.
+// ones, which are nearly tangential: double precision cannot resolve their times to 1e-12 s.
 INSTANTIATE_TEST_SUITE_P(Frictions, Rub,
                          testing::Values(FrictionCase{0.3, "fig03: mu = 0.3", 7, 1e-12},
                                          FrictionCase{0.2, "fig03: mu = 0.2", 12, 1e-12},

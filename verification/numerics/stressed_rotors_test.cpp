@@ -1,10 +1,10 @@
-/// Rotors on which the integration has failed once: what the stress test found is tried for ever.
+/// Rotors on which the integration once failed, as the stress test found them.
 #include <gtest/gtest.h>
 
 #include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
 #include "verification/support/balance.hpp"
-#include "verification/support/starts.hpp"
+#include "verification/support/follow.hpp"
 
 namespace rotor {
 namespace {

@@ -29,24 +29,6 @@ TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
   EXPECT_GT(summary_until(1.5, scenario).touch_downs, 0);
 }
 
-TEST(Summary, CountsContactsBeforeAndAfterTheMassLossApart) {
-  Scenario scenario;
-  scenario.parameters.support_stiffness = 1.2e5;  // hits the ring on its way to the resonance
-  scenario.parameters.mass_loss_time = 10;
-  scenario.until = 10.25;
-  EventRecorder recorder;
-  run(scenario, recorder);
-  const Summary summary = summary_until(10.25, scenario);
-  long before = 0, after = 0;
-  for (const Instant& at : recorder.events())
-    if (at.event == Event::touch_down) ++(at.mass_lost ? after : before);
-  ASSERT_GT(before, 0);
-  EXPECT_EQ(summary.touch_downs_before_loss, before);
-  EXPECT_EQ(summary.touch_downs, before + after);
-  EXPECT_GT(summary.max_displacement_before_loss_m, 3e-3);
-  EXPECT_GT(summary.peak_normal_force_before_loss_N.value_or(0), 0);
-}
-
 // A damper that is strong enough presses hardest as the rim arrives: F_n jumps to -d_t v_n,
 // although the indentation there is but rounding, and of either sign.
 TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
@@ -72,22 +54,6 @@ TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
     EXPECT_EQ(summary.peak_time_s, at.time_s);
   }
   EXPECT_GT(gaps, 0);
-}
-
-TEST(Summary, AddsUpTheTimeInContact) {
-  const Scenario scenario;
-  EventRecorder recorder;
-  const RunEnd end = run(scenario, recorder);
-  double time_s = 0, since_s = -1;
-  const auto touches = [](const Instant& at) {
-    return at.contact == ContactState::sliding || at.contact == ContactState::rolling;
-  };
-  for (const Instant& at : recorder.events()) {
-    if (since_s >= 0) time_s += at.time_s - since_s;
-    since_s = touches(at) ? at.time_s : -1;
-  }
-  if (since_s >= 0) time_s += end.last.time_s - since_s;
-  EXPECT_NEAR(summary_until(29.35, scenario).contact_time_s, time_s, 1e-12);
 }
 
 TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {

@@ -216,10 +216,6 @@ std::string claims_table(const std::vector<Number>& numbers) {
                          converged ? fmt::format("{:.5g}", *converged) : "-", n.unit, n.says,
                          n.reason.empty() ? "" : " (" + n.reason + ')');
   }
-  table += "\nClaims by verdict, with half, once and twice the widths of words:\n";
-  for (const Counts& counts : sensitivity(numbers))
-    table += fmt::format("  {:<11}{:>4} times: {}\n", counts.set, counts.words,
-                         fmt::join(counts.claims, ", "));
   return table + fmt::format("nothing is claimed about Figs. {}, which is no success.\n",
                              fmt::join(figures_without_claim(numbers), ", "));
 }

@@ -1,4 +1,4 @@
-/// The claims of the paper's text, and what becomes of each by the rules of
+/// The claims of the paper's text, and the verdict on each by the rules of
 /// reference-data/policy.md.
 #pragma once
 
@@ -76,8 +76,7 @@ std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
 
 std::string to_csv(const std::vector<Number>& numbers);
 
-/// All numbers with their readings; last, the counts of verdicts, and the figures about which
-/// nothing is claimed.
+/// All numbers with their verdicts; last, the figures about which nothing is claimed.
 std::string claims_table(const std::vector<Number>& numbers);
 
 /// Of Figs. 2-17.

@@ -1,4 +1,4 @@
-/// The claims of the paper's text, what becomes of them, and the rules by which it does.
+/// The claims of the paper's text, their verdicts, and the rules that lead to them.
 #include "verification/paper/claims.hpp"
 
 #include <fmt/format.h>
@@ -162,7 +162,8 @@ TEST(Policy, AllowsTheNumbersOfItsTableAndHasNoOtherRule) {
   EXPECT_NEAR(allowed("770", "about").half, 7.7 * rules.at("about").at(0), 1e-9);
   EXPECT_NEAR(allowed("0.02", "about").half, 0.005, 1e-12);  // whose digit allows more
   EXPECT_NEAR(allowed("1e-4 to 3e-4", "range").least(), 0.5e-4, 1e-12);
-  EXPECT_NEAR(allowed("400 to 450", "range").greatest(), 455, 1e-12);
+  EXPECT_NEAR(allowed("0.9 to 1.25", "range").least(), 0.85, 1e-12);  // each by its own digits
+  EXPECT_NEAR(allowed("0.9 to 1.25", "range").greatest(), 1.255, 1e-12);
   EXPECT_FALSE(allowed("1", "is").holds(0));
   EXPECT_THROW(allowed("1", "roughly"), std::invalid_argument);
   EXPECT_THROW(allowed("one", "digits"), std::invalid_argument);

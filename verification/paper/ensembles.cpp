@@ -28,7 +28,7 @@ double value_of(const std::string& reading, PaperRuns& runs) {
 }  // namespace
 
 void in_parallel(long count, int threads, const std::function<void(long)>& work_on,
-                 const std::function<void(long)>& told) {
+                 const std::function<void(long)>& report) {
   BlockScheduler scheduler(0, count, [](std::string_view, long) {});
   std::atomic<long> done = 0;
   const Work one = [&](long n) {
@@ -37,12 +37,12 @@ void in_parallel(long count, int threads, const std::function<void(long)>& work_
     return std::string();
   };
   work(
-      scheduler, threads, [&] { return one; }, [&] { told(done); });
+      scheduler, threads, [&] { return one; }, [&] { report(done); });
 }
 
 Draws evaluate(const std::vector<std::string>& readings, long count,
                const std::function<PaperInputs(long)>& at, int threads,
-               const std::function<void(long)>& told) {
+               const std::function<void(long)>& report) {
   Draws draws;
   for (const std::string& name : readings) draws[name].resize(static_cast<std::size_t>(count));
   const auto evaluate_at = [&](long n) {
@@ -52,7 +52,7 @@ Draws evaluate(const std::vector<std::string>& readings, long count,
     for (const std::string& name : readings)
       draws.at(name)[static_cast<std::size_t>(n)] = value_of(name, runs);
   };
-  in_parallel(count, threads, evaluate_at, told);
+  in_parallel(count, threads, evaluate_at, report);
   return draws;
 }
 

@@ -22,16 +22,16 @@ inline const std::array<Set, 2> sets = {
 /// Draws of each reading: its values in the order of the draws, NaN where there is none.
 using Draws = std::map<std::string, std::vector<double>>;
 
-/// Does so many pieces of work by so many threads. `told` hears how many are done.
+/// Does so many pieces of work by so many threads. `report` is called with how many are done.
 void in_parallel(
     long count, int threads, const std::function<void(long)>& work_on,
-    const std::function<void(long)>& told = [](long) {});
+    const std::function<void(long)>& report = [](long) {});
 
 /// Readings at so many points. The same whatever the number of threads.
 Draws evaluate(
     const std::vector<std::string>& readings, long count,
     const std::function<PaperInputs(long)>& at, int threads,
-    const std::function<void(long)>& told = [](long) {});
+    const std::function<void(long)>& report = [](long) {});
 
 /// What draws leave of a reading.
 struct Spread {

@@ -31,13 +31,13 @@ int main(const Arguments& arguments) {
     const PopulationDraws draws(population, folder, count);
     for (const Set& set : sets) {
       const auto at = [&](long n) { return draws(n, set.equations); };
-      const auto told = [&, next = 0L](long done) mutable {
+      const auto report = [&, next = 0L](long done) mutable {
         if (done < next) return;
         fmt::print(stderr, "({}), {} equations: {} of {} draws\n", name, set.name, done, count);
         next = done + std::max(1L, count / 10);
       };
       csv += ensembles_rows(numbers, set.name, name,
-                            evaluate(readings_to_draw(numbers), count, at, threads, told));
+                            evaluate(readings_to_draw(numbers), count, at, threads, report));
     }
   }
   FileTransaction files;

@@ -73,16 +73,5 @@ TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
   }
 }
 
-TEST_F(LawsOfTheAccident, AreColumnsOfASweepThatAsksForThem) {
-  write("s.toml",
-        "columns = [\"outcome\", \"law_peak_force_N\"]\n[[axis]]\nquantity = \"start_speed_hz\"\n"
-        "values = [40, 120]\n");
-  ASSERT_EQ(shell("$rotor sweep s.toml --out s.csv >/dev/null 2>&1").status, 0);
-  const auto rows = read_csv(folder_ / "s.csv");
-  EXPECT_EQ(rows[0]["law_peak_force_N"], "");
-  EXPECT_EQ(rows[1]["law_peak_force_N"],
-            json("estimate --mass-loss-speed-hz 120")["law_peak_force_N"].dump());
-}
-
 }  // namespace
 }  // namespace rotor

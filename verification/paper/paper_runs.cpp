@@ -204,7 +204,7 @@ std::optional<PaperRun::Rolling> PaperRun::measured(double duration_s) const {
                  (first / first_s - last / last_s) / (first / first_s) / turns};
 }
 
-/// The work of friction where the rotor touches down, and what becomes of the first impact.
+/// The work of friction until each touch-down, and the share of the first impact that is damped.
 class FrictionWatch : public EnergyObserver {
  public:
   explicit FrictionWatch(const Scenario& scenario)

@@ -51,7 +51,7 @@ class RollingForce : public Observer {
   bool rolls_ = false;
 };
 
-/// What has become of a rotor.
+/// The outcome of a run.
 struct End {
   bool touches, rolls;
   Forces forces;
@@ -83,20 +83,13 @@ class Rotors {
     ScenarioSpec spec;
     double less, more;
   };
-  Rotor draw(long n, const std::optional<long>& steps) const {
+  Rotor draw(long n) const {
     Rotor rotor{SweepPoints(sweep_)(n).spec, 0, 0};
     auto& numbers = rotor.spec.numbers;
     for (auto& [quantity, value] : numbers)
       if (!quantity.ends_with("share")) value = rounded(value);
     rotor.less = numbers.extract("share").mapped();
     rotor.more = numbers.extract("other_share").mapped();
-    if (steps) {  // any two different ones of the grid
-      const auto all = static_cast<double>(*steps);
-      const double first = std::floor(rotor.less * (all + 1)),
-                   second = std::floor(rotor.more * all);
-      rotor.less = first / all;
-      rotor.more = (second + (second >= first ? 1 : 0)) / all;
-    }
     if (rotor.less > rotor.more) std::swap(rotor.less, rotor.more);
     return rotor;
   }
@@ -117,7 +110,8 @@ std::pair<double, double> values(const Reason& reason, const Rotors::Rotor& roto
   return {value_at(reason, rotor.less), more};
 }
 
-/// Notes what becomes of a statement where the ends are those at the less and the more risky value.
+/// Notes whether a statement applies and holds, given the outcomes at the less and the more risky
+/// value.
 void note(Trial& trial, Criterion judged, const End& a, const End& b,
           const std::function<std::string()>& example) {
   bool applies = true, holds = true;
@@ -188,12 +182,11 @@ std::vector<Reason> read_reasons(const std::filesystem::path& table) {
   return reasons;
 }
 
-Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads,
-             std::optional<long> steps) {
+Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads) {
   const Rotors rotors(equations);
   std::vector<std::vector<std::optional<std::pair<End, End>>>> all(static_cast<std::size_t>(draws));
   in_parallel(draws, threads, [&](long n) {
-    const Rotors::Rotor rotor = rotors.draw(n, steps);
+    const Rotors::Rotor rotor = rotors.draw(n);
     std::map<std::pair<std::string, double>, End> known;
     const auto at = [&](const std::string& quantity, double value) {
       const auto found = known.find({quantity, value});
@@ -214,7 +207,7 @@ Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws
     for (long n = 0; n < draws; ++n)
       if (const auto& ends = all[static_cast<std::size_t>(n)][r])
         note(trials[reasons[r].id], reasons[r].judged, ends->first, ends->second, [&] {
-          const Rotors::Rotor rotor = rotors.draw(n, steps);
+          const Rotors::Rotor rotor = rotors.draw(n);
           const auto [less, more] = values(reasons[r], rotor);
           return example_of(reasons[r], rotor.spec, less, more);
         });

@@ -33,7 +33,7 @@ struct Reason {
 /// The rows of reference-data/reasons.csv.
 std::vector<Reason> read_reasons(const std::filesystem::path& table);
 
-/// What becomes of a statement on random rotors, with a random pair of values on each.
+/// How a statement fares on random rotors, with a random pair of values on each.
 struct Trial {
   long pairs = 0, apply = 0, violate = 0;
   std::vector<double> sizes;  ///< of each violation: the force at the riskier value, relative to
@@ -46,10 +46,8 @@ struct Trial {
 };
 using Trials = std::map<std::string, Trial>;  ///< by reason
 
-/// Over so many draws of reasons.toml, numbers to four digits, by so many threads. The values of a
-/// pair differ, and are any ones of the range, or lie on a grid of so many steps.
-Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads,
-             std::optional<long> steps = {});
+/// Over so many draws of reasons.toml, numbers to four digits, by so many threads.
+Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads);
 
 /// The largest normal force of a run until its outcome, and that while it rolls, N; 0 if there is
 /// none.

@@ -1,6 +1,5 @@
-/// Prints the verdict on every claim of the paper and on its reasons, and what the paper leaves
-/// open, and writes the claims and their uncertainties: `report DATA OUT`. Or all that is known of
-/// one claim: `report DATA claim ID`.
+/// Prints the verdict on every claim of the paper, and writes the claims and their uncertainties:
+/// `report-numbers DATA OUT`. Or all that is known of one claim: `report-numbers DATA claim ID`.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,9 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
-#include "verification/paper/reasons.hpp"
 #include "verification/paper/uncertainty.hpp"
 #include "verification/support/program.hpp"
 
@@ -28,39 +25,11 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
       "each population (standard error of a share: {:.1f} % at most)\n{}",
       draws, 50 / std::sqrt(draws), claims_table(numbers));
   files.write(out / "claims.csv", to_csv(numbers));
-  std::string counts = "equations,width_of_words,reproduced,within_rounding,refuted\n";
   bool as_expected = true;
-  for (const Counts& its : sensitivity(numbers))
-    counts += fmt::format("{},{},{},{},{}\n", its.set, its.words, its.claims.at("reproduced"),
-                          its.claims.at("within rounding"), its.claims.at("refuted"));
-  files.write(out / "verdict-counts.csv", counts);
   for (std::size_t set = 0; set < sets.size(); ++set)
     for (const Number& number : numbers)
       as_expected = as_expected && verdict_of(number, set).says == number.expected[set];
   return as_expected;
-}
-
-void print_register(const std::filesystem::path& assumptions) {
-  fmt::print("\nWhat the paper leaves open, and what follows from either choice\n");
-  for (const CsvRow& row : read_csv(assumptions))
-    fmt::print("  {}: {}: {} {}; {}: {} {}\n", row["quantity"], row["taken"], row["value_taken"],
-               row["unit"], row["other"], row["value_other"], row["unit"]);
-}
-
-void print_reasons(const std::filesystem::path& folder) {
-  fmt::print(
-      "\nThe paper's reasons for the accident, on the rotors of verification/paper/reasons.toml: "
-      "for "
-      "a random rotor and a random pair of\nvalues, how often the riskier one is not worse, where "
-      "the statement applies; else, the force at it relative to that at the other one\n(median). "
-      "Last, how often a quantity decides whether the rotor rolls (reference-data/reasons.csv; "
-      "make "
-      "reasons)\n  {:<62}{:<20}{:>28}{:>28}\n",
-      "", "along", "published", "consistent");
-  const auto words = read_trials_in_words(folder);
-  for (const Reason& reason : read_reasons(folder / "reasons.csv"))
-    fmt::print("  {:<62}{:<20}{:>28}{:>28}\n", reason.says, reason.quantity,
-               words.at({reason.id, "published"}), words.at({reason.id, "consistent"}));
 }
 
 /// A reading in one set of equations.
@@ -114,12 +83,9 @@ int main(const Arguments& arguments) {
   if (arguments.size() != 2)
     throw std::runtime_error("needs the folder of reference data and an output folder");
   const std::filesystem::path data = arguments[0], out = arguments[1];
-  print_register(data / "assumptions.csv");
-  print_reasons(data);
   const auto numbers = judged_numbers(data);
   FileTransaction files;
-  files.write(out / "uncertainty.csv",
-              to_csv(uncertainties(numbers, read_ranking(data / "ranking.csv"))));
+  files.write(out / "uncertainty.csv", to_csv(uncertainties(numbers)));
   const bool as_expected = print_and_write_claims(numbers, files, out);
   files.commit();
   return as_expected ? 0 : 1;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,20 +23,9 @@ bool has_printed_number(const Number& number) {
   return number.rule == "digits" || number.rule == "about";
 }
 
-std::string decided(const Uncertainty& u, std::size_t most) {
-  std::string text;
-  for (std::size_t n = 0; n < std::min(most, u.decided_by.size()); ++n) {
-    const Influence& input = u.decided_by[n];
-    text += fmt::format("{}{} {:.2f} +- {:.2f}", n > 0 ? "; " : "", input.input, input.total.value,
-                        (input.total.high - input.total.low) / 2);
-  }
-  return text;
-}
-
 }  // namespace
 
-std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
-                                       const std::vector<Influence>& ranking) {
+std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers) {
   PaperInputs finer;
   finer.spec.numbers["tolerance"] = Scenario{}.tolerance / 100;
   PaperRuns finer_runs(finer);
@@ -62,59 +50,22 @@ std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers,
                    .u_num_own = in.by_rk4 ? relative(std::abs(*in.by_rk4 - s)) : nan,
                    .u_times = half_range(in.a),
                    .u_input = half_range(in.b),
-                   .u_printed = printed ? relative(half_digit(number.printed)) : nan,
-                   .decided_by = ranked(ranking, reading.name)});
+                   .u_printed = printed ? relative(half_digit(number.printed)) : nan});
   }
   return all;
 }
 
 std::string to_csv(const std::vector<Uncertainty>& all) {
   std::string csv =
-      "number,unit,simulated,error,u_num,u_num_published_method,u_input_a,u_input_b,u_printed,"
-      "decided_by\n";
+      "number,unit,simulated,error,u_num,u_num_published_method,u_input_a,u_input_b,u_printed\n";
   for (const Uncertainty& u : all) {
     csv += fmt::format("{},{}", u.number, u.unit);
     for (const double value :
          {u.simulated, u.error, u.u_num, u.u_num_own, u.u_times, u.u_input, u.u_printed})
       csv += ',' + (std::isnan(value) ? std::string() : fmt::format("{:.6g}", value));
-    csv += ',' + csv_field(decided(u, u.decided_by.size())) + '\n';
+    csv += '\n';
   }
   return csv;
-}
-
-Draws one_at_a_time(const std::vector<std::string>& readings, const std::vector<InputRange>& ranges,
-                    int threads) {
-  const auto at = [&](long n) {
-    const InputRange& range = ranges[static_cast<std::size_t>(n / 2)];
-    PaperInputs inputs;
-    inputs.set(range.input, n % 2 == 0 ? range.least : range.greatest);
-    return inputs;
-  };
-  return evaluate(readings, 2 * static_cast<long>(ranges.size()), at, threads);
-}
-
-std::vector<Influence> read_ranking(const std::filesystem::path& ranking) {
-  std::vector<Influence> all;
-  for (const CsvRow& row : read_csv(ranking)) {
-    const auto number = [&](const std::string& heading) {
-      return row[heading].empty() ? std::numeric_limits<double>::quiet_NaN()
-                                  : static_cast<double>(row.number(heading));
-    };
-    const auto estimate = [&](const std::string& of) {
-      return Estimate{number(of), number(of + "_low"), number(of + "_high")};
-    };
-    all.push_back({row["reading"], row["input"], number("at_least"), number("at_greatest"),
-                   estimate("first"), estimate("total")});
-  }
-  return all;
-}
-
-std::vector<Influence> ranked(const std::vector<Influence>& all, const std::string& reading) {
-  std::vector<Influence> its;
-  for (const Influence& influence : all)
-    if (influence.reading == reading) its.push_back(influence);
-  std::ranges::stable_sort(its, std::greater(), [](const Influence& i) { return i.total.value; });
-  return its;
 }
 
 }  // namespace rotor

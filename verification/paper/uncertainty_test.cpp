@@ -1,4 +1,4 @@
-/// What the method, the paper's steps and the printed digits leave open, and which input decides.
+/// What the method, the paper's steps and the printed digits leave open.
 #include "verification/paper/uncertainty.hpp"
 
 #include <gtest/gtest.h>
@@ -8,13 +8,8 @@
 namespace rotor {
 namespace {
 
-const std::vector<Influence>& ranking() {
-  static const auto all = read_ranking(ROTOR_REFERENCE_DATA "/ranking.csv");
-  return all;
-}
-
 const std::vector<Uncertainty>& all() {
-  static const auto found = uncertainties(judged(), ranking());
+  static const auto found = uncertainties(judged());
   return found;
 }
 
@@ -42,49 +37,6 @@ TEST(Uncertainty, OfTheMethodIsMoreThanNothingAndLessThanItsTolerance) {
   const Uncertainty& peak = of("peak_force");
   EXPECT_GT(peak.u_num, 0);
   EXPECT_LT(peak.u_num, 1e-11);
-  EXPECT_EQ(peak.decided_by.at(0).input, "clearance");
-  EXPECT_EQ(peak.decided_by.at(1).input, "mass");
-}
-
-// A fixed part of what `make ranking` writes, without OpenTURNS.
-TEST(Ranking, HasWhatRunsGiveOneAtATime) {
-  const auto ranges = read_input_ranges(ROTOR_REFERENCE_DATA "/printed-inputs.csv");
-  std::vector<std::string> readings;
-  for (const Influence& row : ranking())
-    if (readings.empty() || readings.back() != row.reading) readings.push_back(row.reading);
-  const Draws draws = one_at_a_time(readings, ranges, 2);
-  const double digits = 2e-5;  // of six that are written, and another compiler's last ones
-  for (const Influence& row : ranking()) {
-    const auto input = static_cast<std::size_t>(
-        std::ranges::find(ranges, row.input, &InputRange::input) - ranges.begin());
-    ASSERT_LT(input, ranges.size()) << row.input;
-    for (const auto& [stored, anew] :
-         {std::pair(row.at_least, draws.at(row.reading)[2 * input]),
-          std::pair(row.at_greatest, draws.at(row.reading)[2 * input + 1])}) {
-      EXPECT_EQ(std::isnan(stored), std::isnan(anew)) << row.reading << ' ' << row.input;
-      if (!std::isnan(stored)) {
-        EXPECT_NEAR(stored, anew, digits * std::abs(anew)) << row.reading << ' ' << row.input;
-      }
-    }
-  }
-}
-
-// Where a reading varies nearly linearly, an input's share of the variance follows from the ends of
-// its range: another way to Sobol's index.
-TEST(Ranking, HasTheSharesOfALinearResultWhereItIsNearlyOne) {
-  for (const char* reading : {"resonance_s", "onset_mm", "onset_velocity", "whirl_5_ms", "q1_5_ms",
-                              "elastic_N", "damping_N", "onset_rolling_Hz"}) {
-    const std::vector<Influence> its = ranked(ranking(), reading);
-    ASSERT_GE(its.size(), 2U) << reading;
-    double sum = 0;
-    for (const Influence& input : its) sum += std::pow(input.at_greatest - input.at_least, 2);
-    for (const Influence& input : its) {
-      const double share = std::pow(input.at_greatest - input.at_least, 2) / sum;
-      // 95 % of estimates lie in their intervals; curvature takes a few hundredths more.
-      EXPECT_NEAR(input.total.value, share, 0.05 + (input.total.high - input.total.low) / 2)
-          << reading << ' ' << input.input;
-    }
-  }
 }
 
 }  // namespace

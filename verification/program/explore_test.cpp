@@ -6,7 +6,6 @@
 #include <regex>
 #include <set>
 
-#include "figures/data/interruption.hpp"
 #include "figures/explore/explorer.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -96,15 +95,6 @@ TEST_F(Explore, SavesTheTraceThatRotorRunWrites) {
     EXPECT_EQ(rotor("run --trace t.csv" + as_arguments(options)).status, 0);
     EXPECT_TRUE(explorer_.trace(options, null_observer_) == content("t.csv")) << from;  // megabytes
   }
-}
-
-TEST_F(Explore, AsksAfterEachStepWhetherToGoOn) {
-  struct Impatient : Observer {
-    bool goes_on(const Progress& /*now*/) override { return --steps > 0; }
-    int steps = 50;
-  } impatient;
-  EXPECT_THROW(explorer_.run({}, impatient), Interrupted);
-  EXPECT_EQ(impatient.steps, 0);
 }
 
 // The works of the balance, as far as the run has got: at its end they are those of the summary.

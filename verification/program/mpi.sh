@@ -28,7 +28,7 @@ for count in 1 2 3; do
   rm ranks.csv
 done
 
-# Killed again and again: first the last rank, whoever else goes down with it.
+# Killed again and again, the last rank first; others may end with it.
 for pause in 0.3 0.5 0.7; do
   ranks 3 "$rotor" sweep sweep.toml --out ranks.csv 2>/dev/null &
   sleep $pause

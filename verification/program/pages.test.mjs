@@ -1,4 +1,4 @@
-// Units, signs and names of what the pages tell, of numbers that are known: `node --test` runs it.
+// Units, signs and names of what the pages show, for known numbers: `node --test` runs it.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -13,13 +13,13 @@ const summary = {
   speed_at_mass_loss_Hz: 149.9925, final_speed_Hz: 23.035, remarks: ["the ring is round"],
 };
 
-test("the explorer tells numbers in their units", () => {
+test("the explorer shows numbers in their units", () => {
   assert.deepEqual(numbersOf(summary).map(([, text]) => text), ["no contact", "7", "29.1046 s", "29.1277 s", "45.15 Hz",
     "454.8 kN", "29.1279 s", "3.567 mm", "-595.6 Hz", "149.99 Hz", "23.04 Hz"]);
   assert.equal(new Map(numbersOf({ ...summary, whirl_frequency_Hz: null })).get("whirl in rolling"), "–");
-  const told = sentence(summary);
+  const words = sentence(summary);
   for (const part of ["7 times", "29.1046 s", "454.8 kN", "29.1277 s, 23.1 ms after", "Remark: the ring is round."])
-    assert.ok(told.includes(part), told);
+    assert.ok(words.includes(part), words);
 });
 
 test("the explorer's events have forces as magnitudes", () => {

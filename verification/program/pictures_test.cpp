@@ -5,14 +5,14 @@
 #include <numbers>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "figures/runs/observer_group.hpp"
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
 #include "verification/support/command_line.hpp"
-#include "verification/support/figure_folder.hpp"
-#include "verification/support/figure_list.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/paper_figures.hpp"
 #include "verification/support/svg_picture.hpp"
 
 namespace rotor {
@@ -51,13 +51,14 @@ class Pictures : public CommandLine,
     };
     const auto rows = FigureFolder::of(equations()).rows(figure().number);
     std::vector<Candidate> all;
-    for (const auto& [run, scenario] : figure().runs)
-      for (const std::string& column : figure().columns) {
+    for (const SceneRun& run : figure().scene.runs)
+      for (const Column* its : figure().scene.columns) {
+        const std::string column(its->name);
         if (column == "time_s" || column == "y_a_m") continue;
         const std::string x = column == "x_a_m" ? "y_a_m" : "time_s";
-        Candidate candidate{run, column, x == "y_a_m", {}};
+        Candidate candidate{run.name, column, x == "y_a_m", {}};
         for (const CsvRow& row : rows)
-          if (row["run"] == run)
+          if (row["run"] == run.name)
             candidate.points.emplace_back(scale(x) * static_cast<double>(row.number(x)),
                                           scale(column) * static_cast<double>(row.number(column)));
         all.push_back(candidate);
@@ -84,69 +85,64 @@ class Pictures : public CommandLine,
     return std::abs(bottom->second - top->second - height) < 0.5;
   }
 
+  void expect_points(const std::string& table, const Points& places) const;
   std::vector<std::string> numbers() const;
 };
 
-TEST_P(Pictures, HaveTheCurvesOfEachRun) {
+TEST_P(Pictures, HaveTheCurvesOfEachRunAndItsNumbers) {
   const DrawnPicture picture = drawn();
   EXPECT_TRUE(picture.clipped.empty() || equations() != Equations::published);
   const auto all = candidates();
   std::set<std::string> seen;
+  std::string points = "run,quantity,x,y,x_error,y_error\n";  // one in the middle of each curve
+  Points places;
   for (const DrawnCurve& curve : picture.curves) {
     bool is_known = false;  // where runs nearly coincide, they may match each other's curves
     for (const Candidate& candidate : all) {
       if (!is_drawn(candidate, curve, picture.x)) continue;
-      is_known = true;
       seen.insert(candidate.run);
       // In orbits x_a points downwards, y_a to the right, and a millimetre is as long on both axes.
       const double right = pixel(picture.x, 1) - pixel(picture.x, 0);
       const double down = pixel(curve.y, 1) - pixel(curve.y, 0);
       EXPECT_GT(right, 0);
       EXPECT_TRUE(!candidate.is_orbit || std::abs(down - right) < 1e-3 * right);
+      if (std::exchange(is_known, true) || candidate.run.ends_with("rk4")) continue;
+      const auto& [x, y] = candidate.points[candidate.points.size() / 2];
+      points += fmt::format("{},{},{},{},0,0\n", candidate.run, candidate.column, x, y);
+      places.emplace_back(pixel(picture.x, x), pixel(curve.y, y));
     }
     EXPECT_TRUE(is_known) << "a curve that is no run's";
   }
-  EXPECT_EQ(seen.size(), picture.curves.empty() ? 0 : figure().runs.size());
+  EXPECT_EQ(seen.size(), picture.curves.empty() ? 0 : figure().scene.runs.size());
   for (const std::string& number : numbers())
     EXPECT_TRUE(std::ranges::any_of(picture.texts, [&](const std::string& text) {
       return text.find(number) != std::string::npos;
     })) << number;
+  if (equations() == Equations::published && !places.empty()) expect_points(points, places);
 }
 
-// Each once, in the panel of its run and quantity, where it was read off.
-TEST_P(Pictures, ShowPointsThatWereReadOff) {
-  if (equations() != Equations::published) return;
-  const auto all = candidates();
-  std::string table = "run,quantity,x,y,x_error,y_error\n";
-  Points places;
-  const DrawnPicture without = drawn();
-  for (const DrawnCurve& curve : without.curves) {
-    const auto found = std::ranges::find_if(
-        all, [&](const auto& candidate) { return is_drawn(candidate, curve, without.x); });
-    if (found == all.end() || found->run.ends_with("rk4")) continue;
-    const auto& [x, y] = found->points[found->points.size() / 2];
-    table += fmt::format("{},{},{},{},0,0\n", found->run, found->column, x, y);
-    places.emplace_back(pixel(without.x, x), pixel(curve.y, y));
-  }
-  if (places.empty()) return;
+// Points that were read off a printed figure are drawn each once, in the panel of their run and
+// quantity, where they were read.
+void Pictures::expect_points(const std::string& table, const Points& places) const {
   write("points.csv", table);
   const DrawnPicture picture = drawn("points.csv");
   const auto keys = std::ranges::count(picture.texts, "printed");  // one in each panel's key
   EXPECT_EQ(picture.squares.size(), places.size() + static_cast<std::size_t>(keys));
-  for (const auto& [x, y] : places)
+  for (const auto& place : places)
     EXPECT_TRUE(std::ranges::any_of(picture.squares,
-                                    [&, at_x = x, at_y = y](const auto& square) {
-                                      return std::hypot(square.first - at_x, square.second - at_y) <
-                                             0.5;
+                                    [&](const auto& square) {
+                                      return std::hypot(square.first - place.first,
+                                                        square.second - place.second) < 0.5;
                                     }))
-        << x << ", " << y;
+        << place.first << ", " << place.second;
 }
 
 /// The numbers that a picture has to say, by the engine.
 std::vector<std::string> Pictures::numbers() const {
   std::vector<Summary> of;
   std::vector<EventRecorder> events;
-  for (auto [name, scenario] : figure().runs) {
+  for (const SceneRun& its : figure().scene.runs) {
+    Scenario scenario = its.scenario;
     if (scenario.method == Method::rk4) continue;
     scenario.equations = equations();
     SummaryObserver summary(scenario);

@@ -71,11 +71,5 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   EXPECT_EQ(curve, picture.curves.size());
 }
 
-// A day of whirling would be a black picture, and many gigabytes.
-TEST_F(Plot, RefusesMoreThanAPictureCanShow) {
-  write("day.toml", "[parameters]\nno_mass_loss = true\nuntil = 86400\n");
-  expect_refusal("plot day.toml", "day.toml: run: more than 2000000 rows are too many to draw");
-}
-
 }  // namespace
 }  // namespace rotor

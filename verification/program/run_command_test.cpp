@@ -94,12 +94,5 @@ TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
   EXPECT_EQ(sure.size(), plain.size() + 2);
 }
 
-// The speed is that of the exact run-up, whatever the method.
-TEST_F(RunCommand, LosesTheMassAtTheSameTimeByEitherMethod) {
-  const std::string lost = "--mass-loss-speed-hz 20 --until 4.2 ";
-  EXPECT_EQ(summary(lost + "--method rk4")["inputs"]["mass_loss_time"],
-            summary(lost)["inputs"]["mass_loss_time"]);
-}
-
 }  // namespace
 }  // namespace rotor

@@ -4,9 +4,11 @@
 
 #include "figures/data/text.hpp"
 #include "figures/input/scenario_spec.hpp"
+#include "figures/results/run_result.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/run/simulation.hpp"
 #include "model/scenario/start.hpp"
+#include "verification/support/random_runs.hpp"
 #include "verification/support/run_summary.hpp"
 
 namespace rotor {
@@ -127,19 +129,24 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
   EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
 }
 
-// Here the force falls where rolling begins: its first maximum comes with the next contact.
-TEST_F(Stops, AreNotWhereTheForceFallsAtTheOnset) {
-  for (const std::string speed_Hz : {"120", "130"}) {
-    const auto waits = [&](const std::string& method) {
-      const Json stopped = summary(
-          "--equations consistent --friction 0.1 --contact-damping 50 --until 0.3 "
-          "--stop-on rolling --start-speed-hz " +
-          speed_Hz + " --method " + method);
-      return stopped["final_time_s"].get<double>() - stopped["rolling_onset_s"].get<double>();
+// A run that stops when its outcome is decided says what the whole run says, and mostly sooner.
+TEST(StopsAtTheOutcome, DecideAsTheWholeRunDoes) {
+  RandomRuns random(7);
+  int sooner = 0;
+  for (int n = 0; n < 60; ++n) {
+    Scenario scenario = random.scenario();
+    scenario.until += 0.2;
+    const auto result = [&](std::optional<StopOn> stop_on) {
+      Observer nobody;
+      return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
     };
-    EXPECT_GT(waits("event"), 3e-4) << speed_Hz;
-    EXPECT_NEAR(waits("rk4"), waits("event"), 3e-5) << speed_Hz;  // steps of 5e-6 s
+    const RunResult whole = result({}), stopped = result(StopOn::outcome);
+    EXPECT_EQ(stopped.summary.outcome, whole.summary.outcome) << n;
+    EXPECT_EQ(stopped.summary.first_contact_s, whole.summary.first_contact_s) << n;
+    EXPECT_EQ(stopped.early.stop_reached, stopped.end.last.time_s < scenario.until) << n;
+    sooner += stopped.early.stop_reached;
   }
+  EXPECT_GT(sooner, 20);
 }
 
 // Rolling decides the outcome, but not before the mass loss.
@@ -154,51 +161,22 @@ TEST_F(Stops, AreNotBeforeTheMassLossWhereTheOutcomeIsAskedFor) {
   EXPECT_FALSE(summary(run + "rolling")["mass_loss_reached"]);
 }
 
-TEST_F(Stops, AreAsSoonAsItIsClearThatThereIsNoContact) {
-  const Json stopped = summary("--mass-loss-time 12 --stop-on outcome --equations consistent");
-  EXPECT_EQ(stopped["outcome"], "no_contact");
-  EXPECT_EQ(stopped["stop_reached"], true);
-  EXPECT_LT(stopped["final_time_s"], 12.1);
-  // What damping may take of the speed until a late end decides nothing, either, with gravity or
-  // without.
-  for (const std::string gravity : {"9.81", "0"}) {
-    const Json late = summary(
-        "--start-speed-hz 150 --mass-loss-time 0 --clearance 5e-3 --until 200 --stop-on outcome "
-        "--equations consistent --gravity " +
-        gravity);
-    EXPECT_EQ(late["outcome"], "no_contact") << gravity;
-    EXPECT_LT(late["final_time_s"], 0.1) << gravity;
-  }
-}
-
+// Slower than 0.1 Hz for a second. A rotor that its motor has yet to start is not at rest, nor is a
+// pendulum that swings back, for more than a second each time.
 TEST_F(Stops, AreAtRest) {
-  // So weak a motor that the speed stays below 0.1 Hz: a rotor at its start has not come to rest.
-  for (const std::string method : {"event", "rk4"}) {
-    const Json slow =
-        summary("--stop-on rest --torque 8e-4 --gravity 0 --mass-loss-time 5 --until 60 --method " +
-                method);
-    EXPECT_TRUE(slow["mass_loss_reached"]);
-    EXPECT_NEAR(slow["final_time_s"], 6, 0.5) << method;  // a second later, and the rest of a step
-  }
-  const std::string still = "--stop-on rest --until 60 --torque 0 --gravity 0 --no-mass-loss ";
-  const Json stopped = summary(still);
-  EXPECT_EQ(stopped["stop_reached"], true);
-  EXPECT_GE(stopped["final_time_s"], 1);
-  EXPECT_LT(stopped["final_time_s"], 60);
-  const auto turns_at = [&](const std::string& speed_Hz) {
-    return summary(still + "--eccentricity 0 --start-speed-hz " + speed_Hz)["stop_reached"];
-  };
-  EXPECT_EQ(turns_at("0.09"), true);
-  EXPECT_EQ(turns_at("0.11"), false);
-  // Nor has one that its motor starts slowly.
-  const Json starts = summary("--stop-on rest --torque 0.001 --gravity 0 --no-mass-loss --until 8");
-  EXPECT_EQ(starts["stop_reached"], false);
-  EXPECT_GT(starts["final_speed_Hz"], 0.1);
-  // Nor has a pendulum that swings back, for more than a second each time.
-  const Json swings = summary(
-      "--stop-on rest --no-mass-loss --torque 0 --eccentricity 1.15e-3 --start-speed-hz 0.64 "
-      "--until 10");
-  EXPECT_FALSE(swings["stop_reached"]);
+  const std::string still = " --gravity 0 --torque 0 --no-mass-loss --until 8";
+  for (const auto& [run, rests] :
+       {std::pair(" --gravity 0 --torque 8e-4 --mass-loss-time 5 --until 8", true),
+        {" --gravity 0 --torque 8e-4 --mass-loss-time 5 --until 8 --method rk4", true},
+        {" --gravity 0 --torque 0.001 --no-mass-loss --until 8", false},
+        {" --torque 0 --no-mass-loss --eccentricity 1.15e-3 --start-speed-hz 0.64 --until 8",
+         false}})
+    EXPECT_EQ(summary(std::string("--stop-on rest") + run)["stop_reached"], rests) << run;
+  for (const auto& [speed_Hz, rests] : {std::pair("0", true), {"0.09", true}, {"0.11", false}})
+    EXPECT_EQ(summary(std::string("--stop-on rest --eccentricity 0 --start-speed-hz ") + speed_Hz +
+                      still)["stop_reached"],
+              rests)
+        << speed_Hz;
 }
 
 // Rolling on after the loss, it awaits a maximum of the force, which a smooth decay has not.

@@ -172,7 +172,7 @@ TEST_F(SummaryKeys, SayWhatTheRunShows) {
     expected["contact_evaluations"] = end.counters.contact_evaluations;
     expected["steps"] = end.counters.steps;
     expected["located_events"] = end.counters.located_events;
-    // Of these two the engine's own word is taken; summary_test.cpp tells whether it is right.
+    // Outcome and whirl are the engine's own; outcome_test.cpp and summary_test.cpp hold them.
     expected["outcome"] = std::string(name_of(summary.summary().outcome));
     const auto number = [](const std::optional<double>& value) {
       return value ? Json(*value) : Json(nullptr);

@@ -1,5 +1,5 @@
-/// Every column against formulas written out anew, in every state of the contact, and the rows of
-/// traces against runs of their own.
+/// Every column and event against formulas written independently, in every state of the contact,
+/// and the rows of traces against runs that end there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,12 +9,16 @@
 #include <utility>
 
 #include "figures/data/csv.hpp"
+#include "figures/input/names.hpp"
 #include "figures/record/columns.hpp"
 #include "figures/record/recorder.hpp"
-#include "model/results/energy.hpp"
+#include "figures/results/event_log.hpp"
+#include "figures/runs/observer_group.hpp"
 #include "model/run/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/observers.hpp"
+#include "verification/support/short_run.hpp"
 
 namespace rotor {
 namespace {
@@ -100,26 +104,33 @@ TEST(Column, IsWhatItsFormulaSays) {
       }
 }
 
-// The paper's signs, at an instant whose answer can be told without any formula.
-TEST(Column, HasThePapersSigns) {
-  const Scenario scenario;
-  Instant at = at_rest(scenario.parameters);
-  at.contact = ContactState::sliding;
-  at.state = {0, 3.5e-3, 0, 0, 0, 900};  // O lies along y_a, the rim slides with the rotation
-  const ColumnContext context(scenario);
-  const auto value = [&](const char* name) {
-    View view(at, context);
-    return find_column(name)->value(view);
-  };
-  EXPECT_EQ(value("x_a_m"), 0);
-  EXPECT_GT(value("y_a_m"), 3e-3);
-  EXPECT_LT(value("normal_force_N"), -3e5);  // compression
-  EXPECT_LT(value("friction_force_N"), 0);   // against the slip
-  EXPECT_GT(value("slip_velocity_m_per_s"), 0);
-  EXPECT_LT(value("friction_power_W"), 0);
-  at.state[2] = std::acos(-1.) / 2;  // y of the rotor points up now, against x_a
-  EXPECT_LT(value("x_a_m"), -3e-3);
-  EXPECT_NEAR(value("y_a_m"), 0, 1e-15);
+// What `--events` writes of each event.
+TEST(EventLog, HasEachEventWithTheForceOnTheRotorAndItsSlip) {
+  const Scenario scenario = short_run(0.03);
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+  EventLog log(scenario, [&](std::string_view event, auto row) {
+    names.emplace_back(event);
+    rows.emplace_back(row.begin(), row.end());
+  });
+  EventRecorder events;
+  ObserverGroup both;
+  both.add(log);
+  both.add(events);
+  run(scenario, both);
+  ASSERT_EQ(rows.size(), events.events().size());
+  int pressed = 0;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const Instant& at = events.events()[n];
+    EXPECT_EQ(names[n], name_of(at.event));
+    for (std::size_t i = 0; i < EventLog::columns().size(); ++i) {
+      const std::string_view column = EventLog::columns()[i]->name;
+      const double expected = column_by_formula(column, at, scenario);
+      EXPECT_NEAR(rows[n][i], expected, 1e-9 * std::abs(expected)) << column << ' ' << names[n];
+      pressed += column == "normal_force_N" && expected < -1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(pressed, 3);
 }
 
 class Trace : public CommandLine {
@@ -181,31 +192,6 @@ TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
     const double force = column_by_formula("normal_force_N", at, scenario);
     EXPECT_NEAR(rows[n][4], force, 1e-3 + 1e-6 * std::abs(force)) << n;
   }
-}
-
-// The powers add up to what EnergyObserver says, by the trapezoidal rule over fine rows.
-TEST_F(Trace, HasThePowersWhoseIntegralsAreTheWorksByCause) {
-  const double from = 29.1, until = 29.127;  // before the onset of rolling
-  const auto rows = numbers(
-      "--from 29.1 --until 29.127 --every 5e-7 --columns "
-      "time_s,motor_power_W,support_damping_power_W,friction_power_W,contact_damping_power_W,"
-      "support_energy_J,contact_energy_J");
-  std::array<double, 4> work{};
-  for (std::size_t n = 1; n < rows.size(); ++n)
-    for (std::size_t i = 0; i < work.size(); ++i)
-      work[i] += (rows[n][i + 1] + rows[n - 1][i + 1]) / 2 * (until - from) /
-                 static_cast<double>(rows.size() - 1);
-  const Scenario scenario{.until = until};
-  EnergyObserver energy(scenario);
-  run(scenario, energy);
-  const EnergyBalance& balance = energy.balance();
-  EXPECT_EQ(work[0], balance.motor);
-  // The powers jump at contacts, by up to 3 MW within a row.
-  EXPECT_NEAR(work[1], balance.support_damping, 1e-3);
-  EXPECT_NEAR(work[2] / balance.friction, 1, 1e-3);
-  EXPECT_NEAR(work[3] / balance.contact_damping, 1, 2e-2);
-  EXPECT_NEAR(rows.back()[5], balance.support_springs, 1e-9);
-  EXPECT_NEAR(rows.back()[6], balance.contact_spring, 1e-6);
 }
 
 }  // namespace

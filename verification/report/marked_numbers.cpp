@@ -55,6 +55,20 @@ Json reasons_json(const std::filesystem::path& tried) {
   return all;
 }
 
+/// How well the laws of model/theory hold, %: `laws.EQUATIONS.QUANTITY`, by the least share of the
+/// unbalance in %, as in `from_3`, or for `all`.
+Json laws_json(const std::filesystem::path& laws) {
+  Json all;
+  for (const CsvRow& row : read_csv(laws)) {
+    const bool by_share = !row["share_from"].empty() && row["share_from"] + row["share_to"] != "0";
+    const std::string which =
+        by_share ? fmt::format("from_{:.0f}", 100 * static_cast<double>(row.number("share_from")))
+                 : "all";
+    all[row["equations"]][row["quantity"]][which] = 100 * static_cast<double>(row.number("agree"));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string with_marked_numbers(const std::string& markdown, const Json& values) {
@@ -77,6 +91,7 @@ Json markable_values(const std::vector<Number>& judged,
   add_verdicts(values, judged);
   values["corrections"] = corrections_json();
   values["reasons"] = reasons_json(reference_data / "reasons-tried.csv");
+  values["laws"] = laws_json(reference_data / "laws.csv");
   return values;
 }
 

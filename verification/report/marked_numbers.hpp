@@ -9,7 +9,7 @@ namespace rotor {
 /// The same text with the numbers as they are. Throws std::invalid_argument for an unknown name.
 std::string with_marked_numbers(const std::string& markdown, const Json& values);
 
-/// What can be named: `values_json`, and beside it claims, figures.3, corrections, reasons.
+/// What can be named: `values_json`, and beside it claims, figures.3, corrections, reasons, laws.
 Json markable_values(const std::vector<Number>& judged,
                      const std::filesystem::path& reference_data);
 

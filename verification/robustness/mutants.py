@@ -6,8 +6,8 @@ are compiled at once into a copy of the sources, each behind a switch that the e
 (ROTOR_MUTANT=17), so that programs which tests start have it too; those that do not compile are left out.
 No C++ parser is needed, because the sources are formatted: each change inserts text on its line.
 
-First each test runs without any change and tells which switches it passes. Then, for each change, the tests
-that reach it run, short ones first, until one notices. Results are in build/mutants/mutants.csv. The status
+First each test runs without any change and reports which switches it passes. Then, for each change, the
+tests that reach it run, short ones first, until one notices. Results are in build/mutants/mutants.csv. The status
 is 1 if a change by hand survives; what survives of the others, some of which change nothing, is listed.
 """
 
@@ -69,7 +69,7 @@ inline void look() {
   switches::reached[number] = 1;
   return switches::active == number;
 }
-/// A value, so that right and wrong have one type: what Eigen would put off is worked out.
+/// A value, so that right and wrong have one type: what Eigen would defer is evaluated.
 template <class T>
 auto plain(T&& value) {
   if constexpr (requires { typename std::decay_t<T>::PlainObject; value.eval(); })
@@ -142,7 +142,7 @@ def mechanical(file):
     for m in re.finditer(r'(?<=[\w)\]}] )([-+*/]|[<>]=?|[=!]=)(?=[ \n])', code):
         yield change('operator', m.start(), m.end(), OPPOSITE[m[0]],
                      (m.end(), 0, f' ::rotor::Switch<#>() {m[0]}'))
-    for m in re.finditer(r' (&&|\|\|)(?=[ \n])', code):  # what stands behind is never, or always so
+    for m in re.finditer(r' (&&|\|\|)(?=[ \n])', code):  # the right operand is never, or always true
         wrong = ' && !::rotor::mutant(#)' if m[1] == '&&' else ' || ::rotor::mutant(#)'
         yield change('logic', m.start(), m.start(), ' && false' if m[1] == '&&' else ' || true', (m.start(), 0, wrong))
     for m in re.finditer(r"(?<![\w.'])\d[\d.']*(e[-+]?\d+)?(?![\w.'])", code):
@@ -206,12 +206,12 @@ def write_switched(changes):
         if all(end < a or at > b for at, end in spans for a, b, _ in own):
             own += [(at, at + length, text.replace('#', str(change.number))) for at, length, text in change.edits]
             put.append(change)
-    for path in [path for folder in ('model', 'figures', 'verification/paper') for path in TREE.glob(f'{folder}/**/*.?pp')]:
+    for path in [path for folder in ('model', 'figures', 'verification') for path in TREE.glob(f'{folder}/**/*.?pp')]:
         file = str(path.relative_to(TREE))
         text = (ROOT / file).read_text()
         for at, end, inserted in sorted(edits.get(file, []), reverse=True):
             text = text[:at] + inserted + text[end:]
-        if file in edits:  # a constant that is worked out by the compiler could not be switched
+        if file in edits:  # a constant that the compiler evaluates could not be switched
             text = '\n'.join(re.sub(r'\bconstexpr\b(?=[^()]*=)', 'const', line) if '::rotor::instead<' in line or
                              'Switch<' in line else line for line in text.split('\n'))
             text = f'#include "{WORK}/switches.hpp"\n#line 1\n{text}'
@@ -309,49 +309,36 @@ class Tests:
     def _look_at(self, name):
         with tempfile.TemporaryDirectory(dir=WORK) as folder:
             start = time.monotonic()
-            failed = self.failed([name], 0, 600, folder)
+            failed = self.failed(name, 0, 600, folder)
             reached = {int(number) for file in pathlib.Path(folder).iterdir() for number in file.read_text().split()}
         return name, failed, time.monotonic() - start, reached
 
-    def failed(self, names, number, limit_s, reached=''):
-        """Whether one of the tests fails, crashes, or is not over in time: which, as far as that is known."""
+    def failed(self, name, number, limit_s, reached=''):
+        """Whether a test fails, crashes, or is not over in time."""
         with tempfile.TemporaryDirectory(dir=WORK) as folder:
             environment = {**os.environ, 'LC_ALL': 'C', 'RC_PARAMS': 'seed=1', 'ROTOR_MUTANT': str(number), 'TMPDIR': folder}
             if reached:
                 environment['ROTOR_REACHED'] = reached
-            command = [BUILD / 'stress', 'rotors', '300', folder] if names == [RANDOM_ROTORS] else \
-                [BUILD / 'verification', '--gtest_filter=' + ':'.join(names), '--gtest_fail_fast']
-            with open(os.path.join(folder, 'output'), 'w+', encoding='utf-8', errors='replace') as output:
-                process = subprocess.Popen(command, env=environment, cwd=folder, stdin=subprocess.DEVNULL,
-                                           stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
-                try:
-                    status = process.wait(limit_s)
-                except subprocess.TimeoutExpired:
-                    status = -1
-                try:
-                    os.killpg(process.pid, signal.SIGKILL)  # and all that it has started
-                except ProcessLookupError:
-                    pass
-                process.wait()
-                output.seek(0)
-                failed = re.findall(r'^\[  FAILED  \] (\S+?)(?:, where .*)? \(\d+ ms\)$', output.read(), re.MULTILINE)
-        return '' if status == 0 else ' '.join(failed) or names[0] + '...'
+            command = [BUILD / 'stress', 'rotors', '300', folder] if name == RANDOM_ROTORS else \
+                [BUILD / 'verification', '--gtest_filter=' + name, '--gtest_fail_fast']
+            process = subprocess.Popen(command, env=environment, cwd=folder, stdin=subprocess.DEVNULL,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+            try:
+                status = process.wait(limit_s)
+            except subprocess.TimeoutExpired:
+                status = -1
+            try:
+                os.killpg(process.pid, signal.SIGKILL)  # and all that it has started
+            except ProcessLookupError:
+                pass
+            process.wait()
+        return status != 0
 
     def noticed(self, change):
-        """What notices a change, tried in groups that each take as long as all before."""
-        batch, so_far, own = [], 0.5, 0
-        reaching = [name for name in self.names if change.number in self.reached[name]]
-        for name in reaching:
-            batch.append(name)
-            own += self.seconds[name]
-            if own >= so_far or name == reaching[-1] or RANDOM_ROTORS in (name, *reaching[len(batch):][:1]):
-                if RANDOM_ROTORS in batch:
-                    batch.remove(RANDOM_ROTORS)
-                    if failed := self.failed([RANDOM_ROTORS], change.number, 20 + 5 * self.seconds[RANDOM_ROTORS]):
-                        return failed
-                if batch and (failed := self.failed(batch, change.number, 20 + 5 * own)):
-                    return failed
-                so_far, batch, own = so_far + own, [], 0
+        """The first test that notices a change, of those that reach it."""
+        for name in self.names:
+            if change.number in self.reached[name] and self.failed(name, change.number, 20 + 5 * self.seconds[name]):
+                return name
         return ''
 
 

@@ -36,7 +36,7 @@ class BalanceObserver : public Observer {
     }
   }
 
-  /// Begins at the start, and anew after the mass loss, whose jump is not a load's.
+  /// Starts at the first instant, and again after the mass loss, whose jump is not a load's.
   void on_instant(const Instant& at) override {
     const Contents now = contents(at);
     if (!begun_ || at.event == Event::mass_loss) {
@@ -74,7 +74,7 @@ class BalanceObserver : public Observer {
     const double rho = m.displacement.norm();
     const double indentation =
         at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
-    double energy = kinetic_energy(at.body, m) + supports_.stiffness * rho * rho / 2 +
+    double energy = kinetic_energy(at.body, m) + supports_.springs.energy(m.displacement) +
                     ring_.stiffness * indentation * indentation / 2;
     if (conserves_gravity())
       energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);

@@ -15,7 +15,7 @@ inline Scenario bare() {
   return scenario;
 }
 
-/// What becomes of a state clear of the ring after some time.
+/// The run that starts from a state clear of the ring.
 inline EventRecorder follow_from_state(const Scenario& scenario, const State<double>& state,
                                        double duration_s, bool motor_on = false) {
   Instant at = at_rest(scenario.parameters);

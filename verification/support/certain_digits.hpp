@@ -19,7 +19,7 @@ std::string falsehood(const Comparison& found, int digits, const KnownValues& kn
 /// The largest relative error of a summary, in truth; 1 where it lacks a value or has one too many.
 double true_error(const Summary& summary, const Parameters& p, const KnownValues& known);
 
-/// The values of a summary, of each event, and of the end, with names of their own.
+/// The values of a summary, of each event, and of the end, by name.
 template <class Action>
 void for_each_named(const Comparison& found, const Action& action) {
   for (const NamedEstimate& value : found.summary) action(std::string(value.name), value);

@@ -1,4 +1,4 @@
-/// What the columns of traces and figures must hold, written out anew: from the numbers of an
+/// What the columns of traces and figures must hold, written independently: from the numbers of an
 /// instant and of a scenario, and from nothing of the model's mechanics, so that one mistake cannot
 /// be made in both.
 #pragma once

@@ -1,14 +1,12 @@
 /// Tests of the program as its users see it.
 #pragma once
 
-#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -39,21 +37,6 @@ class CommandLine : public InFolder {
       output.append(buffer.data(), size);
     const int status = ::pclose(pipe);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
-  }
-
-  /// Where tests that need a terminal are skipped: in some containers.
-  static bool has_terminals() {
-    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
-    if (terminal >= 0) ::close(terminal);
-    return terminal >= 0;
-  }
-
-  /// Runs a command on a terminal and presses Ctrl-C there once it shows what matches the pattern
-  /// (or after a minute).
-  Outcome interrupted_on_terminal(const std::string& command, const std::string& pattern) const {
-    return shell(": > shown\n{ for wait in $(seq 600); do grep -q '" + pattern +
-                 "' shown && break; sleep 0.1; done; printf '\\003'; } |\n  script -qefc \"" +
-                 command + "\" shown");
   }
 
   Outcome rotor(const std::string& arguments) const { return shell("$rotor " + arguments); }

@@ -4,16 +4,11 @@
 #include <numbers>
 
 #include "verification/support/follow_with.hpp"
-#include "verification/support/starts.hpp"
 
 namespace rotor {
 
 RunEnd follow(const Scenario& scenario, const Instant& from, double until_s, Observer& observer) {
   return follow_with<double>(scenario, scenario.tolerance, from, until_s, observer);
-}
-
-Instant after_mass_loss(const Scenario& scenario) {
-  return after_mass_loss_with<double>(scenario, scenario.tolerance);
 }
 
 Instant mass_lost_at_speed(const Scenario& scenario, double speed) {

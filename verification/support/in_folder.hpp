@@ -12,7 +12,7 @@ namespace rotor {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, removed afterwards.
+/// A folder for each test, removed afterwards.
 class InFolder : public testing::Test {
  protected:
   void SetUp() override {

@@ -13,13 +13,13 @@ class PlaceOfLoss {
   PlaceOfLoss(const Parameters& parameters, double angle);
   PlaceOfLoss(const Parameters& parameters, double angle, double lost_mass);
 
-  /// The piece is a point of the rim, and the rest of the rotor goes on as a rigid body.
+  /// The piece is a point of the rim, and the rest of the rotor remains a rigid body.
   const Body<double>& after() const { return after_; }
   double lost_mass() const { return lost_mass_; }
   const Vector<double>& piece() const { return piece_; }                  ///< from O, m
   double unbalance() const { return after_.mass * after_.eccentricity; }  ///< kg m
 
-  /// The instant after the loss. The axes O_a xy are laid anew, x towards the new mass centre.
+  /// The instant after the loss. The axis x of O_a xy then points to the new mass centre.
   /// As printed, O gets the change of the mass centre's velocity once more.
   Instant lose_mass(Instant at, Equations equations) const;
 

@@ -12,7 +12,7 @@
 
 namespace rotor {
 
-/// An axis as its labelled grid lines tell it: pixels over values.
+/// An axis as its labelled grid lines show it: pixels over values.
 using Tics = std::map<double, double>;
 
 inline double pixel(const Tics& axis, double value) {
@@ -52,7 +52,7 @@ inline double number_of(std::string label) {
 }
 
 /// Whether a text reaches beyond a canvas that begins at 0. Its group states where it is anchored,
-/// its size and whether it stands upright; its letters are taken to be half as wide as they are
+/// its size and whether it is upright; its letters are taken to be half as wide as they are
 /// high (DejaVu Sans has 0.6 on average).
 inline bool is_clipped(const std::string& group, const std::string& text,
                        Points::value_type canvas) {
@@ -76,7 +76,7 @@ struct DrawnCurve {
   Tics y;
 };
 
-/// A picture as gnuplot's SVG has it: each grid line stands before its label, and the axes of a
+/// A picture as gnuplot's SVG has it: each grid line comes before its label, and the axes of a
 /// panel before its curves. The x axis is that of the last one. Curves of insets, which have no
 /// grid, are left out.
 struct DrawnPicture {
@@ -98,7 +98,7 @@ struct DrawnPicture {
         group = between(at, "<g ", ">");
       } else if (tag.starts_with("<g id=\"gnuplot_plot_")) {
         const bool is_first = tag.size() > 21 && tag[20] == '1' && (tag[21] < '0' || tag[21] > '9');
-        if (is_first) in_inset = y_is_old && !curves.empty();  // which has no grid of its own
+        if (is_first) in_inset = y_is_old && !curves.empty();  // which has no grid
         in_curve = !in_inset;
         y_is_old = true;
         if (in_curve) curves.push_back({{}, y_axis});

@@ -1,4 +1,4 @@
-/// The data of all figures, written once by the program for all tests of them.
+/// The paper's figures, and their data, which the program writes once for all tests.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,13 +6,29 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
+#include "figures/input/scene.hpp"
 
 namespace rotor {
+
+struct Figure {
+  int number;
+  Scene scene;
+};
+
+inline void PrintTo(const Figure& figure, std::ostream* out) { *out << "Fig. " << figure.number; }
+
+inline std::vector<Figure> paper_figures() {
+  std::vector<Figure> figures;
+  for (const auto& [number, file] : figure_files(ROTOR_SCENES))
+    figures.push_back({number, read_scene(file)});
+  return figures;
+}
 
 class FigureFolder {
  public:
