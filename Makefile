@@ -18,6 +18,9 @@ ifneq ($(origin CXX),default)
 endif
 ROTOR := $(BUILD)/rotor
 
+# CMake has no escape for these.
+$(foreach char,; " \,$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake cannot handle; move the checkout)))
+
 # What is misspelt is said before anything is made.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
@@ -77,7 +80,7 @@ endef
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
-        check-report deps-report site lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
+        check-report deps-report site claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
         sanitize portable deps-prove prove clean
 
@@ -125,10 +128,14 @@ need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
 	  echo "Missing package: $$package (make deps installs it)"; missing=1; done >&2; \
 	[ -z "$$missing" ]
 
-# Quiet unless there is something to do or to complain of.
+# Quiet unless there is something to do or to complain of. CMake looks for packages again where some have
+# changed, and `make -j1` runs one compiler.
+elsewhere  = $(shell grep -s ^CMAKE_HOME_DIRECTORY: $(BUILD)/CMakeCache.txt | grep -vxF 'CMAKE_HOME_DIRECTORY:INTERNAL=$(CURDIR)')
+configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BUILD)/build.ninja -nt CMakePresets.json ] && echo yes)
 define build-target
-	@log=$$(cmake --preset release -B $(BUILD) 2>&1) || { echo "$$log" >&2; exit 1; }
-	@cmake --build $(BUILD) --target $(1) | sed -u '/no work to do\|globbed directories/d'
+	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(lastword $(subst =, ,$(elsewhere))); remove it: make clean))
+	$(if $(configured),,@log=$$(cmake --preset release -B $(BUILD) 2>&1) || { echo "$$log" >&2; exit 1; })
+	@cmake --build $(BUILD) --target $(1) $(filter -j%,$(MAKEFLAGS))| sed -u '/no work to do\|globbed directories/d'
 endef
 
 build: need-deps ## build the program, build/rotor
@@ -143,7 +150,7 @@ $(FIGURES): %: $(OUT)/%.$(FORMAT)
 # One process computes all data, in a fraction of a second. Data that come out the same keep their
 # time stamp, so that their pictures are not drawn again. What was removed is made anew.
 define compute_data
-	@$(ROTOR) figure --out $(OUT)/new --equations $(EQUATIONS)
+	@mkdir -p $(OUT)/new && $(ROTOR) figure --out $(OUT)/new --equations $(EQUATIONS)
 	@for csv in $(OUT)/new/*.csv; do cmp -s $$csv $(OUT)/$${csv##*/} || mv $$csv $(OUT)/; done
 	@rm -rf $(OUT)/new; touch $(OUT)/.data
 endef
@@ -158,7 +165,7 @@ $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIG
 	@figures/draw.sh $@ "data = '$<'; equations = '$(EQUATIONS)'; \
 	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" figures/paper/$*.gp
 figures/paper/%.gp:
-	$(error The scene figures/paper/$*.toml has no script $@ that draws it)
+	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))
 
 # Maps of outcomes over two quantities. Coarser ones stand in a folder of their own. A sweep that was
 # stopped goes on where it was.
@@ -192,6 +199,10 @@ $(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv figures/maps/round
 verify: build ## build, run all tests, and hold the published numbers against ours
 	$(call build-target,all)
 	@verification/verify.sh $(BUILD)
+
+claim: build ## all that is known of one claim of the paper's text: make claim ID=speed
+	$(call build-target,report-numbers)
+	@$(BUILD)/report-numbers reference-data claim "$(ID)"
 
 # Both sets of equations are drawn, each by a make of its own.
 report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## the reviewer's page: build/report/index.html, one file that needs no network
@@ -266,7 +277,7 @@ PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build what make bench, stress and reference run
 	$(call build-target,benchmark stress reference digits-reference)
 bench: bench-programs ## run time against error of every method, with pictures, into build/bench
-	@$(BUILD)/benchmark $(BUILD)/bench
+	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
 	@LC_ALL=C.UTF-8 gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
 	  verification/benchmark/work-precision.gp
@@ -275,7 +286,7 @@ bench: bench-programs ## run time against error of every method, with pictures, 
 RUNS ?= 1000
 stress: build ## a hundred thousand random rotors, stability, guaranteed digits: numbers and pictures (minutes)
 	$(call build-target,stress digits-reference)
-	@$(BUILD)/stress rotors 100000 $(BUILD)/stress-results
+	@mkdir -p $(BUILD)/stress-results && $(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
 	@LC_ALL=C.UTF-8 gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
 	  figures/paper/style.gp verification/robustness/stress.gp

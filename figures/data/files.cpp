@@ -66,12 +66,7 @@ OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
     if (descriptor_ < 0) fail_by_errno();
     return;
   }
-  try {
-    open_draft();
-  } catch (...) {
-    remove_folders();
-    throw;
-  }
+  open_draft();
 }
 
 void OutputFile::open_draft() {
@@ -82,7 +77,7 @@ void OutputFile::open_draft() {
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail_by_errno();
-  create_folders();
+  require_folder();
   const fs::path draft =
       target_.parent_path() / fmt::format(".{}.{}.part", target_.filename().string(), ::getpid());
   ::unlink(draft.c_str());  // that of a process with this number that was killed
@@ -92,25 +87,18 @@ void OutputFile::open_draft() {
   if (exists) static_cast<void>(::fchmod(descriptor_, status.st_mode & 07777U));
 }
 
-void OutputFile::create_folders() {
-  const fs::path parent = target_.parent_path();
+void OutputFile::require_folder() const {
   std::error_code error;
-  for (fs::path folder = parent; !folder.empty() && !fs::exists(folder, error);
-       folder = folder.parent_path())
-    folders_.push_back(folder);
-  fs::create_directories(parent, error);
-  if (error) fail(error.message());
-}
-
-void OutputFile::remove_folders() const {
-  std::error_code ignored;
-  for (const fs::path& folder : folders_) fs::remove(folder, ignored);  // if empty
+  fs::path missing;
+  for (fs::path folder = (fs::is_symlink(named_, error) ? target_ : named_).parent_path();
+       !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path())
+    missing = folder;
+  if (!missing.empty()) fail(fmt::format("there is no folder {}", shown(missing.string())));
 }
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (!draft_.empty()) ::unlink(draft_.c_str());
-  remove_folders();
 }
 
 void OutputFile::write(std::string_view text) {
@@ -140,7 +128,6 @@ void OutputFile::commit() {
   if (::close(std::exchange(descriptor_, -1)) != 0) fail_by_errno();
   if (!draft_.empty() && ::rename(draft_.c_str(), target_.c_str()) != 0) fail_by_errno();
   draft_.clear();
-  folders_.clear();
 }
 
 void OutputFile::fail(std::string_view reason) const {
@@ -166,11 +153,6 @@ void FileTransaction::require_distinct(const std::vector<fs::path>& files, const
           fmt::format("{}: cannot be written: it is asked for twice", shown(file.string())));
     identities.push_back(its);
   }
-}
-
-/// The first one has made the folders, which are empty without the others.
-FileTransaction::~FileTransaction() {
-  while (!files_.empty()) files_.pop_back();
 }
 
 OutputFile& FileTransaction::open(const fs::path& file) {

@@ -11,7 +11,7 @@ namespace rotor {
 
 /// A file that is being written. A regular one is written as a draft in the same folder, which
 /// replaces it, with its mode, when it is committed; before that nothing existing is touched, and
-/// without it nothing is left behind. Links are followed. A device or a pipe is written straight
+/// without it nothing is left behind. Links are followed; no folder is created. A device or a pipe is written straight
 /// away; so is "-", which is standard output. All throw std::runtime_error, naming the file and the
 /// reason.
 class OutputFile {
@@ -30,15 +30,13 @@ class OutputFile {
 
  private:
   void open_draft();
-  void create_folders();
-  void remove_folders() const;
+  void require_folder() const;  ///< that the file is to be in
   [[noreturn]] void fail(std::string_view reason) const;
   [[noreturn]] void fail_by_errno() const;
 
-  std::filesystem::path named_;                 ///< as it was asked for
-  std::filesystem::path target_;                ///< what that leads to
-  std::filesystem::path draft_;                 ///< empty if it is written straight away
-  std::vector<std::filesystem::path> folders_;  ///< that had to be created
+  std::filesystem::path named_;   ///< as it was asked for
+  std::filesystem::path target_;  ///< what that leads to
+  std::filesystem::path draft_;   ///< empty if it is written straight away
   int descriptor_ = -1;
   std::string buffer_;
 };
@@ -49,11 +47,6 @@ bool is_standard_output(const std::filesystem::path& file);
 /// Files that appear together, when all have been written.
 class FileTransaction {
  public:
-  FileTransaction() = default;
-  FileTransaction(const FileTransaction&) = delete;
-  FileTransaction& operator=(const FileTransaction&) = delete;
-  ~FileTransaction();
-
   /// To be called before any work, for the files that will be opened: throws if two are the same.
   static void require_distinct(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& source = {});

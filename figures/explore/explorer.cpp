@@ -74,7 +74,7 @@ const std::vector<const Column*>& columns_of_draw() {
 
 /// Where the trace begins. Throws InputError.
 double beginning(const Settings& settings, const Scenario& scenario) {
-  if (settings.from_s) return window_from(*settings.from_s, scenario).from_s;
+  if (settings.from_s) return stated_window({}, settings.from_s, {}, {{"run", scenario}}).from_s;
   const double loss_s = scenario.parameters.mass_loss_time;
   return scenario.loses_mass() ? std::max(0., loss_s - shown_before_loss_s) : 0;
 }

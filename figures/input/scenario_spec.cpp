@@ -10,6 +10,7 @@
 #include "figures/data/text.hpp"
 #include "figures/runs/interruptible.hpp"
 #include "model/certified/digits.hpp"
+#include "model/mechanics/mass_loss.hpp"
 #include "model/scenario/start.hpp"
 
 namespace rotor {
@@ -44,15 +45,14 @@ std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
   return found == spec.numbers.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Eq. (5) for k_u.
-double unbalance_factor(const Parameters& p, double lost_mass) {
+void state_lost_mass(Parameters& p, double lost_mass) {
   if (!(p.eccentricity > 0))
     throw InputError("lost_mass: a rotor without eccentricity has no unbalance that could grow");
   if (!(lost_mass < p.mass))
     throw InputError(
         fmt::format("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass));
-  return 1 + lost_mass * (p.eccentricity + p.rotor_radius) /
-                 ((p.mass - lost_mass) * p.eccentricity);  // which is never below 1
+  p.lost_mass = lost_mass;
+  p.unbalance_factor = MassLoss<double>::unbalance_factor(p);
 }
 
 /// The time between the mass loss and the end of a run that states none.
@@ -64,17 +64,8 @@ Scenario numbers_of(const ScenarioSpec& spec) {
     if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
       throw InputError(fmt::format("{} and {}: one determines the other; state one of them",
                                    s.quantity.name, s.instead_of));
-  if (spec.digits) {
-    if (number(spec, "tolerance"))
-      throw InputError("digits and tolerance: the first determines the second; state one of them");
-    for (const InputQuantity& s : input_quantities())
-      if (!s.instead_of.empty() && number(spec, s.quantity.name))
-        throw InputError(
-            fmt::format("digits and {}: a {} that follows from it is rounded, and digits are of "
-                        "what is stated; "
-                        "state {}",
-                        s.quantity.name, s.instead_of, s.instead_of));
-  }
+  if (spec.digits && number(spec, "tolerance"))
+    throw InputError("digits and tolerance: the first determines the second; state one of them");
   Scenario scenario;
   for (const Quantity& quantity : quantities())
     if (const auto value = number(spec, quantity.name)) quantity.in(scenario) = *value;
@@ -88,10 +79,11 @@ Scenario numbers_of(const ScenarioSpec& spec) {
     throw InputError(
         "digits: method rk4 is of first order at contacts; only event can have any number of them");
 
-  if (const auto clearance = number(spec, "clearance"))
+  if (const auto clearance = number(spec, "clearance")) {
+    p.clearance = *clearance;
     p.stator_radius = p.rotor_radius + *clearance;
-  if (const auto lost_mass = number(spec, "lost_mass"))
-    p.unbalance_factor = unbalance_factor(p, *lost_mass);
+  }
+  if (const auto lost_mass = number(spec, "lost_mass")) state_lost_mass(p, *lost_mass);
 
   const bool at_speed = number(spec, mass_loss_speed).has_value();
   const auto until = number(spec, "until");
@@ -176,6 +168,12 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
           mass_loss_speed, *speed, reached.looked_until_s,
           reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz));
     p.mass_loss_time = *reached.time_s;
+    if (p.mass_loss_time > 0) scenario.mass_loss_speed_Hz = *speed;
+    if (spec.digits && *speed == p.motor_off_Hz)
+      throw InputError(fmt::format(
+          "digits and {}: at {} Hz, motor_off_hz, the mass loss and the end of the drive coincide; "
+          "state mass_loss_time",
+          mass_loss_speed, *speed));
     scenario.until = until.value_or(p.mass_loss_time + default_rub_s);
   }
   check(scenario);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -102,7 +103,8 @@ class SceneReader : TomlFile {
       return {.from_rolling_onset = true, .length_s = *length};
     }
     if (in.contains("length_s")) fail(in, "window", "length_s goes with from");
-    const double from = time(in, "from_s").value_or(0);
+    const double from =
+        time(in, "from_s").value_or(in.empty() ? window_about_loss(scene.runs).from_s : 0);
     const auto stated_until = time(in, "until_s");
     const double until = stated_until.value_or(shortest);
     // Of runs whose ends options move is shown what of the window they reach.
@@ -142,11 +144,34 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   return SceneReader(file, overrides).read();
 }
 
-Window window_from(double from_s, const Scenario& scenario) {
-  if (!(from_s >= 0 && from_s < scenario.until))
-    throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", from_s,
-                                 scenario.until));
+bool SceneRun::leaves_equations_open() const {
+  Parameters parameters = scenario.parameters;
+  parameters.loses_mass = true;
+  return !(states_equations || parameters == Parameters{});
+}
+
+Window window_about_loss(const std::vector<SceneRun>& runs) {
+  constexpr double part_before = 0.05;  // of the time that follows
+  double from_s = std::numeric_limits<double>::infinity();
+  for (const SceneRun& run : runs) {
+    const double loss_s = run.scenario.loses_mass() ? run.scenario.parameters.mass_loss_time : 0;
+    from_s = std::min(from_s, std::max(0., loss_s - part_before * (run.scenario.until - loss_s)));
+  }
   return {.from_s = from_s};
+}
+
+Window stated_window(Window window, std::optional<double> from_s, std::optional<double> until_s,
+                     const std::vector<SceneRun>& runs) {
+  if (!from_s && !until_s) return window;
+  const double from = from_s.value_or(window.from_rolling_onset ? 0 : window.from_s);
+  const double until = until_s.value_or(std::numeric_limits<double>::infinity());
+  for (const SceneRun& run : runs) {
+    const double end_s = run.scenario.until;
+    if (!(from >= 0 && from < std::min(until, end_s)))
+      throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", from,
+                                   std::min(until, end_s)));
+  }
+  return {.from_s = from, .length_s = until - from};
 }
 
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names) {

@@ -20,6 +20,9 @@ struct SceneRun {
   bool states_equations = false;
   std::optional<int> digits{};  ///< that are asked for
   bool states_end = false;      ///< in its scene
+
+  /// Of a rotor that is not the paper's nobody can know which equations are meant.
+  bool leaves_equations_open() const;
 };
 
 struct Scene {
@@ -43,8 +46,13 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides =
 /// The scenes of a folder's figures, figNN.toml, by their numbers.
 std::map<int, std::filesystem::path> figure_files(const std::filesystem::path& folder);
 
-/// From the time that the option --from states, to the end of a run. Throws InputError.
-Window window_from(double from_s, const Scenario& scenario);
+/// From shortly before the first mass loss of the runs to their ends; all of a run without one.
+Window window_about_loss(const std::vector<SceneRun>& runs);
+
+/// The same window with what the options --from and --until state. Throws InputError if it is not
+/// inside every run.
+Window stated_window(Window window, std::optional<double> from_s, std::optional<double> until_s,
+                     const std::vector<SceneRun>& runs);
 
 /// The columns of those names. Throws InputError, naming all columns, for one that does not exist.
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names);

@@ -13,13 +13,10 @@ along_x(v) = x_log ? log10(v) : v/x_unit
 along_y(v) = y_log ? log10(v) : v/y_unit
 if (rows == 2) { eval "set terminal ".square }
 
-# The classes, by their code from 0 on. What touches or stalls before the loss is refused, or stalls.
-classes = 7
+# What touches or stalls before the loss is refused, or stalls.
+classes = |outcome_tint|
 array name[classes] = ["no contact", "freed after contact", "bouncing after 0.5 s", "sliding after 0.5 s", \
   "backward rolling", "undecided after 0.5 s", "touches or stalls before the loss"]
-array tint[classes] = ["#f4f4f4", "#009e73", "#f0e442", "#56b4e9", "#d55e00", "#cc79a7", "#606060"]
-code(outcome) = outcome eq "no_contact" ? 0 : outcome eq "freed" ? 1 : outcome eq "bouncing" ? 2 : \
-  outcome eq "sliding" ? 3 : outcome eq "rolling" ? 4 : outcome eq "undecided" ? 5 : 6
 kN(force) = force eq "" ? NaN : real(force)/1e3
 
 stats data using (1) nooutput name "all"
@@ -62,11 +59,10 @@ numbers(is_log) = is_log ? "10^{%g}" : "%g"
 if (x_log) { set xtics 1 }
 if (y_log) { set ytics 1 }
 if (shows eq "outcome") {
-  set palette maxcolors classes defined (0 tint[1], 1 tint[2], 2 tint[3], 3 tint[4], 4 tint[5], 5 tint[6], 6 tint[7])
-  set cbrange [-0.5:classes - 0.5]
-  value = "code(strcol('outcome'))"
+  eval outcome_palette
+  value = "outcome_code(strcol('outcome'))"
 } else {
-  set palette defined (0 "#fff7e0", 1 "#f5c56b", 2 "#e07b39", 3 "#a83a5a", 4 "#4b1d5e", 5 "#10082a")
+  eval force_palette
   set logscale cb
   darkest = 1000; greatest = 0
   set cbrange [1:darkest]
@@ -114,7 +110,7 @@ do for [i = 1:forms] {
   if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line[i], meaning[i]) }
 }
 do for [i = 1:classes] {
-  colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", tint[i], name[i])
+  colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", outcome_tint[i], name[i])
 }
 set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox

@@ -25,8 +25,7 @@ do for [p = 0:3] {
     set palette defined (0 "#ffffff", 1 "#707070")
     set cbrange [0:0.05]; set cblabel "standard error of the share" offset 1,0
   } else {
-    set palette defined (0 "#f4f4f4", 1 "#f3c9a0", 2 "#d55e00")
-    set cbrange [0:1]; set cblabel "share that rolls" offset 1,0
+    eval share_palette; set cblabel "share that rolls" offset 1,0
   }
   if (at_left) { unset colorbox } else {
     set colorbox user origin screen 0.86, graph 0 size screen 0.025, graph 1

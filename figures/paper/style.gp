@@ -43,6 +43,16 @@ set style line lost pointtype 2 pointsize 1.2 linecolor rgb vermilion linewidth 
 set style line law linecolor rgb "#7a0177" linewidth 1.2 dashtype (10, 6, 1, 6)
 set style line reading linecolor rgb grey linewidth 0.8
 
+# Outcomes by their code from 0 on, the last one of what stalls, or has none; and the palettes of maps.
+array outcome_tint[7] = ["#f4f4f4", "#009e73", "#f0e442", "#56b4e9", "#d55e00", "#cc79a7", "#606060"]
+outcome_code(outcome) = outcome eq "no_contact" ? 0 : outcome eq "freed" ? 1 : outcome eq "bouncing" ? 2 : \
+  outcome eq "sliding" ? 3 : outcome eq "rolling" ? 4 : outcome eq "undecided" ? 5 : 6
+outcome_palette = "set palette maxcolors 7 defined (0 outcome_tint[1], 1 outcome_tint[2], 2 outcome_tint[3], \
+  3 outcome_tint[4], 4 outcome_tint[5], 5 outcome_tint[6], 6 outcome_tint[7]); set cbrange [-0.5:6.5]"
+share_palette = "set palette defined (0 '#f4f4f4', 1 '#f3c9a0', 2 '#d55e00'); set cbrange [0:1]"
+force_palette = "set palette defined \
+  (0 '#fff7e0', 1 '#f5c56b', 2 '#e07b39', 3 '#a83a5a', 4 '#4b1d5e', 5 '#10082a')"
+
 set border linewidth 0.8
 set tics nomirror scale 0.7
 set grid linetype 1 dashtype solid linecolor rgb "#d8d8d8" linewidth 0.6
@@ -105,6 +115,7 @@ place_at(run, t, later) = coordinate(run, "y_a_m", t)."y_1 = crossing; ".coordin
 set style arrow 5 head filled size screen 0.022,18,90 fixed linecolor rgb black linewidth 1
 
 # Parts of captions.
+greek(name) = name[1:3] eq "mu " ? "μ ".name[4:] : name    # of a run
 friction(run) = sprintf("μ = %g", number(run, "friction"))
 stiffness(run) = sprintf("k_t = %s N/m", power_of_ten(number(run, "contact_stiffness")))
 loss(run) = said(run, ".*\\(no mass loss\\)") eq "" ? \

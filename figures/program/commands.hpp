@@ -3,18 +3,25 @@
 #pragma once
 
 #include "figures/input/scene.hpp"
+#include "figures/program/drawing.hpp"
 #include "figures/program/options.hpp"
+#include "figures/sweep/sweep.hpp"
 
 namespace rotor {
 
 /// `rotor figure` writes the data of the paper's figures.
 void write_figures(const FigureOptions& options);
 
-/// `rotor plot` draws a scene.
-void plot_scene(const PlotOptions& options);
+/// `rotor plot` draws a scene or a sweep.
+void plot(const PlotOptions& options);
+void plot_sweep(const PlotOptions& options);
+/// Of displacement and force in the stator's frame, in the scene's window.
+void plot_spectrum(const Scene& scene, const Drawing& drawing);
 
 /// `rotor sweep` runs many rotors.
 void run_sweep(const SweepOptions& options);
+/// The same of a sweep that has been read, by all cores.
+void write_sweep(const Sweep& sweep, const std::string& out);
 
 /// `rotor run` runs any rotor.
 void run_rotor(const RunOptions& options);

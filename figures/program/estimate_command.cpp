@@ -9,10 +9,9 @@ namespace rotor {
 Scene scene_of(const CaseOptions& options) {
   if (options.scene.empty()) {
     const ScenarioSpec stated = options.equations_and_method.overridden_by(options.numbers);
-    return {.title = "",
-            .window = {},
-            .columns = {},
-            .runs = {{"run", scenario_of(stated), stated.states_equations(), stated.digits}}};
+    const std::vector<SceneRun> runs = {
+        {"run", scenario_of(stated), stated.states_equations(), stated.digits}};
+    return {.title = "", .window = window_about_loss(runs), .columns = {}, .runs = runs};
   }
   return read_scene(options.scene,
                     {.of_parameters = {},

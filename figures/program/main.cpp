@@ -95,12 +95,30 @@ void add_options(CLI::App& command, FigureOptions& options) {
 }
 
 void add_options(CLI::App& command, PlotOptions& options) {
-  command.add_option("scene", options.scene, "scene file (TOML)")->required()->check(not_empty());
   command
-      .add_option(
-          "--out", options.out,
-          "picture, svg, pdf or png by its ending; the scene's name with .svg, if not given")
+      .add_option("file", options.file,
+                  "scene or sweep file (TOML), or the results of a sweep (CSV)")
+      ->required()
       ->check(not_empty());
+  command
+      .add_option("--out", options.out,
+                  "picture, svg, pdf or png by its ending; the file's name with .svg, if not given")
+      ->check(not_empty());
+  const auto add_time = [&](const char* name, std::optional<double>& time, const char* meaning) {
+    command.add_option(name, time, meaning)->type_name("s")->check(a_number());
+  };
+  add_time("--from", options.from_s,
+           "beginning of what is drawn; the scene's window, or shortly before the first mass loss, "
+           "if not given");
+  add_time("--until", options.until_s, "end of what is drawn, instead of the run's");
+  command.add_flag("--spectrum", options.spectrum,
+                   "draw the spectrum of displacement and force in the stator's frame over that "
+                   "time, with f, 2f, f_n and the whirl marked");
+  command
+      .add_option("--column", options.column,
+                  "result of a sweep that is drawn beside the outcome; the largest normal force, "
+                  "if not given")
+      ->check(not_empty("a column"));
   add_options(command, static_cast<CommonOptions&>(options));
   command.footer(precedence);
 }
@@ -179,8 +197,8 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->delimiter(',');
   command
       .add_option("--from", options.from_s,
-                  "beginning of the trace, which then goes to the end of the run; the "
-                  "scene's window, or all of the run, if not given")
+                  "beginning of the trace, which then extends to the end of the run; the "
+                  "scene's window, or shortly before the mass loss, if not given")
       ->type_name("s")
       ->check(a_number())
       ->needs(trace);
@@ -274,13 +292,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   FigureOptions figure;
-  PlotOptions plot;
+  PlotOptions plot_options;
   RunOptions run;
   CaseOptions estimate;
   SweepOptions sweep;
   add_command(app, "figure", "Write the data of the paper's figures as CSV", figure, write_figures);
-  add_command(app, "plot", "Draw force, speed, displacement and orbit of a scene", plot,
-              plot_scene);
+  add_command(app, "plot", "Draw the motions of a scene, their spectrum, or a sweep", plot_options,
+              plot);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
   add_command(app, "estimate", "Say by closed forms, without a run, what becomes of any rotor",
               estimate, estimate_rotor);

@@ -21,8 +21,11 @@ struct FigureOptions : CommonOptions {
 };
 
 struct PlotOptions : CommonOptions {
-  std::string scene;
-  std::string out;  ///< the scene's name with .svg, if empty
+  std::string file;  ///< a scene, a sweep, or a sweep's results
+  std::string out;   ///< the file's name with .svg, if empty
+  std::optional<double> from_s, until_s;
+  bool spectrum = false;
+  std::string column;  ///< of a sweep; the largest normal force, if empty
 };
 
 struct SweepOptions {

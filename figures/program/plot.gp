@@ -3,9 +3,10 @@
 # Each run has a file of data where gnuplot works.
 
 gap(i) = value(sprintf("clearance_mm%d", i))
-name(i) = value(sprintf("run%d", i))
+name(i) = greek(value(sprintf("run%d", i)))
 data(i) = sprintf("run%d.csv", i)
 greater(a, b) = a > b ? a : b
+wide(i) = 1 + greater(0, (runs < 4 ? runs : 4) - i)    # of a run that others are drawn over
 short(text, most) = strlen(text) > most ? text[:most - 1]."…" : text
 
 # One key for all panels, in rows under the title, where it hides no curve. Lengths here and below are parts of
@@ -23,7 +24,7 @@ key_y(k) = 0.925 - 0.034*(k/columns)
 do for [k = 0:entries - 1] {
   says = k < named ? short(name(k + 1), longest_name) : k == named ? "clearance" : sprintf("and %d more runs", runs - named)
   set label says at screen key_x(k) + 0.035, screen key_y(k) noenhanced font small
-  if (k < named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linetype k + 1 }
+  if (k < named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linetype k + 1 linewidth wide(k + 1) }
   if (k == named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linestyle clearance }
 }
 top = 0.92 - 0.034*rows; bottom = 0.1; between = 0.13
@@ -68,19 +69,20 @@ time_letters = show(least_time_s, most_time_s, 0.44 - left); right = 0.01 + 0.5*
 
 set multiplot layout 2,2 title short(heading, 80) noenhanced margins left,1 - right,bottom,top spacing left + right,between
 unset key
+if (changes(least_time_s, most_time_s)) { low = least_time_s; high = most_time_s }
 eval axis("x", low, high)
 set xlabel "t, s" offset 0,0.4
 set ylabel "F_n, kN" offset -0.5,0
 eval force_axis
-plot for [i = 1:runs] data(i) using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i
+plot for [i = 1:runs] data(i) using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i linewidth wide(i)
 unset label; unset arrow
 set ylabel "f, Hz"
 eval speed_axis
-plot for [i = 1:runs] data(i) using (column("time_s")):(column("speed_Hz")) with lines linetype i
-set ylabel "rho, mm"
+plot for [i = 1:runs] data(i) using (column("time_s")):(column("speed_Hz")) with lines linetype i linewidth wide(i)
+set ylabel "ρ, mm"
 eval rho_axis
 plot for [i = 1:runs] gap(i) with lines linestyle clearance, \
-  for [i = 1:runs] data(i) using (column("time_s")):(column("rho_m")*1e3) with lines linetype i
+  for [i = 1:runs] data(i) using (column("time_s")):(column("rho_m")*1e3) with lines linetype i linewidth wide(i)
 set ylabel "x_a, mm (down)"
 set xlabel "y_a, mm"
 set size ratio -1
@@ -89,5 +91,5 @@ eval down_axis
 set parametric
 set trange [0:2*pi]
 plot for [i = 1:runs] gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance, \
-  for [i = 1:runs] data(i) using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i
+  for [i = 1:runs] data(i) using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i linewidth wide(i)
 unset multiplot

@@ -62,11 +62,11 @@ Scene requested_scene(const RunOptions& options) {
       throw InputError("--events: only --method event locates events");
     if (options.energy && run.scenario.method == Method::rk4)
       throw InputError("--energy: only --method event knows the motion between its steps");
-    if (options.from_s) result.window = window_from(*options.from_s, run.scenario);
     require_digits_to_be_known(options, run);
     if (options.estimate_error && (run.scenario.method == Method::rk4 || options.stop_on))
       throw InputError("--estimate-error: is of whole runs by --method event");
   }
+  result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
   if (result.columns.empty()) result.columns = every_column();
   return result;
@@ -105,20 +105,6 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
   return length_s / static_cast<double>(*options.rows - 1);
 }
 
-/// Of a rotor that is not the paper's nobody can know which equations are meant.
-bool leaves_equations_open(const SceneRun& run) {
-  Parameters parameters = run.scenario.parameters;
-  parameters.loses_mass = true;
-  return !(run.states_equations || parameters == Parameters{});
-}
-
-void say_which_equations() {
-  print_message(
-      "rotor: equations published were used, as none were stated: as printed, the velocity "
-      "jump of the mass loss counts twice and the moment of gravity in full; --equations "
-      "consistent puts both right");
-}
-
 /// What is printed of a run.
 struct Printed {
   nlohmann::ordered_json summary{};
@@ -153,6 +139,15 @@ Printed certain_run(const RunOptions& options, const SceneRun& run) {
                                : fmt::format("--budget {} s is not enough", budget_s),
                     why);
   return printed;
+}
+
+void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows) {
+  const bool is_all = options.from_s || scene.window.from_s == 0;
+  tell(fmt::format("rotor: --trace {}: {} rows of {} columns{}", shown(options.trace), rows,
+                   scene.columns.size() + 1,
+                   is_all ? ""
+                          : fmt::format(", from {:.6g} s on; --from 0 writes the whole run",
+                                        scene.window.from_s)));
 }
 
 /// The one run of a scene, with what it writes.
@@ -217,6 +212,8 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   }
   if (is_interrupted() && !options.keep_partial) throw Interrupted();
   files.commit();
+  if (!options.trace.empty() && !is_standard_output(options.trace))
+    say_what_is_traced(options, scene, trace ? trace->rows() : samples->rows());
   Printed printed{to_json(account), remarks(account)};
   if (energy) printed.summary["energy_J"] = to_json(*energy);
   return printed;
@@ -254,7 +251,8 @@ void run_rotor(const RunOptions& options) {
       continue;
     }
     for (const Remark& remark : printed.remarks)  // of which a table has none
-      if (remark.missed || (one_of_many && !options.json)) told.push_back(of_run(remark.sentence));
+      if (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json))
+        told.push_back(of_run(remark.sentence));
     if (!printed.short_of_digits.empty()) failures.push_back(of_run(printed.short_of_digits));
     nlohmann::ordered_json row;
     if (one_of_many) row["run"] = run.name;
@@ -275,8 +273,7 @@ void run_rotor(const RunOptions& options) {
   else if (!runs.empty())
     print_summary(runs.front(), options.json, to);
   for (const std::string& message : told) print_message("rotor: " + message);
-  if (!runs.empty() && std::any_of(scene.runs.begin(), scene.runs.end(), leaves_equations_open))
-    say_which_equations();
+  if (!runs.empty()) say_which_equations(scene.runs);
   for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
   if (!failures.empty()) throw std::runtime_error(failures.back());
 }

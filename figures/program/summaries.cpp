@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "figures/data/text.hpp"
 #include "figures/results/certified_result.hpp"
 
 namespace rotor {
@@ -20,7 +21,7 @@ void print_values(const Json& object, int digits, const std::string& indent, std
       fmt::print(to, "{}\n", name);
       print_values(value, digits, indent + "  ", to);
     } else if (key != "events") {
-      fmt::print(to, "{:<24} {}\n", name, text_of(value, digits));
+      fmt::print(to, "{:<32} {}\n", name, text_of(value, digits));
     }
   }
 }
@@ -65,6 +66,19 @@ void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
     fmt::print(to, "{}\n", Json{{"runs", runs}}.dump(2));
   else if (!runs.empty())
     print_table(runs, to);
+}
+
+void say_which_equations(bool left_open) {
+  if (left_open)
+    print_message(
+        "rotor: no equations were stated, so the published ones were used, in which the velocity "
+        "jump of the mass loss counts twice and the moment of gravity in full; the consistent ones "
+        "correct both");
+}
+
+void say_which_equations(const std::vector<SceneRun>& runs) {
+  say_which_equations(std::any_of(runs.begin(), runs.end(),
+                                  [](const SceneRun& run) { return run.leaves_equations_open(); }));
 }
 
 }  // namespace rotor

@@ -3,6 +3,9 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <vector>
+
+#include "figures/input/scene.hpp"
 
 namespace rotor {
 
@@ -11,5 +14,9 @@ void print_summary(const nlohmann::ordered_json& run, bool as_json, std::FILE* t
 
 /// Of several runs the most important values in a row for each, or all of them as JSON.
 void print_summaries(const nlohmann::ordered_json& runs, bool as_json, std::FILE* to);
+
+/// Says on standard error which equations were used where it was left open.
+void say_which_equations(bool left_open);
+void say_which_equations(const std::vector<SceneRun>& runs);
 
 }  // namespace rotor

@@ -15,6 +15,7 @@
 #include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
+#include "figures/program/summaries.hpp"
 #include "figures/sweep/block_scheduler.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/ranks.hpp"
@@ -83,7 +84,18 @@ class Writer {
           fmt::format("interrupted; {} of {} points are in {}, and the same command goes on there",
                       written_.load(), points_, journal_.path().string()));
     if (reason) std::rethrow_exception(reason);
-    journal_.finish();
+    long remarked = 0, refused = 0;  // as the last two fields of their rows say
+    journal_.finish([&](std::string_view row) {
+      if (!row.ends_with(','))
+        ++refused;
+      else if (!row.ends_with(",,"))
+        ++remarked;
+    });
+    if (remarked + refused > 0)
+      print_message(
+          fmt::format("rotor: of {} points {} exceed a limit, see the column remarks, and {} have "
+                      "no result or too few digits, see the column refusal",
+                      points_, remarked, refused));
   }
 
  private:
@@ -124,10 +136,16 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   ranks.broadcast(true);
   const int threads = ranks.count() > 1 ? 1 : options.jobs > 0 ? options.jobs : cores();
   writer->run(threads, workers(sweep), ranks);
+  say_which_equations(sweep.leaves_equations_open());
   fmt::print("{}\n", one_line(options.out));
 }
 
 }  // namespace
+
+void write_sweep(const Sweep& sweep, const std::string& out) {
+  Ranks ranks;
+  Writer(sweep, out).run(cores(), workers(sweep), ranks);
+}
 
 void run_sweep(const SweepOptions& options) {
   Ranks ranks;

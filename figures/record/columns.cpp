@@ -21,7 +21,8 @@ double whirl_frequency(View& view) {
 }
 
 constexpr std::array table = {
-    Column{"time_s", "time", [](View& v) { return v.at().time_s; }},
+    Column{"time_s", "time; two rows of one time are before and after an event's jump",
+           [](View& v) { return v.at().time_s; }},
     Column{"q1_m", "O along x of the rotating axes", [](View& v) { return v.at().state[0]; }},
     Column{"q2_m", "O along y of the rotating axes", [](View& v) { return v.at().state[1]; }},
     Column{"q3_rad", "angle of the rotor", [](View& v) { return v.at().state[2]; }},

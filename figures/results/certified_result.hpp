@@ -38,7 +38,8 @@ inline constexpr std::string_view no_sure_digit = "?";
 /// So many digits of a number at most as it has whatever it is within its error.
 std::string certain_text(double value, double error, int digits);
 
-/// A value of a summary as text, "-" if there is none: if it has an error, its sure digits.
+/// A value of a summary as text, "-" if there is none: if it has an error, its sure digits; other
+/// numbers have six.
 std::string text_of(const nlohmann::ordered_json& value, int digits);
 
 /// How many digits were asked for in a summary; 0 if none were.

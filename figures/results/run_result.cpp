@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 #include <utility>
 
@@ -222,22 +223,49 @@ Json to_json(const EnergyObserver& energy) {
 }
 
 std::vector<Remark> remarks(const RunResult& account) {
-  constexpr bool missed = true;
+  using Of = Remark::Of;
   const Summary& summary = account.summary;
   const EarlyEnd& early = account.early;
   const Parameters& p = account.scenario.parameters;
   std::vector<Remark> all;
-  if (p.loses_mass && !summary.mass_loss_reached)
-    all.push_back({fmt::format("the mass loss at {} s was not reached; the run ends at {} s",
+  if (summary.lost_mass_kg == 0.)
+    all.push_back({fmt::format("no mass is lost: unbalance_factor = {} times eccentricity = {} m "
+                               "leaves the unbalance as it is",
+                               p.unbalance_factor, p.eccentricity),
+                   Of::missed_goal});
+  else if (p.loses_mass && !summary.mass_loss_reached)
+    all.push_back({fmt::format("the mass loss at {} s was not reached; the run ends at {:.6g} s",
                                p.mass_loss_time, summary.final_time_s),
-                   missed});
-  if (early.stop_on && !early.stop_reached)
-    all.push_back({fmt::format("{}, at which the run was to stop, was not reached until {} s",
-                               name_of(*early.stop_on), summary.final_time_s),
-                   missed});
+                   Of::missed_goal});
+  if (early.stop_on && !early.stop_reached) {
+    const bool spins_freely = early.stop_on == StopOn::rest && !account.end.last.touches();
+    all.push_back(
+        {fmt::format("{}, at which the run was to stop, was not reached until {:.6g} s{}",
+                     name_of(*early.stop_on), summary.final_time_s,
+                     !spins_freely               ? ""
+                     : account.end.last.motor_on ? "; the motor still drives"
+                                                 : "; out of contact nothing but the "
+                                                   "damping of its whirl brakes the rotor"),
+         Of::missed_goal});
+  }
+  if (const double start = account.scenario.start_speed_Hz;
+      start > 0 && start < p.motor_off_Hz && p.torque > 0)
+    all.push_back(
+        {fmt::format("the motor still drives at start_speed_hz = {} Hz, until "
+                     "motor_off_hz = {} Hz; torque = 0 turns it off",
+                     start, p.motor_off_Hz)});
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back({fmt::format("the rotor touched the ring {} times before the mass loss",
                                summary.touch_downs_before_loss)});
+  // In half a period of the contact; with ten of them the largest force errs by about 1 %.
+  constexpr double few_steps = 10;
+  const double steps =
+      std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness) / account.scenario.step_rub;
+  if (account.scenario.method == Method::rk4 && summary.touch_downs > 0 && steps < few_steps)
+    all.push_back({fmt::format("a contact lasts about {:.2g} steps of step_rub = {} s: the "
+                               "published method needs {} or more",
+                               steps, account.scenario.step_rub, few_steps),
+                   Of::limit});
   // The contact is linear and the ring round: both want indentations that are small.
   constexpr double large = 0.1;
   const double clearance = p.stator_radius - p.rotor_radius;
@@ -247,9 +275,10 @@ std::vector<Remark> remarks(const RunResult& account) {
        {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
     if (displacement - clearance > large * length)
       all.push_back(
-          {fmt::format("the ring is indented by {:.2g} of the {}: the model's linear "
-                       "contact is meant for less",
-                       (displacement - clearance) / length, name)});
+          {fmt::format("the ring is indented by {:.2g} of the {}: the model's linear contact is "
+                       "meant for less than {}",
+                       (displacement - clearance) / length, name, large),
+           Of::limit});
   return all;
 }
 

@@ -41,10 +41,11 @@ nlohmann::ordered_json to_json(const EnergyObserver& energy);
 /// The JSON schema of what `rotor run --json` prints: each key, what it means, and its values.
 nlohmann::ordered_json summary_schema();
 
-/// What a reader has to know of a run beside its numbers.
+/// What a reader has to know of a run beside its numbers: of its circumstances, of something stated
+/// that was not reached, or of a limit of model or method that it exceeds.
 struct Remark {
   std::string sentence;
-  bool missed = false;  ///< something that was stated was not reached
+  enum class Of { circumstances, missed_goal, limit } of = Of::circumstances;
 };
 std::vector<Remark> remarks(const RunResult& account);
 

@@ -32,8 +32,6 @@ std::string line_of(std::uint64_t sum, std::string_view row) {
 
 Journal::Journal(const std::filesystem::path& file, std::string head)
     : file_(file), path_(file.string() + ".journal"), head_(std::move(head)) {
-  std::error_code ignored;  // what cannot be made is said below
-  std::filesystem::create_directories(std::filesystem::absolute(path_).parent_path(), ignored);
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
   if (descriptor_ < 0) fail_by_errno();
   try {
@@ -113,12 +111,13 @@ void Journal::write_all(std::string_view text) {
 }
 
 /// The results are on the disk before the journal goes.
-void Journal::finish() {
+void Journal::finish(const std::function<void(std::string_view row)>& see) {
   OutputFile results(file_);
   results.write(head_);
   long rows = 0;
   read_rows([&](const std::string& row) {
     results.write(row + '\n');
+    if (see) see(row);
     ++rows;
   });
   if (rows != rows_) fail("has been changed by another program");

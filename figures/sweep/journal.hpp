@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -30,8 +31,8 @@ class Journal {
   /// check sums tell how much has.
   void write(std::string_view rows);
 
-  /// Puts the results in their place, whole, and takes the journal away.
-  void finish();
+  /// Puts the results in their place, whole, and removes the journal. Shows each row to `see`.
+  void finish(const std::function<void(std::string_view row)>& see = {});
 
  private:
   void take_up();

@@ -61,6 +61,7 @@ struct Sweep {
 
   long points() const;
   std::vector<std::string> quantities() const;  ///< that vary
+  bool leaves_equations_open() const;           ///< neither states nor varies them
 };
 
 /// Reads a TOML sweep file. Throws InputError, also for corners that are not physical.

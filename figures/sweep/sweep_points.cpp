@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
@@ -63,6 +64,13 @@ std::vector<std::string> Sweep::quantities() const {
   for (const Axis& axis : axes) all.push_back(axis.quantity);
   for (const Draw& draw : sample.over) all.push_back(draw.quantity);
   return all;
+}
+
+bool Sweep::leaves_equations_open() const {
+  return !base.states_equations() && std::none_of(axes.begin(), axes.end(), [](const Axis& axis) {
+    return std::holds_alternative<std::vector<std::string>>(axis.values) &&
+           axis.quantity != "method";
+  });
 }
 
 SweepPoints::SweepPoints(const Sweep& sweep) : sweep_(sweep) {

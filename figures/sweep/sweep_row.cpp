@@ -1,6 +1,7 @@
 #include "figures/sweep/sweep_row.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -46,6 +47,14 @@ std::string cells(nlohmann::ordered_json summary, const Scenario& scenario,
   return row;
 }
 
+/// Those of the remarks that are no columns themselves, as one field.
+std::string limits(const RunResult& result) {
+  std::vector<std::string> all;
+  for (const Remark& remark : remarks(result))
+    if (remark.of == Remark::Of::limit) all.push_back(remark.sentence);
+  return csv_field(fmt::format("{}", fmt::join(all, "; ")));
+}
+
 }  // namespace
 
 const std::vector<std::string>& result_columns() {
@@ -78,6 +87,7 @@ std::string sweep_head(const Sweep& sweep) {
       name += "_varied";
   const std::vector<std::string>& columns = columns_of(sweep);
   names.insert(names.end(), columns.begin(), columns.end());
+  names.emplace_back("remarks");
   names.emplace_back("refusal");
   return csv_head(provenance, {names.begin(), names.end()});
 }
@@ -94,17 +104,18 @@ std::string SweepRows::operator()(long n) {
           run_to_digits(scenario, *digits, [](double /*time_s*/) { return !is_interrupted(); });
       if (!found || is_interrupted()) throw Interrupted();
       return row + cells(to_json(*found, scenario, *digits), scenario, columns_of(sweep_)) +
-             csv_field(complaint(*found, *digits)) + '\n';
+             limits(result_of(*found, scenario)) + ',' + csv_field(complaint(*found, *digits)) +
+             '\n';
     }
     const RunResult account =
         finish(run_ups_.checkpoint_before(scenario, monitor), scenario, sweep_.stop_on, monitor);
     if (account.early.interrupted) throw Interrupted();
-    return row + cells(to_json(account), scenario, columns_of(sweep_)) + '\n';
+    return row + cells(to_json(account), scenario, columns_of(sweep_)) + limits(account) + ",\n";
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
-    return row + std::string(columns_of(sweep_).size(), ',') + csv_field(one_line(error.what())) +
-           '\n';
+    return row + std::string(columns_of(sweep_).size() + 1, ',') +
+           csv_field(one_line(error.what())) + '\n';
   }
 }
 

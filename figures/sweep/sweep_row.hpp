@@ -20,7 +20,8 @@ class SweepRows {
  public:
   explicit SweepRows(const Sweep& sweep) : sweep_(sweep), points_(sweep) {}
 
-  /// What varies, then what `rotor run` says of the run, or why it refuses it. Throws Interrupted.
+  /// What varies, what `rotor run` says of the run, which limits it exceeds, and why the run is
+  /// refused. Throws Interrupted.
   std::string operator()(long n);
 
  private:

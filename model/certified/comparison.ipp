@@ -167,10 +167,10 @@ std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
   };
   for (std::size_t i = 0; i < common; ++i)
     result.events.push_back({best.events[i].event, estimates_of([&](const Computation<S>& run) {
-                               return values_of(run.events[i], clearance);
+                               return values_of(run.events[i], scenario);
                              })});
   result.events.push_back({Event::none, estimates_of([&](const Computation<S>& run) {
-                             return values_of(run.end, clearance);
+                             return values_of(run.end, scenario);
                            })});
   result.summary = estimates_of(
       [&](const Computation<S>& run) { return values_of(run.summary, scenario.parameters); });

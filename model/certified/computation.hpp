@@ -26,15 +26,19 @@ struct Disturbance {
       *number *= 1 + (bits % 2 == 0 ? share : S(-share));
       bits /= 2;
     };
+    S stator_radius = rotor.ring.clearance + rotor.ring.rotor_radius;
+    const S undisturbed = stator_radius;
     for (S* of : rotor.supports.springs.numbers()) disturb(of);
     for (S* of : {&rotor.supports.damping, &rotor.supports.gravity,  &rotor.supports.torque,
-                  &rotor.ring.clearance,   &rotor.ring.rotor_radius, &rotor.ring.stiffness,
+                  &stator_radius,          &rotor.ring.rotor_radius, &rotor.ring.stiffness,
                   &rotor.ring.damping,     &rotor.ring.friction,     &rotor.motor_off,
                   &start.state[0],         &start.state[1],          &start.state[5],
                   &start.body.mass,        &start.body.inertia,      &start.body.eccentricity,
                   &loss.lost_mass,         &loss.piece_distance,     &loss.after.mass,
                   &loss.after.inertia,     &loss.after.eccentricity})
       disturb(of);
+    // The clearance is a difference of radii that are rounded, and by less than this.
+    rotor.ring.clearance += (stator_radius - undisturbed) / 4;
   }
   S at_touch_downs() const { return signs % 2 == 0 ? share : S(-share); }
 };
@@ -100,6 +104,40 @@ class CourseObserver : public BasicSummaryObserver<S> {
   BasicInstant<S> previous_;
 };
 
+/// When the speed is reached by which the mass loss is stated: by secants, from the time that is
+/// known in double precision.
+template <class S, class Stepper>
+S time_at_speed(EventMethod<S, Stepper> way, const Scenario& scenario, const GoesOn& goes_on) {
+  using std::abs;
+  struct Monitor : BasicObserver<S> {
+    explicit Monitor(const GoesOn& asked) : goes_on_(asked) {}
+    bool goes_on(const BasicProgress<S>& now) override {
+      return goes_on_(static_cast<double>(now.time_s));
+    }
+    const GoesOn& goes_on_;
+  } monitor(goes_on);
+  const S turns = stated<S>(scenario.mass_loss_speed_Hz);
+  const S speed = RotorSystem<S>::radians_per_turn() * turns;
+  const Parameters& p = scenario.parameters;
+  S before = stated<S>(p.mass_loss_time);
+  way.run_up(before - 1 / turns, monitor);
+  const auto excess = [&](const S& time_s) {
+    EventMethod<S, Stepper> there = way;
+    there.advance(time_s, monitor);
+    return S(there.instant().state[5] - speed);
+  };
+  S excess_before = excess(before), time = before - excess_before * S(p.inertia) / S(p.torque);
+  const S rounding = 64 * std::numeric_limits<S>::epsilon() * speed;
+  for (int more = 8; more > 0 && abs(excess_before) > rounding && time != before; --more) {
+    const S now = excess(time), change = now - excess_before;
+    const S next = change == 0 ? time : S(time - now * (time - before) / change);
+    before = time;
+    excess_before = now;
+    time = next;
+  }
+  return time;
+}
+
 template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
 Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
                        const GoesOn& goes_on) {
@@ -111,6 +149,7 @@ Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
   EventMethod<S, Stepper> method(rotor, settings.tolerance, start);
   method.shorten_first_steps(settings.first_steps);
   method.disturb_touch_downs(settings.disturbance.at_touch_downs());
+  if (scenario.mass_loss_speed_Hz > 0) loss.time_s = time_at_speed(method, scenario, goes_on);
   observer.on_instant(start);
   finish(method, scenario, loss, observer);
   Computation<S> result = observer.course;

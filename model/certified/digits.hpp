@@ -1,5 +1,5 @@
 /// A run to a number of significant digits, which the program itself makes sure of. The inputs are
-/// the numbers as they were read; the truth is what exact arithmetic would make of them.
+/// the decimals that were stated; the truth is what exact arithmetic would make of them.
 #pragma once
 
 #include <limits>

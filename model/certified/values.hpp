@@ -56,14 +56,17 @@ std::vector<NamedValue<S>> values_of(const BasicSummary<S>& summary, const Param
 /// Time and state. What the components of a vector are worth is told by its length; for the rates
 /// in the rotating axes, which nearly cancel in synchronous motion, by that of the velocity of O.
 template <class S>
-std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const S& clearance) {
+std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const Scenario& scenario) {
   using std::abs, std::max;
+  const S clearance = Ring<S>(scenario.parameters).clearance;
   const State<S>& q = at.state;
   const Motion<S> m = at.motion();
   const S least = clearance / negligible, angle = S(1) / negligible;
   const S length = max(least, S(m.displacement.norm()));
   const S velocity = max(S(least * abs(m.speed)), S(m.velocity.norm()));
-  const bool is_stated = at.event == Event::mass_loss || at.event == Event::none;  // or the end
+  const bool is_end = at.event == Event::none;
+  const bool is_stated =
+      is_end || (at.event == Event::mass_loss && scenario.mass_loss_speed_Hz == 0);
   return {{"time_s", at.time_s, S(0), is_stated},
           {"q1_m", q[0], length},
           {"q2_m", q[1], length},

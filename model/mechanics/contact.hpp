@@ -49,11 +49,18 @@ struct Ring {
   S friction;      ///< mu
 
   explicit Ring(const Parameters& p)
-      : rotor_radius(S(p.rotor_radius)),
-        clearance(S(p.stator_radius) - S(p.rotor_radius)),
-        stiffness(S(p.contact_stiffness)),
-        damping(S(p.contact_damping)),
-        friction(S(p.friction)) {}
+      : rotor_radius(stated<S>(p.rotor_radius)),
+        clearance(clearance_of(p)),
+        stiffness(stated<S>(p.contact_stiffness)),
+        damping(stated<S>(p.contact_damping)),
+        friction(stated<S>(p.friction)) {}
+
+  /// A double takes it from r_a, so that its runs are the same whichever of both is stated.
+  static S clearance_of(const Parameters& p) {
+    constexpr bool is_double = std::is_same_v<S, double>;
+    return !is_double && p.clearance > 0 ? stated<S>(p.clearance)
+                                         : stated<S>(p.stator_radius) - stated<S>(p.rotor_radius);
+  }
 
   bool is_clear_of(const Motion<S>& motion) const {
     return motion.displacement.squaredNorm() <= clearance * clearance;

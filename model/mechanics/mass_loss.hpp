@@ -13,16 +13,25 @@ struct MassLoss {
   Body<S> before;    ///< m, I_C, e_x
   Body<S> after;     ///< m_1, I_C1, e_x1
   S piece_distance;  ///< r + e_x, of the piece from C, m
+  S time_s;          ///< t_1
 
-  explicit MassLoss(const Parameters& p) : before(Body<S>::of(p)) {
-    const S r = S(p.rotor_radius), m = before.mass, e = before.eccentricity;
-    const S e_1 = S(p.unbalance_factor) * e;
+  explicit MassLoss(const Parameters& p)
+      : before(Body<S>::of(p)), time_s(stated<S>(p.mass_loss_time)) {
+    const S r = stated<S>(p.rotor_radius), m = before.mass, e = before.eccentricity;
+    const S e_1 = unbalance_factor(p) * e;
     piece_distance = r + e;
     lost_mass = m * (e_1 - e) / (r + e_1);  // Eq. (5)
     after.mass = m - lost_mass;
     after.eccentricity = e_1;
     after.inertia = before.inertia - lost_mass * piece_distance * piece_distance -
                     after.mass * (e_1 - e) * (e_1 - e);  // Eqs. (8), (11), (12)
+  }
+
+  /// k_u, by Eq. (5) where the lost mass is stated.
+  static S unbalance_factor(const Parameters& p) {
+    if (p.lost_mass == 0) return stated<S>(p.unbalance_factor);
+    const S m = stated<S>(p.mass), e = stated<S>(p.eccentricity), lost = stated<S>(p.lost_mass);
+    return 1 + lost * (e + stated<S>(p.rotor_radius)) / ((m - lost) * e);  // never below 1
   }
 
   /// v_DC: speed of the piece relative to C at the mass loss, m/s.

@@ -1,7 +1,27 @@
 /// The parameters of the paper's Nomenclature, and where its equations contradict themselves.
 #pragma once
 
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <type_traits>
+
 namespace rotor {
+
+/// The shortest decimal to which a double is the nearest: what was typed, if that has no more than
+/// 15 digits.
+std::string shortest_decimal(double number);
+
+/// A stated number in the precision that is computed with: the decimal, not the double.
+template <class S>
+S stated(double number) {
+  if constexpr (std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits)
+    return S(number);
+  else if constexpr (std::is_same_v<S, long double>)
+    return std::strtold(shortest_decimal(number).c_str(), nullptr);
+  else
+    return S(shortest_decimal(number).c_str());
+}
 
 /// How often the mass loss raises the velocity of the mass centre by Delta_vy, Eq. (14). As
 /// printed, twice: by Eq. (1) with e_x1 for e_x, and by an addition to q2'.
@@ -43,6 +63,8 @@ struct Parameters {
   double unbalance_factor = 3;      // k_u
   double mass_loss_time = 29.1;     // t_1
   bool loses_mass = true;           // whether the mass m_u is lost at all
+  double clearance = 0;             // r_a - r, if it is stated instead of r_a
+  double lost_mass = 0;             // m_u, if it is stated instead of k_u
 
   bool operator==(const Parameters&) const = default;
 };

@@ -21,7 +21,9 @@ struct Body {
   S inertia;       ///< about the mass centre C, kg m^2
   S eccentricity;  ///< distance of C from the geometrical centre O, m
 
-  static Body of(const Parameters& p) { return {S(p.mass), S(p.inertia), S(p.eccentricity)}; }
+  static Body of(const Parameters& p) {
+    return {stated<S>(p.mass), stated<S>(p.inertia), stated<S>(p.eccentricity)};
+  }
 };
 
 /// Position and velocity of the rotor, the vectors with their components in one common basis.
@@ -85,9 +87,9 @@ struct Supports {
 
   Supports(const Parameters& p, Equations equations)
       : springs(p),
-        damping(S(p.support_damping)),
-        gravity(S(p.gravity)),
-        torque(S(p.torque)),
+        damping(stated<S>(p.support_damping)),
+        gravity(stated<S>(p.gravity)),
+        torque(stated<S>(p.torque)),
         balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
   /// What the supports are loaded with by a position and a velocity of O, N.

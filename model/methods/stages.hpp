@@ -13,9 +13,8 @@ template <class Method, class S>
 void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
                     BasicObserver<S>& observer) {
   if (method.instant().mass_lost || !scenario.loses_mass()) return;
-  const S mass_loss_s(scenario.parameters.mass_loss_time);
-  method.run_up(mass_loss_s, observer);
-  method.advance(mass_loss_s, observer);
+  method.run_up(loss.time_s, observer);
+  method.advance(loss.time_s, observer);
   if (method.stopped()) return;
   observer.on_instant(method.instant());
   BasicInstant<S> at = method.instant();
@@ -34,7 +33,7 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
 template <class Method, class S>
 void finish(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
             BasicObserver<S>& observer) {
-  const S end(scenario.until);
+  const S end = stated<S>(scenario.until);
   pass_mass_loss(method, scenario, loss, observer);
   if (!method.stopped()) {
     if (!method.instant().mass_lost) method.run_up(end, observer);

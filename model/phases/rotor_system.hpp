@@ -20,7 +20,7 @@ struct RotorSystem {
       : body(Body<S>::of(p)),
         supports(p, equations),
         ring(p),
-        motor_off(radians_per_turn() * S(p.motor_off_Hz)) {}
+        motor_off(radians_per_turn() * stated<S>(p.motor_off_Hz)) {}
 
   static S radians_per_turn() {  // to the digits of S
     using std::acos;

@@ -42,7 +42,7 @@ BasicOutcomeWatch<S>::BasicOutcomeWatch(const Scenario& scenario)
       until_s_(scenario.until) {
   using std::sqrt;
   const S period = RotorSystem<S>::radians_per_turn() *
-                   sqrt(S(parameters_.mass) / supports_.springs.tangent_stiffness(S(0)));
+                   sqrt(stated<S>(parameters_.mass) / supports_.springs.tangent_stiffness(S(0)));
   time_of_speed_s_ = until_s_ - stalling::periods * period;
 }
 

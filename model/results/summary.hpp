@@ -29,6 +29,7 @@ struct BasicSummary {
   std::optional<S> speed_at_mass_loss_Hz, speed_ratio_at_mass_loss;
   S final_time_s{0}, final_speed_Hz{0}, final_kinetic_energy_J{0}, final_q1_m{0}, final_q2_m{0};
   S critical_speed_Hz{0};
+  std::optional<S> damping_ratio;
   std::optional<S> lost_mass_kg, inertia_after_loss_kg_m2;
   bool mass_loss_reached = false, motor_off_reached = false;
 };
@@ -79,7 +80,8 @@ inline constexpr auto summary_fields = [] {
       {"peak_normal_force_N", "Largest normal force, a located maximum", &Of::peak_normal_force_N},
       {"peak_time_s", "When it occurs", &Of::peak_time_s},
       {"max_displacement_m",
-       "Largest distance of O from O_a after the mass loss, a located maximum",
+       "Largest distance of O from O_a after the mass loss, or in a run without one; a located "
+       "maximum",
        &Of::max_displacement_m, ErrorScale::length},
       {"touch_downs_before_loss", "Of the touch-downs; all of them in a run without mass loss",
        &Of::touch_downs_before_loss},
@@ -116,11 +118,13 @@ inline constexpr auto summary_fields = [] {
        ErrorScale::length, rho},
       {"critical_speed_Hz", "sqrt(k/m) / 2 pi before the mass loss", &Of::critical_speed_Hz,
        ErrorScale::of_another},
+      {"damping_ratio", "d / (2 sqrt(k m)) before the mass loss; null if k = 0", &Of::damping_ratio,
+       ErrorScale::of_another},
       {"lost_mass_kg", "m_u, Eq. (5); null without mass loss", &Of::lost_mass_kg,
        ErrorScale::of_another},
       {"inertia_after_loss_kg_m2", "I_C1; null without mass loss", &Of::inertia_after_loss_kg_m2,
        ErrorScale::of_another},
-      {"mass_loss_reached", "Whether the mass has been lost", &Of::mass_loss_reached},
+      {"mass_loss_reached", "Whether mass has been lost", &Of::mass_loss_reached},
       {"motor_off_reached", "Whether the motor has been switched off", &Of::motor_off_reached},
   });
 }();
@@ -155,7 +159,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
   Supports<S> supports_;
   BasicOutcomeWatch<S> watch_;
   BasicInstant<S> last_;
-  bool begun_ = false, rolls_ = false;
+  bool begun_ = false, rolls_ = false, loses_mass_ = true;
   std::optional<BasicProgress<S>> last_progress_;
   std::optional<BasicProgress<S>> whirl_;        ///< where its angle was last known
   std::optional<BasicProgress<S>> rolls_since_;  ///< with the angle as it would be there now

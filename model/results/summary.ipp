@@ -25,8 +25,11 @@ BasicSummaryObserver<S>::BasicSummaryObserver(const Scenario& scenario)
 template <class S>
 void BasicSummaryObserver<S>::note_parameters(const Parameters& p) {
   using std::sqrt;
-  summary_.critical_speed_Hz =
-      in_Hz(S(sqrt(supports_.springs.tangent_stiffness(S(0)) / S(p.mass))));
+  const S mass = stated<S>(p.mass),
+          natural = sqrt(S(supports_.springs.tangent_stiffness(S(0)) / mass));
+  summary_.critical_speed_Hz = in_Hz(natural);
+  if (natural > 0) summary_.damping_ratio = supports_.damping / (2 * mass * natural);
+  loses_mass_ = p.loses_mass;
   if (!p.loses_mass) return;
   const MassLoss<S> loss(p);
   summary_.lost_mass_kg = loss.lost_mass;
@@ -59,7 +62,7 @@ void BasicSummaryObserver<S>::on_instant(const BasicInstant<S>& at) {
   begun_ = true;
 
   summary_.outcome = watch_.outcome();
-  summary_.mass_loss_reached = at.mass_lost;
+  summary_.mass_loss_reached = at.mass_lost && *summary_.lost_mass_kg > 0;
   summary_.motor_off_reached = !at.motor_on;
   summary_.final_time_s = at.time_s;
   summary_.final_speed_Hz = in_Hz(motion.speed);
@@ -119,9 +122,8 @@ S BasicSummaryObserver<S>::threshold(Extreme of, const S& /*from_s*/, const S& /
 template <class S>
 void BasicSummaryObserver<S>::note_extremes(const BasicInstant<S>& at, const Motion<S>& motion) {
   const S displacement = motion.displacement.norm();
-  if (at.mass_lost)
-    raise(summary_.max_displacement_m, displacement);
-  else
+  if (at.mass_lost || !loses_mass_) raise(summary_.max_displacement_m, displacement);
+  if (!at.mass_lost)
     summary_.max_displacement_before_loss_m =
         std::max(summary_.max_displacement_before_loss_m, displacement);
   const Vector<S> bearings = supports_.bearing_force(motion.displacement, motion.velocity);

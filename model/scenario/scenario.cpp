@@ -70,6 +70,8 @@ void require(bool fulfilled, const std::string& message) {
 
 }  // namespace
 
+std::string shortest_decimal(double number) { return fmt::format("{}", number); }
+
 Scenario run_up_part(const Scenario& scenario) {
   const Scenario standard;
   Scenario part = scenario;
@@ -77,11 +79,13 @@ Scenario run_up_part(const Scenario& scenario) {
   part.parameters.contact_damping = standard.parameters.contact_damping;
   part.parameters.friction = standard.parameters.friction;
   part.parameters.unbalance_factor = standard.parameters.unbalance_factor;
+  part.parameters.lost_mass = standard.parameters.lost_mass;
   part.parameters.mass_loss_time = standard.parameters.mass_loss_time;
   part.parameters.loses_mass = standard.parameters.loses_mass;
   part.equations.velocity_jump = standard.equations.velocity_jump;
   part.until = standard.until;
   part.step_rub = standard.step_rub;
+  part.mass_loss_speed_Hz = standard.mass_loss_speed_Hz;
   return part;
 }
 

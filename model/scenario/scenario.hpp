@@ -23,6 +23,7 @@ struct Scenario {
   double tolerance = 1e-11;   // of event: error allowed in a step, relative to the phase's scale()
   double step_run_up = 1e-4;  // step of rk4 until the mass loss or the first contact, s
   double step_rub = 5e-6;     // and after it, s
+  double mass_loss_speed_Hz = 0;  // by which the mass loss is stated, if it is, instead of its time
 
   bool operator==(const Scenario&) const = default;
 

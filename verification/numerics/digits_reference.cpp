@@ -42,8 +42,8 @@ Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
   };
   add("", values_of(computed.summary, scenario.parameters));
   for (std::size_t i = 0; i < computed.events.size(); ++i)
-    add(fmt::format("event{}.", i), values_of(computed.events[i], Quad(1)));
-  add("end.", values_of(computed.end, Quad(1)));
+    add(fmt::format("event{}.", i), values_of(computed.events[i], scenario));
+  add("end.", values_of(computed.end, scenario));
   return all;
 }
 

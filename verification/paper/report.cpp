@@ -1,9 +1,12 @@
 /// Prints the verdict on every claim of the paper, and writes the claims and their uncertainties:
-/// `report-numbers DATA OUT`.
+/// `report-numbers DATA OUT`. Or all that is known of one claim: `report-numbers DATA claim ID`.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <sstream>
 
 #include "figures/data/files.hpp"
 #include "verification/paper/uncertainty.hpp"
@@ -29,7 +32,54 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
   return as_expected;
 }
 
+/// A reading in one set of equations.
+void print_reading(const Number& number, const Reading& reading, std::size_t set) {
+  const auto text = [](const auto& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
+  const Reading::InSet& in = reading.in[set];
+  fmt::print("    {:<11} {:<24} converged {}{}\n", sets[set].name, reading.name, text(in.converged),
+             set == 0 ? ", published method " + text(in.by_rk4) : "");
+  if (number.kind == Kind::method) return;
+  for (const auto& [population, its] : {std::pair("a", in.a), std::pair("b", in.b)})
+    fmt::print(
+        "      population ({}): median {:.6g}, 5 to 95 % {:.6g} to {:.6g}; holds in {:.1f} % of {} "
+        "draws\n",
+        population, its.spread.median, its.spread.low, its.spread.high, 100 * its.holds,
+        its.spread.draws);
+}
+
+int show_claim(const std::filesystem::path& data, const std::string& id) {
+  std::vector<Number> numbers = read_numbers(data / "claims.csv");
+  std::set<std::string> ids;
+  for (const Number& number : numbers) ids.insert(number.claim);
+  if (!ids.contains(id))
+    throw std::runtime_error(
+        fmt::format("there is no claim \"{}\"; there are: {}", id, fmt::join(ids, ", ")));
+  numbers = judged_numbers(data);
+  for (const Number& n : numbers) {
+    if (n.claim != id) continue;
+    fmt::print("{}: {} ({})\n", n.id, n.says, n.place);
+    if (!n.printed.empty())
+      fmt::print("  printed: {} {}; allowed by rule \"{}\": {:.6g} to {:.6g}\n", n.printed, n.unit,
+                 n.rule, n.allowed().least(), n.allowed().greatest());
+    else
+      fmt::print("  rule: {}\n", n.rule);
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+      fmt::print("  {} equations: {}\n", sets[set].name, verdict_of(n, set).says);
+      for (const Reading& reading : n.readings) print_reading(n, reading, set);
+    }
+    if (!n.reason.empty()) fmt::print("  reason: {}\n", n.reason);
+    std::istringstream figures(n.figures);
+    for (int figure = 0; figures >> figure;)
+      fmt::print(
+          "  shown by: make fig{0:02}; build/rotor run --scene figures/paper/fig{0:02}.toml\n",
+          figure);
+  }
+  return 0;
+}
+
 int main(const Arguments& arguments) {
+  if (arguments.size() == 3 && arguments[1] == "claim")
+    return show_claim(arguments[0], arguments[2]);
   if (arguments.size() != 2)
     throw std::runtime_error("needs the folder of reference data and an output folder");
   const std::filesystem::path data = arguments[0], out = arguments[1];

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "figures/data/csv.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -51,6 +52,31 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
 }
 
+// O turns steadily on a circle, forward, once a turn of the rotor: the spectrum has one line, as
+// high as the circle is wide, at f = 60 Hz, where a Hann window of a whole number of turns leaves
+// the lines beside it half as high, and nothing elsewhere.
+TEST_F(Gnuplot, GetsTheSpectrumOfACircle) {
+  write_gnuplot("cp run1.csv \"$KEPT\"; exit 1\n");
+  write("circle.toml",
+        "[parameters]\nstart_speed_hz = 60\ntorque = 0\ngravity = 0\nno_mass_loss = true\nuntil = "
+        "0.5\n");
+  EXPECT_EQ(
+      shell("KEPT=$PWD/spectrum.csv PATH=$PWD:$PATH $rotor plot circle.toml --spectrum").status, 1);
+  ASSERT_EQ(rotor("run --scene circle.toml --trace t.csv --rows 2").status, 0);
+  const auto rho = static_cast<double>(read_csv(folder_ / "t.csv").front().number("rho_m"));
+  double at_60_Hz = 0, beside = 0, elsewhere = 0;
+  for (const CsvRow& row : read_csv(folder_ / "spectrum.csv")) {
+    const auto from_60_Hz = std::abs(static_cast<double>(row.number("frequency_Hz")) - 60);
+    double& its = from_60_Hz < 1 ? at_60_Hz : from_60_Hz < 3 ? beside : elsewhere;
+    its = std::max(its, static_cast<double>(row.number("displacement_m")));
+    EXPECT_EQ(row.number("force_N"), 0);
+  }
+  // The dampers slow the rotor by some millionths in this time.
+  EXPECT_NEAR(at_60_Hz / rho, 1, 1e-4);
+  EXPECT_NEAR(beside / rho, 0.5, 1e-3);
+  EXPECT_LT(elsewhere / rho, 1e-3);
+}
+
 // A gnuplot whose disk is full succeeds nonetheless.
 TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
   write_gnuplot(
@@ -69,7 +95,8 @@ TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
   write("a.svg", "old");
   expect_refusal("plot \"it's.toml\" --out a.jpg", "must end in .svg, .pdf or .png");
   expect_refusal("plot nowhere.toml --out a.svg", "nowhere.toml");
-  expect_refusal("plot \"it's.toml\" --out no/a.svg", "no: cannot be written");
+  expect_refusal("plot \"it's.toml\" --out no/a.svg",
+                 "no/a.svg: cannot be written: there is no folder no");
   const auto [status, output] = shell("PATH= $rotor plot \"it's.toml\" --out a.svg");
   EXPECT_NE(status, 0);
   EXPECT_NE(output.find("gnuplot, which draws, cannot be started"), std::string::npos) << output;
@@ -82,7 +109,8 @@ TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
 TEST_F(Gnuplot, IsGivenNoLettersThatNoFontHas) {
   const auto plot = [&](const std::string& letter, const std::string& picture) {
     write("scene.toml",
-          "title = \"a\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n[[run]]\n"
+          "title = \"a\"\n[parameters]\nequations = \"published\"\nstart_speed_hz = 150\nuntil = "
+          "0.03\n[[run]]\n"
           "name = \"" +
               letter + "\"\n");
     return rotor("plot scene.toml --out " + picture).output;

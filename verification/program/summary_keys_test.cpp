@@ -80,8 +80,9 @@ class Landmarks : public Observer {
     return true;
   }
   void note_maxima(const Instant& at) {
-    raises(at.mass_lost ? "max_displacement_m" : "max_displacement_before_loss_m",
-           value("rho_m", at));
+    const double rho = value("rho_m", at);
+    if (at.mass_lost || !scenario_.parameters.loses_mass) raises("max_displacement_m", rho);
+    if (!at.mass_lost) raises("max_displacement_before_loss_m", rho);
     raises("peak_bearing_force_N", value("bearing_force_N", at));
     const double force = -value("normal_force_N", at);
     if (!(force > 0)) return;
@@ -154,6 +155,7 @@ TEST_F(SummaryKeys, SayWhatTheRunShows) {
     const auto if_lost = [&](double value) { return p.loses_mass ? Json(value) : Json(nullptr); };
     expected["contact_time_s"] = landmarks.contact_s;
     expected["critical_speed_Hz"] = critical;
+    expected["damping_ratio"] = p.support_damping / (2 * p.mass * critical * turn);
     expected["lost_mass_kg"] = if_lost(lost);
     expected["inertia_after_loss_kg_m2"] =
         if_lost(p.inertia - lost * (r + e) * (r + e) - left * (e_1 - e) * (e_1 - e));

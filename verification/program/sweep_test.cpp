@@ -106,7 +106,7 @@ TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
   write("part.toml", "columns = [\"touch_downs\", \"outcome\"]\n" + content("whole.toml"));
   ASSERT_EQ(rotor("sweep whole.toml --out whole.csv").status, 0);
   ASSERT_EQ(rotor("sweep part.toml --out part.csv").status, 0);
-  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz,touch_downs,outcome,refusal");
+  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz,touch_downs,outcome,remarks,refusal");
   const auto whole = results("whole.csv"), part = results("part.csv");
   ASSERT_EQ(part.size(), 2U);
   for (std::size_t n = 0; n < part.size(); ++n)
@@ -238,7 +238,7 @@ TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
     const auto [status, run] = rotor("run --friction 0.1 " + options);
     for (const char* key : {"first_contact_s", "peak_normal_force_N", "final_q2_m"})
       EXPECT_TRUE(row[key].empty() ||
-                  run.find(fmt::format("{:<24} {}\n", key, row[key])) != std::string::npos)
+                  run.find(fmt::format("{:<32} {}\n", key, row[key])) != std::string::npos)
           << run;
     EXPECT_EQ(row["refusal"].empty(), status == 0);
     EXPECT_NE(run.find(row["refusal"]), std::string::npos) << run;

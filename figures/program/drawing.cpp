@@ -1,0 +1,203 @@
+#include "figures/program/drawing.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "figures/data/files.hpp"
+#include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
+#include "figures/input/names.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A format by how names of its pictures end, and what the pictures themselves end with.
+struct Format {
+  std::string_view extension, end;
+};
+constexpr std::array<Format, 3> formats = {
+    {{".svg", "</svg>"}, {".pdf", "%%EOF"}, {".png", "IEND"}}};
+
+const Format& format_of(const fs::path& out) {
+  const std::string extension = out.extension().string();
+  for (const Format& format : formats)
+    if (format.extension == extension) return format;
+  throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
+}
+
+/// The letters of a text beyond ASCII, as hexadecimal numbers.
+std::set<std::string> letters_beyond_ascii(std::string_view text) {
+  std::set<std::string> letters;
+  std::uint32_t letter = 0;
+  int more = 0;  // bytes of UTF-8
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const int leading = std::countl_one(byte);
+    if (leading == 1) {
+      letter = letter << 6U | (byte & 0x3fU);
+      if (--more == 0) letters.insert(fmt::format("{:x}", letter));
+    } else {
+      more = leading - 1;
+      letter = byte & (0x7fU >> static_cast<unsigned>(leading));
+    }
+  }
+  return letters;
+}
+
+/// The status of a program that works in a folder; its output may go to a file there. Throws
+/// where it cannot be started.
+int status_of(const std::vector<std::string>& command, const fs::path& drafts,
+              const char* output = nullptr) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : command)
+    arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addchdir_np(&actions, drafts.c_str());
+  if (output)
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output,
+                                       O_WRONLY | O_CREAT | O_TRUNC, S_IRUSR | S_IWUSR);
+  pid_t child = 0;
+  int status =
+      ::posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (status != 0) throw std::system_error(status, std::generic_category());
+  constexpr std::chrono::milliseconds pause(5);
+  while (::waitpid(child, &status, WNOHANG) == 0) {
+    if (is_interrupted()) ::kill(child, SIGKILL);
+    std::this_thread::sleep_for(pause);
+  }
+  if (is_interrupted()) throw Interrupted();
+  return status;
+}
+
+/// Whether a font has all of the letters, as far as fontconfig tells.
+bool has_font_with(const std::string& letters, const fs::path& drafts) {
+  try {
+    return status_of({"fc-list", ":charset=" + letters}, drafts, "fonts") != 0 ||
+           fs::file_size(drafts / "fonts") > 0;
+  } catch (const std::system_error&) {  // it is not there
+    return true;
+  }
+}
+
+/// What gnuplot has drawn. It succeeds also where there was no room for the whole of it, and leaves
+/// in texts what XML has for an end.
+std::string read_picture(const fs::path& path, const Format& format) {
+  std::ifstream file(path, std::ios::binary);
+  std::string picture(std::istreambuf_iterator<char>(file), {});
+  const std::size_t after_end = 4;  // a line's end, or a png's check sum
+  const std::size_t at = picture.rfind(format.end);
+  if (at == std::string::npos || picture.size() - at > format.end.size() + after_end)
+    throw std::runtime_error("gnuplot has not drawn the whole picture");
+  if (format.extension == ".svg")
+    for (std::size_t in = 0; (in = picture.find("]]>", in)) != std::string::npos;)
+      picture.replace(in, 3, "]]&gt;");
+  return picture;
+}
+
+fs::path new_folder() {
+  std::error_code error;
+  const fs::path parent = fs::temp_directory_path(error);
+  if (error)
+    throw InputError("TMPDIR: must be a folder that exists, where gnuplot reads and draws");
+  std::string path = (parent / "rotor-plot-XXXXXX").string();
+  if (!::mkdtemp(path.data()))
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: {}", parent.string(), std::strerror(errno)));
+  return path;
+}
+
+}  // namespace
+
+std::string numbered(std::string_view text) {
+  std::string numbers;
+  for (const char c : text) numbers += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  return '"' + numbers + '"';
+}
+
+Drawing::Drawing(const std::string& file, const std::string& out)
+    : out_(out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out)) {
+  extension_ = format_of(out_).extension;
+  FileTransaction::require_distinct({out_}, file);
+  FileTransaction().open(out_);  // what cannot take its place is said before any work
+  folder_ = new_folder();
+}
+
+Drawing::~Drawing() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::string Drawing::heading(const std::string& title) const {
+  return title.empty() ? one_line(out_.stem().string()) : title;
+}
+
+void Drawing::write(const std::string& name, std::string_view text) const {
+  FileTransaction draft;
+  draft.write(file(name), text);
+  draft.commit();
+}
+
+/// An svg is drawn where it is looked at.
+void Drawing::require_letters(const std::string& text) const {
+  const std::set<std::string> letters = letters_beyond_ascii(text);
+  if (extension_ == ".svg" || letters.empty() ||
+      has_font_with(fmt::format("{}", fmt::join(letters, " ")), folder_))
+    return;
+  for (const std::string& letter : letters)
+    if (!has_font_with(letter, folder_))
+      throw InputError(
+          fmt::format("\"{}\": no font here has its letter U+{:0>4}, which png and pdf need; "
+                      "--out NAME.svg needs none",
+                      shown(text), letter));
+}
+
+/// Without the user's own settings, and in a locale whose letters gnuplot can write.
+void Drawing::finish(const std::string& settings, const std::string& script) const {
+  write("settings.gp",
+        settings + fmt::format("output = 'picture'; format = '{}'\n", extension_.substr(1)));
+  ::setenv("LC_ALL", "C.UTF-8", 1);
+  int status = 0;
+  try {
+    status = status_of({"gnuplot", "--default-settings", "settings.gp", ROTOR_SCENES "/style.gp",
+                        ROTOR_SCENES "/../program/" + script},
+                       folder_);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(
+        fmt::format("gnuplot, which draws, cannot be started: {}", error.what()));
+  }
+  if (!(WIFEXITED(status) && WEXITSTATUS(status) == 0))
+    throw std::runtime_error("gnuplot has not drawn the picture");
+  FileTransaction files;
+  files.write(out_, read_picture(file("picture"), format_of(out_)));
+  files.commit();
+  fmt::print("{}\n", one_line(out_.string()));
+}
+
+}  // namespace rotor

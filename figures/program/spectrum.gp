@@ -1,0 +1,62 @@
+# Spectra of displacement and force in the stator's frame. `rotor plot --spectrum` sets, beside what style.gp wants:
+#   heading, runs, and of each run, by its number: name, from_s, until_s, samples, f and its range, f_n, whirl
+# Each run has a file of data where gnuplot works: amplitudes at frequencies, negative ones of backward whirl.
+
+of(what, i) = value(sprintf("%s%d", what, i))
+data(i) = sprintf("run%d.csv", i)
+resolution = 1.5/(until_s1 - from_s1)    # of Hann's window
+said_of(i) = sprintf("f = %.1f Hz%s, %s %s Hz", of("f", i), \
+  of("f_greatest", i) - of("f_least", i) < resolution ? "" : sprintf(" (%.1f to %.1f)", of("f_greatest", i), of("f_least", i)), \
+  of("rolls", i) ? "whirl while rolling" : "mean whirl", sprintf("%+.1f", of("whirl", i)))
+
+lowest = 0.8/(until_s1 - from_s1); highest = 0.25*samples1/(until_s1 - from_s1)
+set logscale xy
+set format x "%g"; set format y "10^{%T}"
+set mxtics 10
+top = 0.83 - 0.04*(runs - 1); bottom = 0.17; between = 0.05; height = 0.5*(top - bottom - between)
+set multiplot
+set label 1 "{/:Bold Spectrum}" at screen 0.5,0.97 center
+set label 2 heading at screen 0.5,0.93 center noenhanced
+set label 3 sprintf("Hann window from %g s to %g s; resolution %.2g Hz. Dashed: f; dotted: 2f, f_n and the %s", \
+  from_s1, until_s1, resolution, rolls1 ? "whirl while rolling" : "mean whirl") at screen 0.5,0.03 center font small
+do for [i = 1:runs] {
+  set label (runs > 1 ? greek(of("run", i)).": " : "").said_of(i) at screen 0.5,screen 0.885 - 0.04*(i - 1) center \
+    noenhanced font small textcolor linetype i
+}
+
+# The six decades below the largest amplitude.
+decades = 1e-6
+greatest_d = 0; greatest_F = 0
+do for [i = 1:runs] {
+  stats data(i) using (column("displacement_m")*1e3) nooutput; if (STATS_max > greatest_d) { greatest_d = STATS_max }
+  stats data(i) using (column("force_N")/1e3) nooutput; if (STATS_max > greatest_F) { greatest_F = STATS_max }
+}
+mark(x, dash, text, i, row) = x >= lowest && x <= highest ? \
+  sprintf("set arrow from first %g,graph 0 to first %g,graph 1 nohead back linetype %d linewidth 1 dashtype %s; ", x, x, i, dash). \
+  (row == 0 && i == 1 ? sprintf("set label '%s' at first %g,graph 1.03 center font small textcolor linetype %d; ", text, x, i) : "") : ""
+do for [row = 0:1] { do for [forward = 0:1] {
+  unset arrow
+  do for [i = 1:runs] {
+    if (forward) {
+      eval mark(of("f", i), "(8,5)", "f", i, row).mark(2*of("f", i), "(2,4)", "2f", i, row)
+    }
+    eval mark(of("f_n", i), "(2,4)", "f_n", i, row)
+    if ((of("whirl", i) > 0) == forward && abs(abs(of("whirl", i)) - of("f", i)) > resolution) {
+      eval mark(abs(of("whirl", i)), "(2,4)", "whirl", i, row)
+    }
+  }
+  set lmargin at screen forward ? 0.545 : 0.09; set rmargin at screen forward ? 0.98 : 0.525
+  set tmargin at screen top - row*(height + between); set bmargin at screen top - row*(height + between) - height
+  set xrange [lowest:highest]
+  greatest = row == 0 ? greatest_d : greatest_F
+  if (greatest > 0) { set yrange [decades*greatest:2*greatest] } else { set yrange [1e-3:1] }
+  set xlabel (row == 1 ? (forward ? "forward, Hz" : "backward, Hz") : "") offset 0,0.4
+  if (row == 0) { set format x "" } else { set format x "%g" }
+  set ylabel (forward ? "" : row == 0 ? "displacement r_O, mm" : "contact force, kN")
+  if (forward) { set format y "" } else { set format y "10^{%T}" }
+  unset key
+  plot for [i = 1:runs] data(i) using (column("frequency_Hz")*(forward ? 1 : -1) > 0 ? abs(column("frequency_Hz")) : NaN): \
+    (row == 0 ? column("displacement_m")*1e3 : column("force_N")/1e3) with lines linetype i
+  unset label
+} }
+unset multiplot

@@ -1,0 +1,121 @@
+# A sweep: curves over one axis, maps over two, distributions of a sample. `rotor plot` sets, beside what style.gp wants:
+#   data, the sweep's results, of which result is drawn if has_value, and the outcome if has_outcome; heading
+#   dimensions, the number of axes, and draws, those at each of their points
+#   of each axis its column x_key, x_name, x_points, x_stride in rows, x_log, and x_tics if its values are listed; the same of y
+#   panels, the column of_panel that tells them apart, and its values panel0, panel1, ...
+
+spaced(text) = (at = strstrt(text, "_")) == 0 ? text : text[:at - 1]." ".spaced(text[at + 1:])
+ends(text, with) = strlen(text) > strlen(with) && text[strlen(text) - strlen(with) + 1:] eq with
+label_in(text, suffix, unit) = spaced(text[:strlen(text) - strlen(suffix)]).", ".unit
+label_of(key) = ends(key, "_N") ? label_in(key, "_N", "kN") : ends(key, "_m") ? label_in(key, "_m", "mm") : \
+  ends(key, "_s") ? label_in(key, "_s", "s") : ends(key, "_Hz") ? label_in(key, "_Hz", "Hz") : spaced(key)
+unit = ends(result, "_N") ? 1e3 : ends(result, "_m") ? 1e-3 : 1
+result_name = label_of(result)
+panel_name(p) = (ends(of_panel, "_varied") ? of_panel[:strlen(of_panel) - 7] : spaced(of_panel))." ".value(sprintf("panel%d", p))
+is_in(p) = of_panel eq "" || strcol(of_panel) eq value(sprintf("panel%d", p))
+in_panel(p, v) = is_in(p) ? v : NaN
+its(unused) = strcol(result) eq "" ? NaN : column(result)/unit
+code(unused) = outcome_code(strcol("outcome"))
+array outcome_name[7] = ["no contact", "freed after contact", "bouncing", "sliding", "backward rolling", "undecided", \
+  "stalled, or no result"]
+tint(c) = c == 0 && dimensions < 2 ? "#b0b0b0" : outcome_tint[c + 1]
+set datafile columnheaders
+array seen[7] = [0, 0, 0, 0, 0, 0, 0]
+stats data using (has_outcome ? seen[code(0) + 1] = seen[code(0) + 1] + 1 : 0, 0) name "all" nooutput
+greatest = 0; least = 0
+if (has_value) {
+  stats data using (its(0)) name "its" nooutput
+  if (its_records > 0) { greatest = its_max; least = its_records < all_records ? 0 : its_min }
+}
+
+# Where a row is along an axis of a map: its value, the power of ten, or its place in a list.
+place(c, n, stride, is_log, tics) = strlen(tics) ? int(column(0))/stride % n : is_log ? log10(column(c)) : column(c)
+powers(is_log) = is_log ? "10^{%g}" : "%g"
+# The draws of a point stand together; the mean of one is itself.
+sum = 0; count = 0
+last_draw(unused) = int(column(0)) % draws == draws - 1
+mean(v) = (first = int(column(0)) % draws == 0, sum = (first ? 0 : sum) + (v == v ? v : 0), \
+  count = (first ? 0 : count) + (v == v), last_draw(0) && count > 0 ? sum/count : NaN)
+
+is_map = dimensions == 2
+if (is_map && panels < 3) { eval "set terminal ".square }
+rows = is_map ? has_outcome + has_value : has_value + (draws > 1 && dimensions == 1 && has_outcome)
+top = 0.9; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.12 : 0.085; right = is_map ? 0.84 : 0.98; gap = 0.05
+height = (top - bottom)/rows; width = (right - left - gap*(panels - 1))/panels
+set multiplot
+set label 1 heading at screen 0.5,0.965 center noenhanced
+set tics front out
+if (is_map) { unset grid }
+unset key; unset colorbox
+do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
+  at_bottom = row == rows - 1
+  of_outcome = is_map ? has_outcome && row == 0 : row == has_value
+  set lmargin at screen left + p*(width + gap); set rmargin at screen left + p*(width + gap) + width
+  set tmargin at screen top - row*height - (panels > 1 ? 0.03 : 0); set bmargin at screen top - (row + 1)*height + (at_bottom ? 0 : 0.03)
+  if (row == 0 && panels > 1) { set title panel_name(p) offset 0,-0.6 noenhanced } else { unset title }
+  set xlabel (at_bottom ? (dimensions ? x_name : result_name) : "") offset 0,0.4 noenhanced
+  set ylabel (p > 0 ? "" : is_map ? y_name : of_outcome || !dimensions ? "share of the draws" : result_name) noenhanced
+  set xrange [*:*] noextend; set yrange [*:*] noextend
+  set format x (at_bottom ? powers(is_map && x_log) : ""); set format y (p > 0 ? "" : powers(is_map && y_log))
+  if (is_map) {
+    if (x_log) { set xtics 1 }
+    if (y_log) { set ytics 1 }
+    if (strlen(x_tics)) { eval "set xtics (".(at_bottom ? x_tics : "'' 0").")" }
+    if (strlen(y_tics)) { eval "set ytics (".y_tics.")" }
+    set palette maxcolors 0
+    if (p == panels - 1) { set colorbox user origin screen right + 0.015, graph 0 size screen 0.02, graph 1 }
+    if (p < panels - 1 || of_outcome && draws == 1) { unset colorbox }
+    if (of_outcome && draws == 1) { eval outcome_palette }
+    if (of_outcome && draws > 1) { eval share_palette; set cblabel "share that rolls" offset 1,0 }
+    if (!of_outcome) {
+      eval force_palette; set cbrange [0:greatest > 0 ? greatest : 1]
+      set cblabel result_name.(draws > 1 ? ", mean" : "") noenhanced offset 1,0
+    }
+    set table $cells separator comma
+    plot data using (place(x_key, x_points, x_stride, x_log, x_tics)):(place(y_key, y_points, y_stride, y_log, y_tics)): \
+      (mean(!of_outcome ? its(0) : draws == 1 ? code(0) : code(0) == 4)) with table if (is_in(p) && last_draw(0))
+    unset table
+    unset datafile columnheaders
+    plot $cells using 1:2:3 with image
+    set datafile columnheaders
+    continue
+  }
+  if (dimensions == 1) {
+    if (x_log) { set logscale x }
+    if (of_outcome) {    # shares on top of each other: of this outcome and of those with greater codes
+      set yrange [0:1]
+      plot for [c = 0:6] data using (in_panel(p, column(x_key))):(code(0) >= c ? 1.0/draws : 0) smooth frequency \
+        with filledcurves x1 fillcolor rgb tint(c)
+    } else {
+      set yrange [least < 0 ? 1.05*least : 0:greatest > 0 ? 1.05*greatest : 1]
+      at_zero(v) = v == v ? v : 0    # where nothing happens there is no force
+      plot data using (in_panel(p, column(x_key))):(draws > 1 ? NaN : at_zero(its(0))) with lines linecolor rgb grey linewidth 0.8, \
+        for [c = 0:6] data using (in_panel(p, column(x_key))):((has_outcome ? code(0) : 6) != c ? NaN : at_zero(its(0))) \
+        with points pointtype 7 pointsize (draws > 1 ? 0.25 : 0.5) linecolor rgb tint(c)
+    }
+    continue
+  }
+  # One distribution: the share in each of equal bins, outcomes on top of each other.
+  bin = greatest > least ? (greatest - least)/50 : 1
+  binned(v) = v == v ? least + bin*(floor((v - least)/bin*0.999999) + 0.5) : 0
+  set yrange [0:*]; set xrange [least - bin:greatest + bin]
+  set boxwidth bin
+  set style fill solid border rgb "#ffffff"
+  plot for [c = 0:6] data using (in_panel(p, binned(its(0)))):(has_outcome && code(0) < c ? 0 : 1.0/draws) \
+    smooth frequency with boxes fillcolor rgb tint(c)
+} }
+
+# What the colours mean.
+unset title; unset border; unset tics; unset xlabel; unset ylabel; unset colorbox; unset label 1; unset logscale
+set xrange [0:1]; set yrange [0:1]
+set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen 0.1
+if (has_outcome && !(is_map && draws > 1)) {
+  entries = ""
+  do for [c = 0:6] {
+    if (seen[c + 1] > 0) { entries = entries.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s%s', ", \
+      tint(c), outcome_name[c + 1], dimensions ? "" : sprintf(": %.3g %%", 100.0*seen[c + 1]/all_records)) }
+  }
+  set key Left reverse spacing 1.05 noopaque font small at screen 0.5, screen 0.05 center center samplen 1 maxrows 2
+  eval "plot ".entries."NaN notitle"
+}
+unset multiplot

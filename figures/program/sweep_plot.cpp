@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "figures/data/files.hpp"
+#include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
+#include "figures/program/commands.hpp"
+#include "figures/program/drawing.hpp"
+#include "figures/program/summaries.hpp"
+#include "figures/sweep/sweep_row.hpp"
+
+namespace rotor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The sweep file that is repeated above results, as sweep_head writes it.
+std::string sweep_above(const fs::path& results) {
+  std::ifstream file(results);
+  std::string text;
+  for (std::string line; file.peek() == '#' && std::getline(file, line);)
+    if (line.starts_with("#   ")) text += line.substr(4) + '\n';
+  if (text.empty())
+    throw InputError(fmt::format(
+        "{}: must be the results of rotor sweep, which begin with the sweep", results.string()));
+  return text;
+}
+
+std::string with_spaces(std::string text) {
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+/// What gnuplot has to know of an axis of numbers: its column, its values, and how to show them.
+std::string settings_of(const char* letter, const Axis& axis, long stride) {
+  const std::string_view unit = find_input_quantity(axis.quantity)->quantity.unit;
+  std::string text = with_spaces(axis.quantity), listed;
+  if (text.ends_with(" hz")) text.resize(text.size() - 3);
+  if (!unit.empty()) text += fmt::format(", {}", unit);
+  if (const auto* const values = std::get_if<std::vector<double>>(&axis.values))
+    for (std::size_t n = 0; n < values->size(); ++n)
+      listed += fmt::format("{}'{:.4g}' {}", n > 0 ? ", " : "", (*values)[n], n);
+  const auto* const range = std::get_if<Range>(&axis.values);
+  return fmt::format(
+      "{0}_key = '{1}'; {0}_name = '{2}'; {0}_points = {3}; {0}_stride = {4}; {0}_log = {5}; {0}_tics "
+      "= "
+      "\"{6}\"\n",
+      letter, axis.quantity, text, axis.points(), stride, range && range->logarithmic ? 1 : 0,
+      listed);
+}
+
+/// Axes of numbers, the last one along x, and of names, which has a panel for each.
+std::string settings_of(const Sweep& sweep) {
+  std::string text, panels = "panels = 1; of_panel = ''; panel0 = ''\n";
+  int numbers = 0, names = 0;
+  long stride = sweep.sample.count;
+  for (auto axis = sweep.axes.rbegin(); axis != sweep.axes.rend(); ++axis) {
+    if (const auto* const values = std::get_if<std::vector<std::string>>(&axis->values)) {
+      ++names;
+      const auto& results = result_columns();
+      const bool is_result =
+          std::find(results.begin(), results.end(), axis->quantity) != results.end();
+      panels = fmt::format("panels = {}; of_panel = '{}{}'\n", values->size(), axis->quantity,
+                           is_result ? "_varied" : "");
+      for (std::size_t n = 0; n < values->size(); ++n)
+        panels += fmt::format("panel{} = '{}'\n", n, (*values)[n]);
+    } else {
+      text += settings_of(numbers++ == 0 ? "x" : "y", *axis, stride);
+    }
+    stride *= axis->points();
+  }
+  if (numbers > 2 || names > 1)
+    throw InputError("two axes of numbers and one of names are the most that a picture shows");
+  if (numbers == 0 && sweep.sample.over.empty())
+    throw InputError("the sweep has neither an axis of numbers nor a sample, which could be drawn");
+  return text + panels + fmt::format("dimensions = {}; draws = {}\n", numbers, sweep.sample.count);
+}
+
+/// What is drawn beside the outcome.
+std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
+  const std::vector<std::string> all = sweep.columns.empty() ? result_columns() : sweep.columns;
+  const auto has = [&](const std::string& name) {
+    return std::find(all.begin(), all.end(), name) != all.end();
+  };
+  const std::string key = !stated.empty()              ? stated
+                          : has("peak_normal_force_N") ? "peak_normal_force_N"
+                          : all.front() == "outcome"   ? all.back()
+                                                       : all.front();
+  if (!has(key))
+    throw InputError(
+        fmt::format("--column {}: there is no such result{}", shown(key), suggestion(key, all)));
+  return fmt::format("result = '{}'; has_outcome = {}; has_value = {}\n", key,
+                     has("outcome") ? 1 : 0, key == "outcome" ? 0 : 1);
+}
+
+}  // namespace
+
+void plot_sweep(const PlotOptions& options) {
+  const ScenarioSpec& stated = options.equations_and_method;
+  if (options.from_s || options.until_s || options.spectrum || stated.states_equations() ||
+      stated.method)
+    throw InputError(fmt::format("{}: is a sweep; of options only --out and --column are for that",
+                                 shown(options.file)));
+  const Drawing drawing(options.file, options.out);
+  const bool has_results = fs::path(options.file).extension() == ".csv";
+  fs::path source = options.file, results = fs::absolute(options.file);
+  if (has_results) {
+    source = drawing.file("sweep.toml");
+    drawing.write("sweep.toml", sweep_above(results));
+  }
+  const Sweep sweep = read_sweep(source);
+  const std::string heading = drawing.heading(sweep.title);
+  const std::string settings = settings_of(sweep) + settings_of_result(options.column, sweep) +
+                               fmt::format("heading = {}; data = ", numbered(heading));
+  drawing.require_letters(heading);
+  if (!has_results) {
+    results = drawing.file("sweep.csv");
+    try {
+      write_sweep(sweep, results.string());
+    } catch (const Interrupted&) {
+      throw Interrupted(
+          "interrupted; no picture has been drawn. rotor sweep --out NAME.csv can resume, and "
+          "rotor "
+          "plot NAME.csv draws its results");
+    }
+  }
+  drawing.finish(settings + numbered(results.string()) + '\n', "sweep.gp");
+  say_which_equations(sweep.leaves_equations_open());
+}
+
+}  // namespace rotor

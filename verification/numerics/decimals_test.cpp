@@ -1,0 +1,50 @@
+/// That the digits of a run are those of the decimals as they were stated.
+#include <gtest/gtest.h>
+
+#include "figures/input/scenario_spec.hpp"
+#include "model/certified/comparison.hpp"
+#include "model/certified/quad.hpp"
+
+namespace rotor {
+namespace {
+
+/// In extended precision; the finest computation has a hundredth of the tolerance.
+Comparison exactly(const ScenarioSpec& spec, double tolerance = 1e-15) {
+  return compare<long double>(scenario_of(spec), tolerance, [](double /*time_s*/) { return true; })
+      .value();
+}
+
+TEST(Decimals, AreReadInThePrecisionThatIsUsed) {
+  EXPECT_LT(abs(stated<Quad>(0.1) * 10 - 1), 1e-33);
+  EXPECT_LT(std::abs(stated<long double>(0.1) * 10 - 1), 1e-18L);
+  EXPECT_EQ(stated<double>(0.1), 0.1);
+}
+
+// 49280.4052682 N, by a program in quadruple precision that shares nothing with this one. The
+// doubles nearest to the inputs make 49280.4045635 N: contacts multiply what differs by 3e9.
+// Extended precision leaves some 1e-19 times that.
+TEST(Decimals, MakeTheForceThatAnotherProgramFinds) {
+  ScenarioSpec spec;
+  spec.numbers = {{"friction", 0.06}, {"until", 29.25}};
+  EXPECT_NEAR(exactly(spec, 1e-17).values.peak_normal_force_N.value(), 49280.4052682, 1e-4);
+}
+
+// By the clearance or the ring's radius, by the speed or the time of the mass loss; and the lost
+// mass is what was stated.
+TEST(Decimals, MakeTheSameRunHoweverARotorIsStated) {
+  ScenarioSpec one, other;
+  one.numbers = {{"start_speed_hz", 140.}, {"clearance", 1e-3}, {"mass_loss_speed_hz", 140.5},
+                 {"lost_mass", 0.01},      {"until", 0.15},     {"friction", 0.1}};
+  other.numbers = one.numbers;
+  other.numbers.erase("clearance");
+  other.numbers.emplace("stator_radius", 0.061);
+  const Comparison a = exactly(one), b = exactly(other);
+  // A clearance that is off by the rounding of a double radius moves the force by 9e-12.
+  EXPECT_NEAR(*a.values.peak_normal_force_N / *b.values.peak_normal_force_N, 1, 1e-13);
+  EXPECT_GT(a.values.touch_downs, 1);
+  EXPECT_NEAR(a.values.speed_at_mass_loss_Hz.value(), 140.5, 1e-13);
+  EXPECT_NEAR(a.values.lost_mass_kg.value(), 0.01, 1e-17);
+}
+
+}  // namespace
+}  // namespace rotor
