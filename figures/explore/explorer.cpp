@@ -115,19 +115,19 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
     observers.add(work_log);
   }
 
-  const RunResult account = finish(run_ups_.checkpoint_before(scenario, monitor, shot.from_s),
-                                   scenario, std::nullopt, observers);
-  if (account.early.interrupted) throw Interrupted();
+  const RunResult result = finish(run_ups_.checkpoint_before(scenario, monitor, shot.from_s),
+                                  scenario, std::nullopt, observers);
+  if (result.early.interrupted) throw Interrupted();
   picture.works = work_log.table;
-  picture.told["summary"] = to_json(account);
-  if (knows_energy) picture.told["summary"]["energy_J"] = to_json(energy);
-  picture.told["events"] = happened;
-  picture.told["from_s"] = shot.from_s;
-  picture.told["until_s"] = scenario.until;
-  picture.told["mass_loss_s"] = nullptr;
-  if (scenario.loses_mass()) picture.told["mass_loss_s"] = scenario.parameters.mass_loss_time;
-  picture.told["motion"] = names_of(shot.columns);
-  picture.told["works"] = works;
+  picture.metadata["summary"] = to_json(result);
+  if (knows_energy) picture.metadata["summary"]["energy_J"] = to_json(energy);
+  picture.metadata["events"] = happened;
+  picture.metadata["from_s"] = shot.from_s;
+  picture.metadata["until_s"] = scenario.until;
+  picture.metadata["mass_loss_s"] = nullptr;
+  if (scenario.loses_mass()) picture.metadata["mass_loss_s"] = scenario.parameters.mass_loss_time;
+  picture.metadata["motion"] = names_of(shot.columns);
+  picture.metadata["works"] = works;
   return picture;
 }
 
@@ -152,9 +152,10 @@ Picture Explorer::draw(const Options& options, long n, long count, Observer& mon
   scenario.until = stated.until + later_s;
   const double from_s = std::max(0., beginning(settings, stated) + later_s);
   Picture result = picture({scenario, from_s, closeness_of_draws, columns_of_draw()}, monitor);
-  result.told["drawn"] = nlohmann::ordered_json::array();
+  result.metadata["drawn"] = nlohmann::ordered_json::array();
   for (const Draw& draw : sweep.sample.over)
-    result.told["drawn"].push_back({{"quantity", draw.quantity}, {"from", draw.a}, {"to", draw.b}});
+    result.metadata["drawn"].push_back(
+        {{"quantity", draw.quantity}, {"from", draw.a}, {"to", draw.b}});
   return result;
 }
 
@@ -175,10 +176,10 @@ std::string Explorer::trace(const Options& options, Observer& monitor) {
   ObserverGroup observers;
   observers.add(monitor);
   observers.add(recorder);
-  const RunResult account =
+  const RunResult result =
       finish(run_ups_.checkpoint_before(scenario, monitor, scene.window.from_s), scenario,
              std::nullopt, observers);
-  if (account.early.interrupted) throw Interrupted();
+  if (result.early.interrupted) throw Interrupted();
   return csv;
 }
 

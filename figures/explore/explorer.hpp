@@ -17,7 +17,7 @@ namespace rotor {
 struct Picture {
   /// "summary" as `rotor run --energy --json` prints it, the "events", the columns of the tables,
   /// and where the trace begins and the mass is lost.
-  nlohmann::ordered_json told;
+  nlohmann::ordered_json metadata;
   Table motion;  ///< rows of the columns that are asked for
   Table works;   ///< time, and the works of EnergyBalance until then, J
 };

@@ -74,7 +74,7 @@ class Engine {
   }
   static val to_page(const Picture& picture) {
     val told = val::object();
-    told.set("told", picture.told.dump());
+    told.set("told", picture.metadata.dump());
     told.set("motion", array(picture.motion));
     told.set("works", array(picture.works));
     return told;

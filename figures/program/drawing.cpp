@@ -1,25 +1,19 @@
 #include "figures/program/drawing.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <spawn.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -49,29 +43,8 @@ const Format& format_of(const fs::path& out) {
   throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
 }
 
-/// The letters of a text beyond ASCII, as hexadecimal numbers.
-std::set<std::string> letters_beyond_ascii(std::string_view text) {
-  std::set<std::string> letters;
-  std::uint32_t letter = 0;
-  int more = 0;  // bytes of UTF-8
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const int leading = std::countl_one(byte);
-    if (leading == 1) {
-      letter = letter << 6U | (byte & 0x3fU);
-      if (--more == 0) letters.insert(fmt::format("{:x}", letter));
-    } else {
-      more = leading - 1;
-      letter = byte & (0x7fU >> static_cast<unsigned>(leading));
-    }
-  }
-  return letters;
-}
-
-/// The status of a program that works in a folder; its output may go to a file there. Throws
-/// where it cannot be started.
-int status_of(const std::vector<std::string>& command, const fs::path& drafts,
-              const char* output = nullptr) {
+/// The status of a program that works in a folder. Throws where it cannot be started.
+int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
   std::vector<char*> arguments;
   for (const std::string& argument : command)
     arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -79,9 +52,6 @@ int status_of(const std::vector<std::string>& command, const fs::path& drafts,
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addchdir_np(&actions, drafts.c_str());
-  if (output)
-    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output,
-                                       O_WRONLY | O_CREAT | O_TRUNC, S_IRUSR | S_IWUSR);
   pid_t child = 0;
   int status =
       ::posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
@@ -94,16 +64,6 @@ int status_of(const std::vector<std::string>& command, const fs::path& drafts,
   }
   if (is_interrupted()) throw Interrupted();
   return status;
-}
-
-/// Whether a font has all of the letters, as far as fontconfig tells.
-bool has_font_with(const std::string& letters, const fs::path& drafts) {
-  try {
-    return status_of({"fc-list", ":charset=" + letters}, drafts, "fonts") != 0 ||
-           fs::file_size(drafts / "fonts") > 0;
-  } catch (const std::system_error&) {  // it is not there
-    return true;
-  }
 }
 
 /// What gnuplot has drawn. It succeeds also where there was no room for the whole of it, and leaves
@@ -162,20 +122,6 @@ void Drawing::write(const std::string& name, std::string_view text) const {
   FileTransaction draft;
   draft.write(file(name), text);
   draft.commit();
-}
-
-/// An svg is drawn where it is looked at.
-void Drawing::require_letters(const std::string& text) const {
-  const std::set<std::string> letters = letters_beyond_ascii(text);
-  if (extension_ == ".svg" || letters.empty() ||
-      has_font_with(fmt::format("{}", fmt::join(letters, " ")), folder_))
-    return;
-  for (const std::string& letter : letters)
-    if (!has_font_with(letter, folder_))
-      throw InputError(
-          fmt::format("\"{}\": no font here has its letter U+{:0>4}, which png and pdf need; "
-                      "--out NAME.svg needs none",
-                      shown(text), letter));
 }
 
 /// Without the user's own settings, and in a locale whose letters gnuplot can write.

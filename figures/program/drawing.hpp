@@ -27,9 +27,6 @@ class Drawing {
   /// What is drawn of a title, or of the picture's name if that is empty.
   std::string heading(const std::string& title) const;
 
-  /// Throws if the picture will show a letter that no font has: it would be as high as the picture.
-  void require_letters(const std::string& text) const;
-
   /// Draws by settings and a script beside this program, and prints the picture's name.
   void finish(const std::string& settings, const std::string& script) const;
 

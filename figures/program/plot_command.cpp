@@ -47,8 +47,6 @@ void plot(const PlotOptions& options) {
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
   const Drawing drawing(options.file, options.out);
-  drawing.require_letters(drawing.heading(scene.title));
-  for (const SceneRun& run : scene.runs) drawing.require_letters(run.name);
   options.spectrum ? plot_spectrum(scene, drawing) : plot_motion(scene, drawing);
   say_which_equations(scene.runs);
 }

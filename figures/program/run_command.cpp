@@ -52,7 +52,7 @@ Scene requested_scene(const RunOptions& options) {
                                  options.scene));
   if (result.runs.size() > 1 && !options.json && (options.energy || options.estimate_error))
     throw InputError(
-        fmt::format("{}: of several runs --energy and --estimate-error are told by --json alone",
+        fmt::format("{}: of several runs --energy and --estimate-error are shown by --json alone",
                     options.scene));
   if (options.budget_s && std::none_of(result.runs.begin(), result.runs.end(),
                                        [](const SceneRun& run) { return run.digits; }))
@@ -113,7 +113,7 @@ struct Printed {
 };
 
 /// A run whose digits are made sure of.
-Printed certain_run(const RunOptions& options, const SceneRun& run) {
+Printed certified_run(const RunOptions& options, const SceneRun& run) {
   using Clock = std::chrono::steady_clock;
   const double budget_s = options.budget_s.value_or(RunOptions::usual_budget_s);
   const std::chrono::duration<double> budget(budget_s);
@@ -143,7 +143,7 @@ Printed certain_run(const RunOptions& options, const SceneRun& run) {
 
 void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows) {
   const bool is_all = options.from_s || scene.window.from_s == 0;
-  tell(fmt::format("rotor: --trace {}: {} rows of {} columns{}", shown(options.trace), rows,
+  print_message(fmt::format("rotor: --trace {}: {} rows of {} columns{}", shown(options.trace), rows,
                    scene.columns.size() + 1,
                    is_all ? ""
                           : fmt::format(", from {:.6g} s on; --from 0 writes the whole run",
@@ -194,27 +194,27 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   }
 
   // Who writes sees the whole way.
-  RunResult account = finish(
+  RunResult result = finish(
       outputs.empty() ? run_ups.checkpoint_before(scenario, progress) : RunUpCheckpoint(scenario),
       scenario, options.stop_on, observers);
-  if (account.early.interrupted) {
+  if (result.early.interrupted) {
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
-                                   account.end.last.time_s, scenario.until));
+                                   result.end.last.time_s, scenario.until));
   } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
     refuse_empty_trace(options);
   }
-  if (options.estimate_error && !account.early.interrupted) {
+  if (options.estimate_error && !result.early.interrupted) {
     RunProgress other_progress(scenario.until);
-    const double error = estimated_relative_error(scenario, account.summary, [&](double time_s) {
+    const double error = estimated_relative_error(scenario, result.summary, [&](double time_s) {
       return other_progress.goes_on({time_s, 0, 0});
     });
-    if (!is_interrupted()) account.estimated_relative_error = error;
+    if (!is_interrupted()) result.estimated_relative_error = error;
   }
   if (is_interrupted() && !options.keep_partial) throw Interrupted();
   files.commit();
   if (!options.trace.empty() && !is_standard_output(options.trace))
     say_what_is_traced(options, scene, trace ? trace->rows() : samples->rows());
-  Printed printed{to_json(account), remarks(account)};
+  Printed printed{to_json(result), remarks(result)};
   if (energy) printed.summary["energy_J"] = to_json(*energy);
   return printed;
 }
@@ -233,7 +233,7 @@ void run_rotor(const RunOptions& options) {
   const Scene scene = requested_scene(options);
   const bool one_of_many = scene.runs.size() > 1;
   auto runs = nlohmann::ordered_json::array();
-  std::vector<std::string> told, failures;
+  std::vector<std::string> messages, failures;
   RunUps run_ups;
   for (const SceneRun& run : scene.runs) {
     const auto of_run = [&](const std::string& sentence) {
@@ -243,7 +243,7 @@ void run_rotor(const RunOptions& options) {
     alone.runs = {run};
     Printed printed;
     try {
-      printed = run.digits ? certain_run(options, run) : run_one(options, alone, run_ups);
+      printed = run.digits ? certified_run(options, run) : run_one(options, alone, run_ups);
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // which leaves the other runs what they are
@@ -252,14 +252,14 @@ void run_rotor(const RunOptions& options) {
     }
     for (const Remark& remark : printed.remarks)  // of which a table has none
       if (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json))
-        told.push_back(of_run(remark.sentence));
+        messages.push_back(of_run(remark.sentence));
     if (!printed.short_of_digits.empty()) failures.push_back(of_run(printed.short_of_digits));
     nlohmann::ordered_json row;
     if (one_of_many) row["run"] = run.name;
     row.update(printed.summary);
     runs.push_back(row);
     if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
-      told.push_back(of_run(
+      messages.push_back(of_run(
           fmt::format("cut short at {} s by an interruption{}", cut->get<double>(),
                       &run == &scene.runs.back() ? "" : "; those behind it have not begun")));
       break;
@@ -272,7 +272,7 @@ void run_rotor(const RunOptions& options) {
     print_summaries(runs, options.json, to);
   else if (!runs.empty())
     print_summary(runs.front(), options.json, to);
-  for (const std::string& message : told) print_message("rotor: " + message);
+  for (const std::string& message : messages) print_message("rotor: " + message);
   if (!runs.empty()) say_which_equations(scene.runs);
   for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
   if (!failures.empty()) throw std::runtime_error(failures.back());

@@ -9,7 +9,7 @@
 #include "figures/data/interruption.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/record/sampler.hpp"
+#include "figures/record/recorder.hpp"
 #include "figures/runs/observer_group.hpp"
 
 namespace rotor {

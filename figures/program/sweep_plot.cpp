@@ -44,7 +44,8 @@ std::string settings_of(const char* letter, const Axis& axis, long stride) {
       listed += fmt::format("{}'{:.4g}' {}", n > 0 ? ", " : "", (*values)[n], n);
   const auto* const range = std::get_if<Range>(&axis.values);
   return fmt::format(
-      "{0}_key = '{1}'; {0}_name = '{2}'; {0}_points = {3}; {0}_stride = {4}; {0}_log = {5}; {0}_tics "
+      "{0}_key = '{1}'; {0}_name = '{2}'; {0}_points = {3}; {0}_stride = {4}; {0}_log = {5}; "
+      "{0}_tics "
       "= "
       "\"{6}\"\n",
       letter, axis.quantity, text, axis.points(), stride, range && range->logarithmic ? 1 : 0,
@@ -114,7 +115,6 @@ void plot_sweep(const PlotOptions& options) {
   const std::string heading = drawing.heading(sweep.title);
   const std::string settings = settings_of(sweep) + settings_of_result(options.column, sweep) +
                                fmt::format("heading = {}; data = ", numbered(heading));
-  drawing.require_letters(heading);
   if (!has_results) {
     results = drawing.file("sweep.csv");
     try {

@@ -111,7 +111,7 @@ std::string rounded_to(double value, int digits) {
   return text;
 }
 
-std::string certain_text(double value, double error, int digits) {
+std::string certified_text(double value, double error, int digits) {
   if (error == 0) return fmt::format("{}", value);
   for (; digits > 0; --digits) {
     const auto rounded = [&](double number) { return rounded_to(number, digits); };
@@ -124,7 +124,7 @@ std::string text_of(const Json& value, int digits) {
   if (value.is_null()) return "-";
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
   if (!value.is_object() || !value.contains("error")) return value.dump();
-  return certain_text(value["value"].get<double>(), value["error"].get<double>(), digits);
+  return certified_text(value["value"].get<double>(), value["error"].get<double>(), digits);
 }
 
 int asked_digits(const Json& summary) {

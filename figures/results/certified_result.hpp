@@ -36,7 +36,7 @@ std::string rounded_to(double value, int digits);
 inline constexpr std::string_view no_sure_digit = "?";
 
 /// So many digits of a number at most as it has whatever it is within its error.
-std::string certain_text(double value, double error, int digits);
+std::string certified_text(double value, double error, int digits);
 
 /// A value of a summary as text, "-" if there is none: if it has an error, its sure digits; other
 /// numbers have six.

@@ -37,17 +37,17 @@ Json one_of(const Names& names) {
   return {{"type", "string"}, {"enum", names}};
 }
 
-Json remarks_of(const RunResult& account) {
+Json remarks_of(const RunResult& result) {
   Json sentences = Json::array();
-  for (const Remark& remark : remarks(account)) sentences.push_back(remark.sentence);
+  for (const Remark& remark : remarks(result)) sentences.push_back(remark.sentence);
   return sentences;
 }
 
-Json inputs_of(const RunResult& account) {
+Json inputs_of(const RunResult& result) {
   Json inputs;
   for (const Quantity& quantity : quantities())
-    inputs[std::string(quantity.name)] = quantity.of(account.scenario);
-  inputs["no_mass_loss"] = !account.scenario.parameters.loses_mass;
+    inputs[std::string(quantity.name)] = quantity.of(result.scenario);
+  inputs["no_mass_loss"] = !result.scenario.parameters.loses_mass;
   return inputs;
 }
 
@@ -139,15 +139,13 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
   return {scenario, summary.summary(), end, {stop_on, stop_reached, end.stopped && !stop_reached}};
 }
 
-Json to_json(const RunResult& account) {
+Json to_json(const RunResult& result) {
   Json json;
   for (const auto& field : summary_fields<double>)
-    std::visit(
-        [&](auto member) { json[std::string(field.key)] = json_of(account.summary.*member); },
-        field.value);
-  for (const Circumstance& said : circumstances())
-    json[std::string(said.key)] = said.value(account);
-  if (account.early.interrupted) json["cut_short_at_s"] = account.summary.final_time_s;
+    std::visit([&](auto member) { json[std::string(field.key)] = json_of(result.summary.*member); },
+               field.value);
+  for (const Circumstance& said : circumstances()) json[std::string(said.key)] = said.value(result);
+  if (result.early.interrupted) json["cut_short_at_s"] = result.summary.final_time_s;
   return json;
 }
 
@@ -222,11 +220,11 @@ Json to_json(const EnergyObserver& energy) {
   return json;
 }
 
-std::vector<Remark> remarks(const RunResult& account) {
+std::vector<Remark> remarks(const RunResult& result) {
   using Of = Remark::Of;
-  const Summary& summary = account.summary;
-  const EarlyEnd& early = account.early;
-  const Parameters& p = account.scenario.parameters;
+  const Summary& summary = result.summary;
+  const EarlyEnd& early = result.early;
+  const Parameters& p = result.scenario.parameters;
   std::vector<Remark> all;
   if (summary.lost_mass_kg == 0.)
     all.push_back({fmt::format("no mass is lost: unbalance_factor = {} times eccentricity = {} m "
@@ -238,17 +236,17 @@ std::vector<Remark> remarks(const RunResult& account) {
                                p.mass_loss_time, summary.final_time_s),
                    Of::missed_goal});
   if (early.stop_on && !early.stop_reached) {
-    const bool spins_freely = early.stop_on == StopOn::rest && !account.end.last.touches();
+    const bool spins_freely = early.stop_on == StopOn::rest && !result.end.last.touches();
     all.push_back(
         {fmt::format("{}, at which the run was to stop, was not reached until {:.6g} s{}",
                      name_of(*early.stop_on), summary.final_time_s,
-                     !spins_freely               ? ""
-                     : account.end.last.motor_on ? "; the motor still drives"
-                                                 : "; out of contact nothing but the "
-                                                   "damping of its whirl brakes the rotor"),
+                     !spins_freely              ? ""
+                     : result.end.last.motor_on ? "; the motor still drives"
+                                                : "; out of contact nothing but the "
+                                                  "damping of its whirl brakes the rotor"),
          Of::missed_goal});
   }
-  if (const double start = account.scenario.start_speed_Hz;
+  if (const double start = result.scenario.start_speed_Hz;
       start > 0 && start < p.motor_off_Hz && p.torque > 0)
     all.push_back(
         {fmt::format("the motor still drives at start_speed_hz = {} Hz, until "
@@ -260,11 +258,11 @@ std::vector<Remark> remarks(const RunResult& account) {
   // In half a period of the contact; with ten of them the largest force errs by about 1 %.
   constexpr double few_steps = 10;
   const double steps =
-      std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness) / account.scenario.step_rub;
-  if (account.scenario.method == Method::rk4 && summary.touch_downs > 0 && steps < few_steps)
+      std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness) / result.scenario.step_rub;
+  if (result.scenario.method == Method::rk4 && summary.touch_downs > 0 && steps < few_steps)
     all.push_back({fmt::format("a contact lasts about {:.2g} steps of step_rub = {} s: the "
                                "published method needs {} or more",
-                               steps, account.scenario.step_rub, few_steps),
+                               steps, result.scenario.step_rub, few_steps),
                    Of::limit});
   // The contact is linear and the ring round: both want indentations that are small.
   constexpr double large = 0.1;

@@ -35,7 +35,7 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
                  Observer& others);
 
 /// What has not happened is null.
-nlohmann::ordered_json to_json(const RunResult& account);
+nlohmann::ordered_json to_json(const RunResult& result);
 nlohmann::ordered_json to_json(const EnergyObserver& energy);
 
 /// The JSON schema of what `rotor run --json` prints: each key, what it means, and its values.
@@ -47,6 +47,6 @@ struct Remark {
   std::string sentence;
   enum class Of { circumstances, missed_goal, limit } of = Of::circumstances;
 };
-std::vector<Remark> remarks(const RunResult& account);
+std::vector<Remark> remarks(const RunResult& result);
 
 }  // namespace rotor

@@ -107,10 +107,10 @@ std::string SweepRows::operator()(long n) {
              limits(result_of(*found, scenario)) + ',' + csv_field(complaint(*found, *digits)) +
              '\n';
     }
-    const RunResult account =
+    const RunResult result =
         finish(run_ups_.checkpoint_before(scenario, monitor), scenario, sweep_.stop_on, monitor);
-    if (account.early.interrupted) throw Interrupted();
-    return row + cells(to_json(account), scenario, columns_of(sweep_)) + limits(account) + ",\n";
+    if (result.early.interrupted) throw Interrupted();
+    return row + cells(to_json(result), scenario, columns_of(sweep_)) + limits(result) + ",\n";
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {

@@ -146,10 +146,14 @@ Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
   BasicInstant<S> start = start_of<S>(scenario);
   MassLoss<S> loss(scenario.parameters);
   settings.disturbance.disturb(rotor, start, loss);
-  EventMethod<S, Stepper> method(rotor, settings.tolerance, start);
-  method.shorten_first_steps(settings.first_steps);
-  method.disturb_touch_downs(settings.disturbance.at_touch_downs());
-  if (scenario.mass_loss_speed_Hz > 0) loss.time_s = time_at_speed(method, scenario, goes_on);
+  const auto at_start = [&] {
+    EventMethod<S, Stepper> method(rotor, settings.tolerance, start);
+    method.shorten_first_steps(settings.first_steps);
+    method.disturb_touch_downs(settings.disturbance.at_touch_downs());
+    return method;
+  };
+  if (scenario.mass_loss_speed_Hz > 0) loss.time_s = time_at_speed(at_start(), scenario, goes_on);
+  EventMethod<S, Stepper> method = at_start();
   observer.on_instant(start);
   finish(method, scenario, loss, observer);
   Computation<S> result = observer.course;

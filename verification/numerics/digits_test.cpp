@@ -161,7 +161,7 @@ RC_GTEST_PROP(ManyDigits, ArePrintedAsFarAsTheyAreSure, ()) {
   const int digits = *rc::gen::inRange(1, 13);
   const auto least = [&](int n) { return rounded_to(value - error, n); };
   const auto greatest = [&](int n) { return rounded_to(value + error, n); };
-  const std::string printed = certain_text(value, error, digits);
+  const std::string printed = certified_text(value, error, digits);
   int sure = 0;  // from the first digit that is not zero on, trailing zeros among them
   if (printed != no_sure_digit)
     for (const char c : printed.substr(0, printed.find('e')))

@@ -19,7 +19,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class Units : public testing::TestWithParam<Case> {
  protected:
-  static RunResult account(const Scenario& scenario, std::optional<StopOn> stop_on) {
+  static RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
     Observer null_observer;
     return finish(RunUpCheckpoint(scenario), scenario, stop_on, null_observer);
   }
@@ -31,8 +31,8 @@ TEST_P(Units, ChangeNothingThatIsSaidOfARun) {
   GetParam().change(scenario);
   for (const std::optional<StopOn> stop_on :
        {std::optional<StopOn>(), std::optional(StopOn::outcome), std::optional(StopOn::rolling)}) {
-    const RunResult here = account(scenario, stop_on),
-                    there = account(in_other_units(scenario), stop_on);
+    const RunResult here = result(scenario, stop_on),
+                    there = result(in_other_units(scenario), stop_on);
     if (!stop_on) {
       EXPECT_EQ(here.summary.outcome, GetParam().outcome);
     }

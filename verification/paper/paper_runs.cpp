@@ -103,10 +103,10 @@ class PaperWatch : public Observer {
 PaperRun::PaperRun(const Scenario& scenario, RunUps& run_ups) : scenario_(scenario) {
   PaperWatch watch(*this);
   Observer null_observer;
-  const RunResult account =
+  const RunResult result =
       finish(run_ups.checkpoint_before(scenario, null_observer), scenario, std::nullopt, watch);
-  summary_ = account.summary;
-  last_ = account.end.last;
+  summary_ = result.summary;
+  last_ = result.end.last;
 }
 
 std::size_t PaperRun::touch_downs_before_rolling() const {

@@ -40,7 +40,7 @@ Json findings(Json summary) {
 // To the bit, though runs share what they can.
 TEST_F(Explore, SaysWhatRotorRunSays) {
   const auto summary = [&](const Options& options) {
-    return findings(explorer_.run(options, null_observer_).told["summary"]);
+    return findings(explorer_.run(options, null_observer_).metadata["summary"]);
   };
   const auto printed = [&](const std::string& arguments) {
     return findings(Json::parse(rotor("run --json" + arguments + " 2>/dev/null").output));
@@ -99,12 +99,12 @@ TEST_F(Explore, SavesTheTraceThatRotorRunWrites) {
 // The works of the balance, as far as the run has got: at its end they are those of the summary.
 TEST_F(Explore, TellsHowTheWorksGrow) {
   const Picture picture = explorer_.run({}, null_observer_);
-  const Json& energy = picture.told["summary"]["energy_J"]["until_end"];
-  EXPECT_GE(picture.works.row(0)[0], picture.told["from_s"]);  // not from the start of the run
-  EXPECT_LE(picture.works.row(0)[0], picture.told["mass_loss_s"]);
+  const Json& energy = picture.metadata["summary"]["energy_J"]["until_end"];
+  EXPECT_GE(picture.works.row(0)[0], picture.metadata["from_s"]);  // not from the start of the run
+  EXPECT_LE(picture.works.row(0)[0], picture.metadata["mass_loss_s"]);
   const auto last = picture.works.row(picture.works.rows() - 1);
   for (std::size_t i = 1; i < picture.works.columns(); ++i)
-    EXPECT_EQ(last[i], energy[picture.told["works"][i].get<std::string>()]) << i;
+    EXPECT_EQ(last[i], energy[picture.metadata["works"][i].get<std::string>()]) << i;
   double friction = 0;
   for (std::size_t i = 0; i < picture.works.rows(); ++i) {
     EXPECT_LE(picture.works.row(i)[5], friction);  // it only takes
@@ -145,13 +145,13 @@ TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
   std::set<double> losses;
   for (long n = 0; n < 3; ++n) {
     const Picture draw = explorer_.draw(options, n, 3, null_observer_);
-    const double loss_s = draw.told["mass_loss_s"];
+    const double loss_s = draw.metadata["mass_loss_s"];
     losses.insert(loss_s);
     constexpr double rounding = 1e-9;
-    EXPECT_NEAR(draw.told["from_s"].get<double>() - loss_s, -0.02, rounding);
-    EXPECT_NEAR(draw.told["until_s"].get<double>() - loss_s, 0.02, rounding);
-    EXPECT_EQ(draw.told["summary"]["inputs"]["tolerance"], 1e-8);
-    EXPECT_EQ(draw.told["drawn"].size(), drawn({}).size());
+    EXPECT_NEAR(draw.metadata["from_s"].get<double>() - loss_s, -0.02, rounding);
+    EXPECT_NEAR(draw.metadata["until_s"].get<double>() - loss_s, 0.02, rounding);
+    EXPECT_EQ(draw.metadata["summary"]["inputs"]["tolerance"], 1e-8);
+    EXPECT_EQ(draw.metadata["drawn"].size(), drawn({}).size());
   }
   EXPECT_EQ(losses.size(), 3U);
 }
@@ -159,7 +159,7 @@ TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
 // The page's scripts read no column of the motion and no key of the summary that there is not.
 TEST_F(Explore, ReadsNothingOfARunThatThereIsNot) {
   const Picture picture = explorer_.run({{"friction", "0.2"}}, null_observer_);
-  const Json& motion = picture.told["motion"];
+  const Json& motion = picture.metadata["motion"];
   for (const auto& entry : fs::directory_iterator(ROTOR_SOURCES "/figures/explore/page")) {
     std::ifstream stream(entry.path());
     const std::string script{std::istreambuf_iterator<char>(stream), {}};
@@ -170,7 +170,7 @@ TEST_F(Explore, ReadsNothingOfARunThatThereIsNot) {
       const bool is_column = (*found)[1] == "motion";
       EXPECT_TRUE(is_column ? std::ranges::find(motion, Json(name)) != motion.end()
                             : name.find('_') == std::string::npos ||
-                                  picture.told["summary"].contains(name))
+                                  picture.metadata["summary"].contains(name))
           << entry << name;
     }
   }

@@ -104,29 +104,5 @@ TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
   EXPECT_EQ(files(), 2);
 }
 
-// What has no picture of a letter draws a box as high as all panels for it. SVG leaves the font to
-// those who show it.
-TEST_F(Gnuplot, IsGivenNoLettersThatNoFontHas) {
-  const auto plot = [&](const std::string& letter, const std::string& picture) {
-    write("scene.toml",
-          "title = \"a\"\n[parameters]\nequations = \"published\"\nstart_speed_hz = 150\nuntil = "
-          "0.03\n[[run]]\n"
-          "name = \"" +
-              letter + "\"\n");
-    return rotor("plot scene.toml --out " + picture).output;
-  };
-  const std::string greek = "Läuft: µ, ρ, 100 €", unassigned = "\xf4\x8f\xbf\xbd";
-  EXPECT_EQ(plot(greek, "a.png"), "a.png\n");
-  EXPECT_EQ(plot(unassigned, "a.svg"), "a.svg\n");
-  for (const char* name : {"b.png", "b.pdf"})
-    EXPECT_NE(plot(unassigned, name).find("no font here has its letter U+10fffd"),
-              std::string::npos);
-  // Where the fonts cannot be listed, the picture is drawn.
-  const Outcome unknown = shell(
-      "mkdir programs && ln -s \"$(command -v gnuplot)\" programs && "
-      "PATH=$PWD/programs \"$rotor\" plot scene.toml --out b.png");
-  EXPECT_EQ(unknown.output, "b.png\n");
-}
-
 }  // namespace
 }  // namespace rotor

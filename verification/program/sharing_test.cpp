@@ -70,10 +70,10 @@ TEST(RunUps, ForgetTheWayThatWasInterrupted) {
   const RunUpCheckpoint stopped = run_ups.checkpoint_before(scenario, monitor);
   ASSERT_TRUE(stopped.simulation.stopped());
   // It does not continue, and says that it was cut short.
-  const RunResult account = finish(stopped, scenario, StopOn::rolling, monitor);
-  EXPECT_EQ(account.end.last.time_s, stopped.simulation.instant().time_s);
-  EXPECT_TRUE(account.early.interrupted);
-  EXPECT_FALSE(account.early.stop_reached);
+  const RunResult result = finish(stopped, scenario, StopOn::rolling, monitor);
+  EXPECT_EQ(result.end.last.time_s, stopped.simulation.instant().time_s);
+  EXPECT_TRUE(result.early.interrupted);
+  EXPECT_FALSE(result.early.stop_reached);
   Observer null_observer;
   EXPECT_EQ(finished(run_ups.checkpoint_before(scenario, null_observer), scenario),
             finished(RunUpCheckpoint(scenario), scenario));

@@ -22,7 +22,7 @@ struct Frame {
 
 std::vector<Frame> frames_of(const Picture& picture) {
   std::map<std::string, std::size_t> column;
-  for (const auto& name : picture.told["motion"]) column.emplace(name, column.size());
+  for (const auto& name : picture.metadata["motion"]) column.emplace(name, column.size());
   std::vector<Frame> frames;
   for (std::size_t n = 0; n < picture.motion.rows(); ++n) {
     const auto at = [&](const char* name) { return picture.motion.row(n)[column.at(name)]; };

@@ -95,12 +95,12 @@ Json runs_json() {
     for (Options options : cases) {
       if (set.equations != Equations::published) options["equations"] = set.name;
       const Picture picture = explorer.run(options, nobody, closeness);
-      Json run = picture.told;
+      Json run = picture.metadata;
       const double until_s = std::min(run["until_s"].get<double>(), last_change_s(run) + kept_s);
       run["until_s"] = until_s;
       run["options"] = options;
-      run["motion"] = quantised(picture.motion, picture.told["motion"], until_s);
-      run["works"] = quantised(thinned(picture.works), picture.told["works"], until_s);
+      run["motion"] = quantised(picture.motion, picture.metadata["motion"], until_s);
+      run["works"] = quantised(thinned(picture.works), picture.metadata["works"], until_s);
       for (Json& event : run["events"])
         event = {{"event", event["event"]},
                  {"time_s", event["time_s"]},

@@ -35,7 +35,7 @@ std::string falsehood(const Comparison& found, int digits, const KnownValues& kn
     if (off > error) text += fmt::format("{} is {:.2e} off, not {:.2e}; ", name, off, error);
     if (has_all && off > 0.5 * std::pow(10, -digits) * value.size)
       text += name + " has not the digits; ";
-    const std::string printed = certain_text(number, error, digits);
+    const std::string printed = certified_text(number, error, digits);
     if (error == 0 || printed == "?") return;
     bool is_true = false;
     for (int n = digits; n > 0; --n)
