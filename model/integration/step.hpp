@@ -153,26 +153,23 @@ class Step {
   std::optional<Point> crossing(const Value& value, const ValueAndSlope<S>& from,
                                 const ValueAndSlope<S>& until,
                                 const std::optional<S>& curvature = std::nullopt) {
-    using std::abs;
     const auto first_on = [&](const auto& on, const std::optional<S>& bound) {
       return first_crossing(from, until, look_ahead(), bound,
                             [&](const S& time) { return observe(value, on, time); });
     };
-    const auto polish = [&](const Point& near) {
-      return near.time == 0 ? near : polished(near, value, from.time, until.time);
+    const auto found = [&](const S& time) -> Point {
+      if (time == 0) return start_;
+      return polished(step(start_, time), value, from.time, until.time);
     };
     // The curve through both ends says nearly where a crossing is that must be there, and the curve
     // through the point there as well, which is the first.
     if (until.value < 0)
-      if (const auto near = first_on(curve(start_, end_), std::nullopt); near && is_inside(*near)) {
-        const Point there = step(start_, *near);
-        if (const auto time = first_on(curve(start_, there, end_), curvature))
-          return polish(abs(*time - *near) > look_ahead() ? step(start_, *time) : there);
-      }
+      if (const auto near = first_on(curve(start_, end_), std::nullopt); near && is_inside(*near))
+        if (const auto time = first_on(curve(start_, step(start_, *near), end_), curvature))
+          return found(*time);
     // Any other is looked for on the dense output, which costs two steps.
     const auto time = first_on([this](const S& at) { return dense_output()(at); }, curvature);
-    if (!time) return std::nullopt;
-    return polish(*time == 0 ? start_ : step(start_, *time));
+    return time ? std::optional(found(*time)) : std::nullopt;
   }
 
   /// Where value(x) becomes negative between two times at which it is positive and negative. If it
