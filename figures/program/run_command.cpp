@@ -143,11 +143,12 @@ Printed certified_run(const RunOptions& options, const SceneRun& run) {
 
 void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows) {
   const bool is_all = options.from_s || scene.window.from_s == 0;
-  print_message(fmt::format("rotor: --trace {}: {} rows of {} columns{}", shown(options.trace), rows,
-                   scene.columns.size() + 1,
-                   is_all ? ""
-                          : fmt::format(", from {:.6g} s on; --from 0 writes the whole run",
-                                        scene.window.from_s)));
+  print_message(fmt::format(
+      "rotor: --trace {}: {} rows of {} columns{}", shown(options.trace), rows,
+      scene.columns.size() + 1,
+      is_all
+          ? ""
+          : fmt::format(", from {:.6g} s on; --from 0 writes the whole run", scene.window.from_s)));
 }
 
 /// The one run of a scene, with what it writes.

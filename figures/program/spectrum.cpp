@@ -10,7 +10,7 @@
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
 #include "figures/record/recorder.hpp"
-#include "figures/runs/observer_group.hpp"
+#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
