@@ -13,8 +13,10 @@ set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("
 set label beside("largest ρ", sprintf("%.3f mm at %.4f s: %s", rho_max_y, rho_pos_max_y, contact("run", rho_max_y)), \
   "no contact") at graph 0.97,0.75 right boxed front
 # What the clearance's printed digits allow is far wider than the margin by which the rotor stays clear.
-allowed(field) = real(system(sprintf("awk -F, '$1 == \"clearance\" { print 1e3*$%d }' reference-data/printed-inputs.csv", field)))
-set object 1 rectangle from graph 0,first allowed(4) to graph 1,graph 1 fillcolor rgb "#ece5d5" fillstyle solid noborder behind
-set label sprintf("shaded: clearances that print the same, %g to %g mm", allowed(4), allowed(5)) at graph 0.97,first allowed(4) right offset 0,0.8
+half_digit = 0.5    # mm: r_a and r are printed to a millimetre
+least = clearance_of("run") - half_digit
+set object 1 rectangle from graph 0,first least to graph 1,graph 1 fillcolor rgb "#ece5d5" fillstyle solid noborder behind
+set label sprintf("shaded: clearances that print the same, %g to %g mm", least, least + 2*half_digit) \
+  at graph 0.97,first least right offset 0,0.8
 plot data using "time_s":(column("rho_m")*1e3) with lines linetype 1 notitle \
   @digitised
