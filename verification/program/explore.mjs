@@ -35,10 +35,8 @@ page.on("request", (request) =>
 const address = pathToFileURL(page_file).href;
 const text = (id) => page.textContent(`#${id}`);
 /// Until the pictures are those of the setting that the address states.
-const shown = async () => {
-  await page.waitForTimeout(400); // until the address is that of the setting
-  await page.waitForFunction(() => document.body.dataset.shows === location.hash.split("/")[0].replace(/^#?/, "#"), null, { timeout: 60_000 });
-};
+const shown = () => page.waitForFunction(
+  () => document.body.dataset.shows === location.hash.split("/")[0].replace(/^#?/, "#"), null, { timeout: 60_000 });
 const summary = async () => JSON.parse(await text("summary"));
 async function set(options) {
   const hash = "#" + new URLSearchParams(options);

@@ -87,6 +87,7 @@ function show(answer) {
   map.show({ set: setOf(options) ?? "published", speed_Hz: picture.summary.speed_at_mass_loss_Hz ?? picture.summary.final_speed_Hz,
     friction: picture.summary.inputs.friction });
   goTo(time_s);
+  keepView();
 }
 
 /// From just before the loss until some time after the last moment of the story.
@@ -130,8 +131,8 @@ function say(text, why = "") {
 
 function use(wanted) {
   options = wanted;
+  history.replaceState(null, "", addressOf(options)); // the view follows with the pictures
   refresh();
-  keepView();
 }
 
 /// States an option by its text, or removes it; another option for the same quantity is removed.
