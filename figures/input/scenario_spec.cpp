@@ -52,7 +52,7 @@ void state_lost_mass(Parameters& p, double lost_mass) {
     throw InputError(
         fmt::format("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass));
   p.lost_mass = lost_mass;
-  p.unbalance_factor = MassLoss<double>::unbalance_factor(p);
+  p.unbalance_factor = lost_mass > 0 ? MassLoss<double>::unbalance_factor(p) : 1;
 }
 
 /// The time between the mass loss and the end of a run that states none.

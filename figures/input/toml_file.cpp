@@ -11,9 +11,28 @@
 #include "figures/data/text.hpp"
 
 namespace rotor {
+namespace {
+
+/// The line with a key of more parts than the parser's recursion survives; 0 if there is none.
+long line_with_a_deep_key(const std::string& text) {
+  constexpr int most = 200;
+  int dots = 0;
+  const auto is_deep = [&](char c) {
+    dots = c == '.' ? dots + 1 : c == '=' || c == ',' || c == '\n' ? 0 : dots;
+    return dots > most;
+  };
+  const auto at = std::ranges::find_if(text, is_deep);
+  return at == text.end() ? 0 : 1 + std::count(text.begin(), at, '\n');
+}
+
+}  // namespace
+
 TomlFile::TomlFile(std::filesystem::path file) : file_(std::move(file)) {
+  const std::string text = content();
+  if (const long line = line_with_a_deep_key(text); line > 0)
+    throw InputError(fmt::format("{}:{}: a key has more than 200 parts", file_.string(), line));
   try {
-    root_ = toml::parse(content(), file_.string());
+    root_ = toml::parse(text, file_.string());
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", file_.string(), error.source().begin.line,
                                  one_line(error.description())));

@@ -49,6 +49,7 @@ class FigureFolder {
   explicit FigureFolder(Equations equations)
       : path_(std::filesystem::temp_directory_path() /
               fmt::format("rotor-figures-{}-{}", ::getpid(), name_of(equations))) {
+    std::filesystem::create_directory(path_);
     const std::string command = fmt::format("'{}' figure --out '{}' --equations {} >/dev/null 2>&1",
                                             ROTOR_PROGRAM, path_.string(), name_of(equations));
     if (std::system(command.c_str()) != 0) throw std::runtime_error(command);
