@@ -71,7 +71,6 @@ class BalanceObserver : public Observer {
   /// Kinetic energy, springs of supports and contact, and gravity as far as it has a potential.
   Contents contents(const Instant& at) const {
     const Motion<double> m = at.motion();
-    const double rho = m.displacement.norm();
     const double indentation =
         at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
     double energy = kinetic_energy(at.body, m) + supports_.springs.energy(m.displacement) +
