@@ -53,7 +53,10 @@ TEST(Reasons, FailAsOftenAsTheTableSays) {
 }
 
 TEST(Reasons, HaveTheStandardErrorOfACount) {
-  EXPECT_NEAR((Trial{.pairs = 200, .apply = 100, .violate = 20}).standard_error(), 0.04, 1e-15);
+  Trial trial;
+  trial.apply = 100;
+  trial.violate = 20;
+  EXPECT_NEAR(trial.standard_error(), 0.04, 1e-15);
 }
 
 // Where two reasons are about the same pairs, as many forces in rolling are compared as rotors that
