@@ -53,7 +53,7 @@ LINT_PACKAGES  := clang-format clang-tidy python3
 # The program that makes wrong changes is written in Python, with nothing but its own library.
 MUTANTS_PACKAGES := python3
 # Another compiler; another processor, with a program that runs its programs here.
-CLANG_PACKAGES    := clang
+CLANG_PACKAGES    := clang libclang-rt-dev
 PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
 # A browser that checks the reviewer's page, Node.js to drive it, and a dictionary for its words. Node.js
 # of other makers brings npm along, and does not bear Debian's.
