@@ -11,7 +11,7 @@ BUILD     := build
 SCENES    := $(sort $(wildcard figures/paper/fig[0-9][0-9].toml))
 FIGURES   := $(SCENES:figures/paper/%.toml=%)
 
-# Another compiler builds in a folder of its own: make verify CXX=clang++
+# Another compiler builds in its own folder: make verify CXX=clang++
 ifneq ($(origin CXX),default)
   BUILD := build/$(notdir $(lastword $(filter-out -%,$(CXX))))
   export CXX
@@ -168,7 +168,7 @@ figures/paper/%.gp:
 	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))
 
 # Maps of outcomes over two quantities. Coarser ones stand in a folder of their own. A sweep that was
-# stopped goes on where it was.
+# stopped resumes where it was.
 MAPS         := $(filter-out rounding,$(patsubst figures/maps/%.toml,%,$(wildcard figures/maps/*.toml)))
 MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
 MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
@@ -204,7 +204,7 @@ claim: build ## all that is known of one claim of the paper's text: make claim I
 	$(call build-target,report-numbers)
 	@$(BUILD)/report-numbers reference-data claim "$(ID)"
 
-# Both sets of equations are drawn, each by a make of its own.
+# Each set of equations is drawn by its own make.
 report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## the reviewer's page: build/report/index.html, one file that needs no network
 	$(call build-target,report-page report-numbers)
 	@for set in published consistent; do \

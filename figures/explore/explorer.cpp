@@ -16,7 +16,7 @@
 namespace rotor {
 namespace {
 
-/// Before the mass loss a picture shows so many seconds, unless it is told where to begin.
+/// Before the mass loss a picture shows so many seconds, unless a beginning is given.
 constexpr double shown_before_loss_s = 0.02;
 
 /// Draws need but the digits that are printed, and less of their curves.

@@ -16,13 +16,13 @@ using emscripten::val;
 /// that is not wanted any more ends with its worker.
 class PageMonitor : public Observer {
  public:
-  explicit PageMonitor(val tell) : tell_(std::move(tell)) {}
+  explicit PageMonitor(val on_progress) : on_progress_(std::move(on_progress)) {}
 
   bool goes_on(const Progress& now) override {
     constexpr long seldom = 256;  // a clock takes as long as a small part of a step
     if (++steps_ % seldom == 0 && emscripten_get_now() >= next_ms_) {
       next_ms_ = emscripten_get_now() + every_ms;
-      tell_(now.time_s);
+      on_progress_(now.time_s);
     }
     return true;
   }
@@ -30,7 +30,7 @@ class PageMonitor : public Observer {
  private:
   static constexpr double every_ms = 250;
 
-  val tell_;
+  val on_progress_;
   long steps_ = 0;
   double next_ms_ = emscripten_get_now() + every_ms;
 };
@@ -45,20 +45,21 @@ class Engine {
  public:
   explicit Engine(const std::string& printed_inputs) : explorer_(rows(printed_inputs)) {}
 
-  val run(const std::string& options, val tell) {
-    return answer(
-        tell, [&](Observer& monitor) { return to_page(explorer_.run(read(options), monitor)); });
+  val run(const std::string& options, val on_progress) {
+    return answer(on_progress, [&](Observer& monitor) {
+      return to_page(explorer_.run(read(options), monitor));
+    });
   }
-  val draw(const std::string& options, int n, int count, val tell) {
-    return answer(tell, [&](Observer& monitor) {
+  val draw(const std::string& options, int n, int count, val on_progress) {
+    return answer(on_progress, [&](Observer& monitor) {
       return to_page(explorer_.draw(read(options), n, count, monitor));
     });
   }
-  val trace(const std::string& options, val tell) {
-    return answer(tell, [&](Observer& monitor) {
-      val told = val::object();
-      told.set("csv", explorer_.trace(read(options), monitor));
-      return told;
+  val trace(const std::string& options, val on_progress) {
+    return answer(on_progress, [&](Observer& monitor) {
+      val result = val::object();
+      result.set("csv", explorer_.trace(read(options), monitor));
+      return result;
     });
   }
 
@@ -73,16 +74,16 @@ class Engine {
     return nlohmann::json::parse(options).get<Options>();
   }
   static val to_page(const Picture& picture) {
-    val told = val::object();
-    told.set("told", picture.metadata.dump());
-    told.set("motion", array(picture.motion));
-    told.set("works", array(picture.works));
-    return told;
+    val result = val::object();
+    result.set("metadata", picture.metadata.dump());
+    result.set("motion", array(picture.motion));
+    result.set("works", array(picture.works));
+    return result;
   }
   /// What is refused is an answer as well.
   template <class Action>
-  static val answer(const val& tell, const Action& action) {
-    PageMonitor monitor(tell);
+  static val answer(const val& on_progress, const Action& action) {
+    PageMonitor monitor(on_progress);
     try {
       return action(monitor);
     } catch (const std::exception& error) {

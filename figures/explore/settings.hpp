@@ -27,7 +27,7 @@ Settings settings_of(const Options& options);
 
 /// The same settings with their printed inputs drawn from what the printed digits allow: the rows
 /// of reference-data/printed-inputs.csv whose printed value is the one in effect. What somebody has
-/// set to another value is meant as it stands.
+/// set to another value is meant literally.
 Sweep over_printed_digits(const ScenarioSpec& spec, const std::vector<CsvRow>& printed_inputs,
                           long count);
 

@@ -185,7 +185,7 @@ std::vector<const Column*> parse_columns(const std::vector<std::string>& names) 
                                    suggestion(name, allowed), fmt::join(allowed, ", ")));
     }
     if (std::find(columns.begin(), columns.end(), column) != columns.end())
-      throw InputError(fmt::format("column \"{}\" stands twice", name));
+      throw InputError(fmt::format("duplicate column \"{}\"", name));
     columns.push_back(column);
   }
   return columns;

@@ -33,7 +33,7 @@ struct Scene {
   std::filesystem::path file{};  ///< that states it, if one does
 };
 
-/// What stands above a scene file.
+/// The lines above a scene file.
 struct Overrides {
   ScenarioSpec of_parameters;  ///< but not what a [[run]] states itself
   ScenarioSpec of_runs;

@@ -1,4 +1,4 @@
-/// A TOML file that knows where in it a mistake stands.
+/// A TOML file that knows the line of a mistake.
 #pragma once
 
 #include <toml++/toml.h>

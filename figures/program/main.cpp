@@ -277,7 +277,7 @@ std::string about_extras(const CLI::App& app) {
 }
 
 /// Files must not be opened in the place of standard streams that were closed: what is printed
-/// would end in them. What stands there instead cannot be written.
+/// would end in them. What takes their place cannot be written.
 void occupy_standard_streams() {
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor)
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) < 0) std::abort();
@@ -300,7 +300,7 @@ int main(int argc, char** argv) {
   add_command(app, "plot", "Draw the motions of a scene, their spectrum, or a sweep", plot_options,
               plot);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
-  add_command(app, "estimate", "Say by closed forms, without a run, what becomes of any rotor",
+  add_command(app, "estimate", "Estimate by closed forms, without a run, what happens to a rotor",
               estimate, estimate_rotor);
   add_command(app, "sweep", "Run many, of which some quantities vary", sweep, run_sweep);
   int status = 0;

@@ -30,7 +30,7 @@ do for [k = 0:entries - 1] {
 top = 0.92 - 0.034*rows; bottom = 0.1; between = 0.13
 height = 0.5*(top - bottom - between)
 
-# Axes end at tics, 1, 2 or 5 times a power of ten apart. Their labels have the digits that tell them apart, and
+# Axes end at tics, 1, 2 or 5 times a power of ten apart. Their labels have enough digits to differ, and
 # there are n steps, or fewer if labels would not find room. What does not change is shown with some space around it.
 nice(x) = (power = 10.0**floor(log10(x)), (x < 1.001*power ? 1 : x < 2.001*power ? 2 : x < 5.001*power ? 5 : 10)*power)
 between_tics(a, b) = (low = step*floor(a/step + 1e-6), high = step*ceil(b/step - 1e-6), \

@@ -2,7 +2,7 @@
 #   data, the sweep's results, of which result is drawn if has_value, and the outcome if has_outcome; heading
 #   dimensions, the number of axes, and draws, those at each of their points
 #   of each axis its column x_key, x_name, x_points, x_stride in rows, x_log, and x_tics if its values are listed; the same of y
-#   panels, the column of_panel that tells them apart, and its values panel0, panel1, ...
+#   panels, the column of_panel that distinguishes them, and its values panel0, panel1, ...
 
 spaced(text) = (at = strstrt(text, "_")) == 0 ? text : text[:at - 1]." ".spaced(text[at + 1:])
 ends(text, with) = strlen(text) > strlen(with) && text[strlen(text) - strlen(with) + 1:] eq with

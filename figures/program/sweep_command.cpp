@@ -81,7 +81,7 @@ class Writer {
     ranks.shut_down_workers(scheduler);
     if (is_interrupted())
       throw Interrupted(
-          fmt::format("interrupted; {} of {} points are in {}, and the same command goes on there",
+          fmt::format("interrupted; {} of {} points are in {}, and the same command resumes there",
                       written_.load(), points_, journal_.path().string()));
     if (reason) std::rethrow_exception(reason);
     long remarked = 0, refused = 0;  // as the last two fields of their rows say
@@ -116,7 +116,7 @@ void require_sense(const SweepOptions& options, const Ranks& ranks) {
   if (options.out.empty()) throw InputError("--out is required, or --dry-run");
   if (options.out == "-" || (fs::exists(options.out) && !fs::is_regular_file(options.out)))
     throw InputError(
-        fmt::format("--out {}: must be a file: a sweep is taken up from what stands beside it",
+        fmt::format("--out {}: must be a file: a sweep resumes from the journal next to it",
                     shown(options.out)));
   if (ranks.count() > 1 && options.jobs > 1)
     throw InputError("--jobs: under mpirun each rank works on one core");

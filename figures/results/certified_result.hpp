@@ -32,7 +32,7 @@ nlohmann::ordered_json to_json(const Comparison& comparison, const Scenario& sce
 /// So many significant digits of a number, zeros among them.
 std::string rounded_to(double value, int digits);
 
-/// What stands for a number of which no digit is sure.
+/// What is printed for a number of which no digit is sure.
 inline constexpr std::string_view no_sure_digit = "?";
 
 /// So many digits of a number at most as it has whatever it is within its error.

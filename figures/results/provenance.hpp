@@ -1,4 +1,4 @@
-/// What stands above the data that are written.
+/// The header above the data that are written.
 #pragma once
 
 #include <string>

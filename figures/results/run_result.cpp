@@ -94,8 +94,8 @@ const std::vector<Circumstance>& circumstances() {
          return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
        }},
       {"estimated_relative_error",
-       "With --estimate-error: the largest relative error of the real results, as another run "
-       "tells it; 1 if that takes another course. With --digits: the largest of all errors",
+       "With --estimate-error: the largest relative error of the real results, estimated by "
+       "another run; 1 if that takes another course. With --digits: the largest of all errors",
        number_or_null(), [](const A& a) { return json_of(a.estimated_relative_error); }},
       {"inputs", "All numbers of the scenario, in SI units but for speeds in Hz", type("object"),
        inputs_of},

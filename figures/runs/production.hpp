@@ -22,7 +22,7 @@ struct ProductionCost {
   Counters counters;
 };
 
-/// Runs all requests. Every observer is shown the same, to the bit, as by a run of its own. Throws
+/// Runs all requests. Every observer is shown the same, to the bit, as by a separate run. Throws
 /// as `run` does. A monitor, if there is one, watches all runs: if it stops one,
 /// all stop.
 ProductionCost produce(const std::vector<Request>& requests, Observer* monitor = nullptr);

@@ -55,7 +55,7 @@ class BlockScheduler {
   std::exception_ptr reason_;
 };
 
-/// Works out a point's row. Each worker has one of its own.
+/// Computes a point's row. Each worker has its own.
 using Work = std::function<std::string(long point)>;
 
 /// Lets so many threads work on what is dealt out, until all rows have gone on. `meanwhile` is

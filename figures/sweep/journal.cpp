@@ -37,7 +37,7 @@ Journal::Journal(const std::filesystem::path& file, std::string head)
   try {
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0) fail_by_errno();
-    if (!S_ISREG(status.st_mode)) fail("must be a regular file: it is where the sweep goes on");
+    if (!S_ISREG(status.st_mode)) fail("must be a regular file: the sweep resumes from it");
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) fail("another sweep is writing it");
     take_up();
   } catch (...) {

@@ -1,5 +1,5 @@
 /// The results of a sweep as far as they have got, in a file beside their place. A sweep that was
-/// killed goes on from there.
+/// killed resumes from it.
 #pragma once
 
 #include <sys/types.h>
@@ -28,7 +28,7 @@ class Journal {
   const std::filesystem::path& path() const { return path_; }
 
   /// Whole rows, a line each. What was written survives the program's death; after a power cut the
-  /// check sums tell how much has.
+  /// check sums show how much did.
   void write(std::string_view rows);
 
   /// Puts the results in their place, whole, and removes the journal. Shows each row to `see`.

@@ -63,7 +63,7 @@ class SweepReader : TomlFile {
              fmt::format("there is no result \"{}\"{}; there are: {}", shown(name),
                          suggestion(name, allowed), fmt::join(allowed, ", ")));
       if (std::find(all.begin(), all.end(), name) != all.end())
-        fail(item, "columns", fmt::format("\"{}\" stands twice", name));
+        fail(item, "columns", fmt::format("duplicate column \"{}\"", name));
       all.push_back(name);
     }
     return all;

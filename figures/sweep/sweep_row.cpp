@@ -15,7 +15,7 @@
 namespace rotor {
 namespace {
 
-/// The keys of a summary that are rows' columns: each of its own plain values, but not what the
+/// The keys of a summary that are rows' columns: each of its plain values, but not what the
 /// rows share.
 std::vector<std::string> keys_of(const nlohmann::ordered_json& summary) {
   std::vector<std::string> keys;

@@ -12,7 +12,7 @@ const std::vector<std::string>& result_columns();
 /// The columns that can be asked for: what the laws say of a point, too.
 const std::vector<std::string>& columns_on_request();
 
-/// What stands above the rows: where they come from, and the names of their columns.
+/// The header above the rows: where they come from, and the names of their columns.
 std::string sweep_head(const Sweep& sweep);
 
 /// Works out the rows of points, in any order. Run-ups are shared between them.

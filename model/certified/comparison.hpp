@@ -1,5 +1,5 @@
-/// A run computed several times in one precision, so that the computations tell each other's
-/// errors.
+/// A run computed several times in one precision, so that each computation shows the
+/// errors of the others.
 #pragma once
 
 #include <functional>
@@ -62,7 +62,7 @@ struct Comparison {
 /// Asked after every step whether to go on, at that time of the run.
 using GoesOn = std::function<bool(double time_s)>;
 
-/// The finest computation, with a hundredth of the tolerance, and those that tell its errors: one
+/// The finest computation, with a hundredth of the tolerance, and those that show its errors: one
 /// with the tolerance; the same one disturbed, every number being changed by more than rounding (in
 /// the last precision it is left out); and one disturbed otherwise, with a quarter of the tolerance
 /// and by another stepper, as short flights are one step at any tolerance. Their first steps
@@ -72,7 +72,7 @@ template <class S>
 std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
                                   const GoesOn& goes_on);
 
-/// The largest relative error of the values of a summary, as another run tells it: with a hundredth
+/// The largest relative error of the values of a summary, as shown by another run, with a hundredth
 /// of the tolerance, and disturbed by more than rounding. 1 if it takes another course.
 double estimated_relative_error(const Scenario& scenario, const Summary& summary,
                                 const GoesOn& goes_on);

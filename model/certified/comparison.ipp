@@ -37,7 +37,7 @@ struct Computations {
   Computation<S> finest, coarse, disturbed, other;
 };
 
-/// A value of the finest computation with the error that the others tell.
+/// A value of the finest computation with the error that the others show.
 template <class S>
 NamedEstimate estimate(const NamedValue<S>& finest, const NamedValue<S>& coarse,
                        const NamedValue<S>& disturbed, const NamedValue<S>& other,

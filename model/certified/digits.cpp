@@ -72,7 +72,7 @@ bool is_known(const NamedEstimate& margin) {
   return margin.estimate && std::isfinite(margin.estimate->error);
 }
 
-/// What another comparison needs, as one tells that has not the digits.
+/// What another comparison needs, after one that does not have the digits.
 struct Needs {
   double tolerance, epsilon;
 };
@@ -81,7 +81,7 @@ Needs needs_after(const Comparison& comparison, double epsilon, int digits) {
   // Of the errors that are allowed, what part of them is aimed at: tolerances are free, precisions
   // are few.
   constexpr double of_tolerance = 0.2, of_rounding = 0.7;
-  constexpr double if_unknown = 1e-4;  // where it cannot be told how much is missing
+  constexpr double if_unknown = 1e-4;  // where it is unknown how much is missing
   constexpr double least = 1e-12;
   const auto factor = [&](double share, double excess) {
     return std::max(least, std::min(1., share / excess));

@@ -18,7 +18,7 @@ int sure_digits(const NamedEstimate& value);
 bool has_digits(const Comparison& comparison, int digits);
 
 /// The cheapest comparison that has so many digits: in double precision first, then by what its
-/// errors tell. If none has them, the best. Empty if not even one could be finished.
+/// errors require. If none has them, the best. Empty if not even one could be finished.
 std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
                                         const GoesOn& goes_on);
 

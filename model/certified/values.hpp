@@ -21,8 +21,8 @@ struct NamedValue {
   std::optional<S> value;
   S size{0};              ///< of which its digits are counted at least
   bool is_exact = false;  ///< stated, not computed
-  bool follows = false;   ///< from another value or from what is stated: it has no error of its own
-  S made_of{0};           ///< of what it is a small difference or component: that is rounded
+  bool follows = false;  ///< from another value or from what is stated: it has no independent error
+  S made_of{0};          ///< of what it is a small difference or component: that is rounded
 };
 
 /// What is so many times less than the clearance, or than a radian, is as good as nothing: its own
@@ -53,7 +53,7 @@ std::vector<NamedValue<S>> values_of(const BasicSummary<S>& summary, const Param
   return all;
 }
 
-/// Time and state. What the components of a vector are worth is told by its length; for the rates
+/// Time and state. Components of a vector count by its length; for the rates
 /// in the rotating axes, which nearly cancel in synchronous motion, by that of the velocity of O.
 template <class S>
 std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const Scenario& scenario) {

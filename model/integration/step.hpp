@@ -2,7 +2,7 @@
 /// output, and where in them a function of the unknowns becomes negative. Knows nothing of what is
 /// integrated.
 ///
-/// A system is called as system(x, rates, time), and tells by scale(x) the sizes that the errors of
+/// A system is called as system(x, rates, time), and gives by scale(x) the sizes that the errors of
 /// its unknowns are measured by.
 #pragma once
 
@@ -36,7 +36,7 @@ struct Point {
   }
 };
 
-/// Takes steps, and tells their errors in units of what is allowed: the tolerance times the
+/// Takes steps, and estimates their errors in units of what is allowed: the tolerance times the
 /// system's scale, and rounding.
 template <class S, class Stepper>
 class ErrorControl {

@@ -95,7 +95,7 @@ struct Ring {
     return k.indentation <= 0 ? S(0) : touching_force(k);
   }
 
-  /// Whether the ring is still indented where F_n vanishes, by more than rounding can tell. A ring
+  /// Whether the ring is still indented where F_n vanishes, by more than rounding. A ring
   /// without damping has sprung back by then.
   bool is_indented_at_release(const RimPoint<S>& k) const {
     const S rounding = 16 * std::numeric_limits<S>::epsilon() * k.displacement;

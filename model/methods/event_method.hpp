@@ -45,7 +45,7 @@ class EventMethod {
   /// The same motion on the way to another contact: of a scenario with the same run-up part.
   EventMethod with(const Scenario& scenario) const;
 
-  /// Before the run goes on: its first steps in flight and in contact are to be so much of what
+  /// Before the run continues: its first steps in flight and in contact are to be so much of what
   /// they are otherwise, whatever the tolerance.
   void shorten_first_steps(const S& share);
   /// The same: at each touch-down the slip is to be off by such a share. It is rounded there, and

@@ -21,7 +21,7 @@ Transition meet_ring(const RotorSystem<S>& rotor, const State<S>& q, Event event
   return next;
 }
 
-/// How a motion goes on that is taken up in contact with the ring, perhaps after a jump. A rim that
+/// How a motion continues that resumes in contact with the ring, perhaps after a jump. A rim that
 /// rolls has no slip, whatever rounding makes of it.
 template <class S>
 Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, ContactState contact) {
@@ -96,7 +96,7 @@ struct FreeFlight : Flight<S, Chart> {
   using Point = rotor::Point<S, Unknowns>;
 
   /// Whether the guards can end the phase within a step, how fast that of touch-down can bend if
-  /// so, and what the extremes reach until then, if it can be told.
+  /// so, and what the extremes reach until then, if that is known.
   StepBounds<S, event_count, 2> bounds(const Point& from, const Point& to) const {
     StepBounds<S, event_count, 2> all;
     const auto motion = motion_bounds(from, to);

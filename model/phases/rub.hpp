@@ -1,5 +1,5 @@
 /// The phases in contact: the rim slides along the ring, or rolls on it. Friction is Filippov's:
-/// set-valued at zero slip, where rolling is a phase of its own.
+/// set-valued at zero slip, where rolling is a separate phase.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ struct Rub : Phase<S, Chart> {
              {-ring.elastic_force(k), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
 
-  /// What the radial vibration reaches in a step, as its ends tell it: about where the acceleration
+  /// What the radial vibration reaches in a step, judged by its ends: about where the acceleration
   /// says that its rest is, with half its amplitude to spare. The bearing force does not follow it.
   std::array<S, 3> vibration_reach(const Point<S, Unknowns>& from,
                                    const Point<S, Unknowns>& to) const {

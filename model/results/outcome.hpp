@@ -26,7 +26,7 @@ enum class Outcome {
 template <class S>
 S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion);
 
-/// Gathers what tells the outcome. Definitions: outcome.ipp.
+/// Gathers what decides the outcome. Definitions: outcome.ipp.
 template <class S>
 class BasicOutcomeWatch {
  public:
@@ -40,7 +40,7 @@ class BasicOutcomeWatch {
   /// Takes all events, and the end.
   void note(const BasicInstant<S>& at);
 
-  /// As the run stands.
+  /// As of now.
   Outcome outcome() const;
 
   /// Whether the free rotor does not reach the ring at any speed either that it can come to until

@@ -13,7 +13,7 @@ namespace rotor {
 /// What a run may end at: its outcome, as soon as the mass loss or an event after it decides it,
 /// whatever speeds the rotor can come to; the onset of rolling; rest, which is a second without
 /// more than a tenth of a turn per second, after the loss or, if there is none and a motor drives
-/// the rotor, after more than that. After the onset of rolling it goes on to the first maximum of
+/// the rotor, after more than that. After the onset of rolling it continues to the first maximum of
 /// the force.
 enum class StopOn { outcome, rolling, rest };
 

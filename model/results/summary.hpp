@@ -138,7 +138,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
   /// The same of a run on its way to what another scenario states, which has not differed so far:
   /// clear of the ring, before its mass loss, and before time_of_speed_s() unless that is the same.
   BasicSummaryObserver with(const Scenario& scenario) const;
-  /// When the speed is to be known that tells whether the rotor stalls, s.
+  /// When the speed must be known that decides whether the rotor stalls, s.
   const S& time_of_speed_s() const { return watch_.time_of_speed_s(); }
 
   /// Takes the instants of a run in order, the first one at its start.

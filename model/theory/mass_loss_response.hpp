@@ -3,7 +3,7 @@
 ///
 /// At a constant speed w, and without gravity's moment, O obeys m z'' + d z' + k z = m e w^2
 /// e^{iwt} in the stator's axes, as a complex number. Before the loss z = s_0 e^{iwt} is the steady
-/// response. The loss changes m and e but neither z nor, put right, z'; as printed, z' rises by
+/// response. The loss changes m and e but neither z nor, as corrected, z'; as printed, z' rises by
 /// Delta_vy across the rotor's axis. After it
 ///
 ///     z = s e^{iwt} + (a e^{i w_d t} + b e^{-i w_d t}) e^{-delta t},

@@ -1,5 +1,5 @@
 /// The engine against what is proven: reference-data/proven.csv, which verification/proof/ makes by
-/// ball arithmetic from equations of its own.
+/// ball arithmetic from independent equations.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -115,14 +115,14 @@ async function checkShares() {
   await set({ friction: "0.08" });
   await page.click("#sure");
   await page.waitForFunction(() => document.querySelectorAll("#sureness p").length > 1, null, { timeout: 120_000 });
-  const told = await text("sureness");
+  const shares = await text("sureness");
   await page.click("#sure");
   const count = Object.values(outcomes)
-    .map((words) => Number(told.match(new RegExp(`In (\\d+) of 30 draws the rotor ${words}\\.`))?.[1] ?? 0))
+    .map((words) => Number(shares.match(new RegExp(`In (\\d+) of 30 draws the rotor ${words}\\.`))?.[1] ?? 0))
     .reduce((one, other) => one + other);
   expect(count === 30, `the draws have ${count} outcomes, not 30`);
   for (const what of ["Largest normal force", "Touch-downs"]) {
-    const [least, greatest, median] = told.match(new RegExp(`${what}: (\\S+)(?: kN)? … (\\S+)(?: kN)?, median ([\\d.]*\\d)`))
+    const [least, greatest, median] = shares.match(new RegExp(`${what}: (\\S+)(?: kN)? … (\\S+)(?: kN)?, median ([\\d.]*\\d)`))
       ?.slice(1).map(Number) ?? [];
     expect(least <= median && median <= greatest, `${what} from ${least} to ${greatest}, median ${median}`);
   }

@@ -22,9 +22,9 @@ test("numbers are in their units", () => {
   assert.deepEqual(numbersOf(summary).map(([, text]) => text), ["no contact", "7", "29.1046 s", "29.1277 s", "45.15 Hz",
     "454.8 kN", "29.1279 s", "3.567 mm", "-595.6 Hz", "149.99 Hz", "23.04 Hz"]);
   assert.equal(new Map(numbersOf({ ...summary, whirl_frequency_Hz: null })).get("whirl in rolling"), "–");
-  const told = sentence(summary);
+  const words = sentence(summary);
   for (const part of ["7 times", "29.1046 s", "454.8 kN", "29.1277 s, 23.1 ms after", "Remark: the ring is round."])
-    assert.ok(told.includes(part), told);
+    assert.ok(words.includes(part), words);
 });
 
 test("forces of events are magnitudes", () => {

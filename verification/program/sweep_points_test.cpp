@@ -69,7 +69,7 @@ TEST_F(SweepPointsOf, ASampleAreEven) {
   };
   const auto sobol = sampled("seed = 5\n");
   for (const int columns : {1, 4, 32, 1024}) EXPECT_EQ(boxes_filled(sobol, columns), 1024);
-  // Each coordinate has a shift of its own, by which the origin has come off the diagonal.
+  // Each coordinate has its own shift, by which the origin has come off the diagonal.
   EXPECT_GT(std::abs(sobol[0][0] - 2 - std::log10(sobol[0][1]) / 2), 1e-3);
   EXPECT_NE(sobol, sampled("seed = 6\n"));
   EXPECT_EQ(sobol, sampled("seed = 5\n"));

@@ -51,7 +51,7 @@ std::string in_steps(const std::string& path) {
   return steps;
 }
 
-/// A picture of gnuplot's as a part of a page: as wide as there is room, with names of its own, and
+/// A picture of gnuplot's as a part of a page: as wide as there is room, with its own names, and
 /// said in words.
 std::string inline_svg(std::string svg, const std::string& name, const std::string& label_id) {
   svg = svg.substr(svg.find("<svg"));

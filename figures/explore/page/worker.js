@@ -9,14 +9,14 @@ self.onmessage = async ({ data }) => {
     return;
   }
   const { explorer } = await engine;
-  const tell = (time_s) => self.postMessage({ progress: time_s });
+  const onProgress = (time_s) => self.postMessage({ progress: time_s });
   const { kind, options, n, count } = data;
   const text = JSON.stringify(options);
   const answer =
-    kind === "draw" ? explorer.draw(text, n, count, tell)
-    : kind === "trace" ? explorer.trace(text, tell)
-    : explorer.run(text, tell);
-  const picture = answer.told ? read(answer) : answer;
+    kind === "draw" ? explorer.draw(text, n, count, onProgress)
+    : kind === "trace" ? explorer.trace(text, onProgress)
+    : explorer.run(text, onProgress);
+  const picture = answer.metadata ? read(answer) : answer;
   self.postMessage({ answer: picture }, buffersOf(picture));
 };
 
@@ -32,8 +32,8 @@ async function startEngine({ wasm, printedInputs }) {
   return { explorer };
 }
 
-function read({ told, motion, works }) {
-  const picture = JSON.parse(told);
+function read({ metadata, motion, works }) {
+  const picture = JSON.parse(metadata);
   picture.motion = columns(picture.motion, motion);
   picture.works = columns(picture.works, works);
   return picture;
