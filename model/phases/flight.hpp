@@ -206,7 +206,8 @@ struct IndentedFlight : Flight<S, Chart> {
         return rotor.motor_guard(x[5]);  // f = f_max
     }
   }
-  StepBounds<S, event_count, 2> bounds(const Point<S, Unknowns>&, const Point<S, Unknowns>&) const {
+  StepBounds<S, event_count, 2> bounds(const Point<S, Unknowns>& /*from*/,
+                                       const Point<S, Unknowns>& /*to*/) const {
     StepBounds<S, event_count, 2> all;
     all.events[2].stays_positive = !rotor.motor_on;
     return all;

@@ -30,13 +30,12 @@ struct Rub : Phase<S, Chart> {
     const Ring<S>& ring = rotor.ring;
     const auto k = chart.rim_point(x);
     // Along the normal and the tangent, which turn.
-    const Vector<S> position(k.displacement, 0), position_rate(x[3], 0);
+    const Vector<S> position(k.displacement, 0), drift(x[3], 0);
     const Vector<S> velocity(x[3], chart.tangential_velocity(x)),
-        velocity_rate(rates[3], chart.tangential_velocity(rates));
+        change(rates[3], chart.tangential_velocity(rates));
     return {{{k.displacement, k.normal_velocity},
-             ExtremeValue<S>::length(
-                 rotor.supports.bearing_force(position, velocity),
-                 rotor.supports.bearing_force_rate(position, position_rate, velocity_rate)),
+             ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
+                                     rotor.supports.bearing_force_rate(position, drift, change)),
              {-ring.elastic_force(k), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
 
@@ -146,7 +145,8 @@ struct Sliding : Rub<S, Chart> {
         return rotor.motor_guard(x[5]);  // f = f_max
     }
   }
-  StepBounds<S, event_count, 3> bounds(const Point<S, Unknowns>&, const Point<S, Unknowns>&) const {
+  StepBounds<S, event_count, 3> bounds(const Point<S, Unknowns>& /*from*/,
+                                       const Point<S, Unknowns>& /*to*/) const {
     StepBounds<S, event_count, 3> all;
     all.events[2].stays_positive = !rotor.motor_on;
     return all;
