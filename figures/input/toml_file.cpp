@@ -21,7 +21,7 @@ long line_with_a_deep_key(const std::string& text) {
     dots = c == '.' ? dots + 1 : c == '=' || c == ',' || c == '\n' ? 0 : dots;
     return dots > most;
   };
-  const auto at = std::ranges::find_if(text, is_deep);
+  const auto at = std::find_if(text.begin(), text.end(), is_deep);
   return at == text.end() ? 0 : 1 + std::count(text.begin(), at, '\n');
 }
 
