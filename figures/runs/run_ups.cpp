@@ -81,7 +81,7 @@ RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& mo
   Family& shared = family(scenario);
   if (until_s <= speed_s) return of(scenario, follow(shared.checkpoints, until_s, monitor));
   if (shared.later.empty() || shared.later.front().summary.time_of_speed_s() != speed_s) {
-    const RunUpCheckpoint way = follow(shared.checkpoints, speed_s, monitor);
+    RunUpCheckpoint way = follow(shared.checkpoints, speed_s, monitor);
     if (way.simulation.stopped()) return way;
     checkpoints_ += 1 - shared.later.size();
     shared.later = {of(scenario, way)};
