@@ -129,10 +129,11 @@ void Drawing::finish(const std::string& settings, const std::string& script) con
   write("settings.gp",
         settings + fmt::format("output = 'picture'; format = '{}'\n", extension_.substr(1)));
   ::setenv("LC_ALL", "C.UTF-8", 1);
+  const std::string scenes = ROTOR_SCENES;
   int status = 0;
   try {
-    status = status_of({"gnuplot", "--default-settings", "settings.gp", ROTOR_SCENES "/style.gp",
-                        ROTOR_SCENES "/../program/" + script},
+    status = status_of({"gnuplot", "--default-settings", "settings.gp", scenes + "/style.gp",
+                        scenes + "/../program/" + script},
                        folder_);
   } catch (const std::system_error& error) {
     throw std::runtime_error(

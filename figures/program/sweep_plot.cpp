@@ -57,20 +57,21 @@ std::string settings_of(const Sweep& sweep) {
   std::string text, panels = "panels = 1; of_panel = ''; panel0 = ''\n";
   int numbers = 0, names = 0;
   long stride = sweep.sample.count;
-  for (auto axis = sweep.axes.rbegin(); axis != sweep.axes.rend(); ++axis) {
-    if (const auto* const values = std::get_if<std::vector<std::string>>(&axis->values)) {
+  const std::vector from_the_last(sweep.axes.rbegin(), sweep.axes.rend());
+  for (const auto& axis : from_the_last) {
+    if (const auto* const values = std::get_if<std::vector<std::string>>(&axis.values)) {
       ++names;
       const auto& results = result_columns();
       const bool is_result =
-          std::find(results.begin(), results.end(), axis->quantity) != results.end();
-      panels = fmt::format("panels = {}; of_panel = '{}{}'\n", values->size(), axis->quantity,
+          std::find(results.begin(), results.end(), axis.quantity) != results.end();
+      panels = fmt::format("panels = {}; of_panel = '{}{}'\n", values->size(), axis.quantity,
                            is_result ? "_varied" : "");
       for (std::size_t n = 0; n < values->size(); ++n)
         panels += fmt::format("panel{} = '{}'\n", n, (*values)[n]);
     } else {
-      text += settings_of(numbers++ == 0 ? "x" : "y", *axis, stride);
+      text += settings_of(numbers++ == 0 ? "x" : "y", axis, stride);
     }
-    stride *= axis->points();
+    stride *= axis.points();
   }
   if (numbers > 2 || names > 1)
     throw InputError("two axes of numbers and one of names are the most that a picture shows");
