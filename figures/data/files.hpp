@@ -11,9 +11,9 @@ namespace rotor {
 
 /// A file that is being written. A regular one is written as a draft in the same folder, which
 /// replaces it, with its mode, when it is committed; before that nothing existing is touched, and
-/// without it nothing is left behind. Links are followed; no folder is created. A device or a pipe
-/// is written straight away; so is "-", which is standard output. All throw std::runtime_error,
-/// naming the file and the reason.
+/// without it nothing is left behind, unless the process is killed. Links are followed; no folder
+/// is created. A device or a pipe is written straight away; so is "-", which is standard output.
+/// All throw std::runtime_error, naming the file and the reason.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);

@@ -122,6 +122,7 @@ void plot_spectrum(const Scene& scene, const Drawing& drawing) {
     static_cast<void>(run(scenario, observers));
     if (is_interrupted()) throw Interrupted();
     const auto rows = static_cast<double>(signals.force.size());
+    const double critical = std::sqrt(SupportSprings<double>(p).tangent_stiffness(0) / p.mass);
     const double whirl_s = static_cast<double>(signals.rows) * length_s / samples;
     signals.displacement.resize(static_cast<std::size_t>(samples));
     signals.force.resize(static_cast<std::size_t>(samples));
@@ -131,7 +132,7 @@ void plot_spectrum(const Scene& scene, const Drawing& drawing) {
         "{6}; f_least{0} = {7}; f_greatest{0} = {8}; f_n{0} = {9}; rolls{0} = {10}\n",
         n, numbered(name), from_s, from_s + length_s, samples,
         whirl_s > 0 ? signals.turns / whirl_s : 0, signals.sum_Hz / rows, signals.least_Hz,
-        signals.greatest_Hz, in_Hz(std::sqrt(p.support_stiffness / p.mass)), signals.rolls ? 1 : 0);
+        signals.greatest_Hz, in_Hz(critical), signals.rolls ? 1 : 0);
   }
   drawing.finish(settings, "spectrum.gp");
 }

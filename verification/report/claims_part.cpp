@@ -80,8 +80,6 @@ Json number_json(const Number& number) {
               {"greatest", allowed.greatest()},
               {"here", shown(here, number)},
               {"corrected_value", shown(reading.in[1].converged, number)},
-              {"holds_a_in_percent", is_drawn ? Json(100 * reading.in[0].a.holds) : Json()},
-              {"holds_b_in_percent", is_drawn ? Json(100 * reading.in[0].b.holds) : Json()},
               {"reason", number.reason}};
   if (has_strip)
     all["strip"] = {{"a", is_drawn ? bar(allowed, reading.in[0].a) : Json()},

@@ -60,10 +60,9 @@ Json reasons_json(const std::filesystem::path& tried) {
 Json laws_json(const std::filesystem::path& laws) {
   Json all;
   for (const CsvRow& row : read_csv(laws)) {
-    const bool by_share = !row["share_from"].empty() && row["share_from"] + row["share_to"] != "0";
-    const std::string which =
-        by_share ? fmt::format("from_{:.0f}", 100 * static_cast<double>(row.number("share_from")))
-                 : "all";
+    const std::string from = row["share_from"];
+    const bool has_all = from.empty() || (from == "0" && row["share_to"].empty());
+    const std::string which = has_all ? "all" : fmt::format("from_{:.0f}", 100 * std::stod(from));
     all[row["equations"]][row["quantity"]][which] = 100 * static_cast<double>(row.number("agree"));
   }
   return all;

@@ -53,9 +53,8 @@ const ms = (duration_s) => `${(1e3 * duration_s).toFixed(1)} ms`;
 /// Moments in their order: time, title and sentence. What the last one says depends on the outcome.
 export function storyOf(picture) {
   const { summary, events, mass_loss_s: loss_s, from_s } = picture;
-  const { inputs, speed_at_mass_loss_Hz: speed_Hz } = summary;
+  const { inputs, speed_at_mass_loss_Hz: speed_Hz, critical_speed_Hz: critical_Hz } = summary;
   if (loss_s === null) return [{ time_s: from_s, title: "No loss", text: "The rotor keeps all of its mass." }];
-  const critical_Hz = Math.sqrt(inputs.support_stiffness / inputs.mass) / (2 * Math.PI);
   const further_m = inputs.eccentricity * (inputs.unbalance_factor - 1);
   const clearance_mm = 1e3 * (inputs.stator_radius - inputs.rotor_radius);
   const first = events.find(({ event }) => event === "touch_down");
