@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "figures/data/csv.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -75,6 +78,47 @@ TEST_F(Gnuplot, GetsTheSpectrumOfACircle) {
   EXPECT_NEAR(at_60_Hz / rho, 1, 1e-4);
   EXPECT_NEAR(beside / rho, 0.5, 1e-3);
   EXPECT_LT(elsewhere / rho, 1e-3);
+}
+
+// Of the force in rolling, the highest line is that of a direct sum over the trace, in which the
+// force is put together from its components along the normal and the tangent.
+TEST_F(Gnuplot, GetsTheSpectrumOfTheForceInRolling) {
+  write_gnuplot("cp run1.csv \"$KEPT\"; exit 1\n");
+  const double from_s = 0.03, length_s = 0.03;
+  const long samples = 1024;  // of so short a time
+  write("rub.toml",
+        "[parameters]\nequations = \"consistent\"\nstart_speed_hz = 150\nuntil = 0.06\n");
+  shell("KEPT=$PWD/spectrum.csv PATH=$PWD:$PATH $rotor plot rub.toml --spectrum --from 0.03");
+  ASSERT_EQ(rotor(fmt::format("run --scene rub.toml --from {} --trace t.csv --rows {} --columns "
+                              "time_s,x_a_m,y_a_m,normal_force_N,friction_force_N",
+                              from_s, samples + 1))
+                .status,
+            0);
+  double frequency_Hz = 0, highest_N = 0;
+  for (const CsvRow& row : read_csv(folder_ / "spectrum.csv"))
+    if (const auto force_N = static_cast<double>(row.number("force_N")); force_N > highest_N) {
+      highest_N = force_N;
+      frequency_Hz = static_cast<double>(row.number("frequency_Hz"));
+    }
+  EXPECT_LT(frequency_Hz, -700);  // the whirl runs backwards
+  const std::vector<CsvRow> rows = read_csv(folder_ / "t.csv");
+  ASSERT_EQ(rows.size(), samples + 1);
+  double real = 0, imaginary = 0;
+  for (long k = 0; k < samples; ++k) {
+    const auto number = [&](const char* column) {
+      return static_cast<double>(rows[static_cast<std::size_t>(k)].number(column));
+    };
+    const double rho = std::hypot(number("x_a_m"), number("y_a_m"));
+    const double n_x = number("x_a_m") / rho, n_y = number("y_a_m") / rho;
+    const double force_x = number("normal_force_N") * n_x - number("friction_force_N") * n_y,
+                 force_y = number("normal_force_N") * n_y + number("friction_force_N") * n_x;
+    const double share = static_cast<double>(k) / static_cast<double>(samples),
+                 window = 1 - std::cos(2 * std::numbers::pi * share),
+                 angle = -2 * std::numbers::pi * frequency_Hz * length_s * share;
+    real += window * (force_x * std::cos(angle) - force_y * std::sin(angle));
+    imaginary += window * (force_x * std::sin(angle) + force_y * std::cos(angle));
+  }
+  EXPECT_NEAR(std::hypot(real, imaginary) / static_cast<double>(samples) / highest_N, 1, 1e-9);
 }
 
 // A gnuplot whose disk is full succeeds nonetheless.
