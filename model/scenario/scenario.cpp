@@ -64,8 +64,9 @@ constexpr std::array all_quantities = {
     Quantity{"step_rub", "h", "s", "rk4: step from then on", in<&Scenario::step_rub>, 0, open},
 };
 
-void require(bool fulfilled, const std::string& message) {
-  if (!fulfilled) throw std::invalid_argument(message);
+template <class... Parts>
+void require(bool fulfilled, fmt::format_string<const Parts&...> message, const Parts&... parts) {
+  if (!fulfilled) throw std::invalid_argument(fmt::format(message, parts...));
 }
 
 }  // namespace
@@ -106,35 +107,35 @@ std::string Quantity::range() const {
 void check_numbers(const Scenario& scenario) {
   for (const Quantity& quantity : quantities()) {
     const double value = quantity.of(scenario);
-    require(quantity.allows(value),
-            fmt::format("{} = {}: must be {}", quantity.name, value, quantity.range()));
+    if (!quantity.allows(value))
+      throw std::invalid_argument(
+          fmt::format("{} = {}: must be {}", quantity.name, value, quantity.range()));
   }
   const Parameters& p = scenario.parameters;
   require(p.stator_radius > p.rotor_radius,
-          fmt::format("stator_radius = {} m: must be larger than rotor_radius = {} m",
-                      p.stator_radius, p.rotor_radius));
+          "stator_radius = {} m: must be larger than rotor_radius = {} m", p.stator_radius,
+          p.rotor_radius);
   require(p.eccentricity < p.rotor_radius,
-          fmt::format("eccentricity = {} m: must be smaller than rotor_radius = {} m",
-                      p.eccentricity, p.rotor_radius));
+          "eccentricity = {} m: must be smaller than rotor_radius = {} m", p.eccentricity,
+          p.rotor_radius);
   if (scenario.method == Method::rk4) {
     constexpr double most_steps = 1e10;
     const auto require_few = [&](std::string_view name, double step) {
       require(scenario.until / step <= most_steps,
-              fmt::format("{} = {} s: must be long enough for {} s to be {} steps at most", name,
-                          step, scenario.until, most_steps));
+              "{} = {} s: must be long enough for {} s to be {} steps at most", name, step,
+              scenario.until, most_steps);
     };
     require_few("step_run_up", scenario.step_run_up);
     require_few("step_rub", scenario.step_rub);
     require(scenario.step_run_up <= scenario.until,
-            fmt::format("step_run_up = {} s: must not be longer than the run, {} s",
-                        scenario.step_run_up, scenario.until));
+            "step_run_up = {} s: must not be longer than the run, {} s", scenario.step_run_up,
+            scenario.until);
   }
   const MassLoss<double> loss(p);
-  require(
-      !scenario.loses_mass() || loss.after.inertia > 0,
-      fmt::format("unbalance_factor = {}: the moment of inertia left by the mass loss, {} kg m^2, "
-                  "must be greater than 0; lower the factor or raise inertia",
-                  p.unbalance_factor, loss.after.inertia));
+  require(!scenario.loses_mass() || loss.after.inertia > 0,
+          "unbalance_factor = {}: the moment of inertia left by the mass loss, {} kg m^2, "
+          "must be greater than 0; lower the factor or raise inertia",
+          p.unbalance_factor, loss.after.inertia);
 }
 
 }  // namespace rotor
