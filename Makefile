@@ -1,4 +1,4 @@
-# The front door: `make help` lists what there is. CMake does the building, gnuplot the drawing.
+# The front door: `make help` lists all targets. CMake builds, gnuplot draws.
 
 SHELL       := bash
 .SHELLFLAGS := -eo pipefail -c
@@ -21,15 +21,15 @@ ROTOR := $(BUILD)/rotor
 # CMake has no escape for these.
 $(foreach char,; " \,$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake cannot handle; move the checkout)))
 
-# What is misspelt is said before anything is made.
+# Misspelt options are reported before anything is built.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
 $(call one_of,EQUATIONS,published consistent)
 NUMBERS := $(FIGURES:fig%=%)
-$(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be some of: $(NUMBERS)))
-$(if $(shell [[ "$(POINTS)" =~ ^[1-9][0-9]+$$ && "$(POINTS)" -ge 20 ]] && echo yes),,$(error POINTS=$(POINTS): must be a whole number, 20 at least))
+$(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be among: $(NUMBERS)))
+$(if $(shell [[ "$(POINTS)" =~ ^[1-9][0-9]+$$ && "$(POINTS)" -ge 20 ]] && echo yes),,$(error POINTS=$(POINTS): must be a whole number of at least 20))
 
-# Figures of the published equations stand in build/figures, others in a folder of their own.
+# Figures of the published equations are in build/figures, others in a subfolder.
 OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
 ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $$1 }'),$(FIGURES))
 
@@ -47,20 +47,20 @@ ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $
 PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
             nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev libkainjow-mustache-dev \
             gnuplot-nox fonts-dejavu-core
-# A peer of the benchmark.
+# The library that the benchmark compares with.
 BENCH_PACKAGES := libgsl-dev
 LINT_PACKAGES  := clang-format clang-tidy python3
-# The program that makes wrong changes is written in Python, with nothing but its own library.
+# The program that makes wrong changes needs only Python's standard library.
 MUTANTS_PACKAGES := python3
 # Another compiler; another processor, with a program that runs its programs here.
 CLANG_PACKAGES    := clang libclang-rt-dev
 PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
 # A browser that checks the reviewer's page, Node.js to drive it, and a dictionary for its words. Node.js
-# of other makers brings npm along, and does not bear Debian's.
+# from elsewhere includes npm and conflicts with Debian's.
 REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
-# The engine in the page: a compiler for browsers and what its optimiser parses with.
+# The engine in the page: a compiler for browsers, and the parser of its optimiser.
 EXPLORE_PACKAGES := emscripten node-acorn
-# Sweeps over many machines; with it a program takes 30 ms longer to start.
+# Sweeps over many machines; linking MPI makes a program start 30 ms later.
 MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
 # Ball arithmetic with FLINT and Arb.
@@ -88,20 +88,20 @@ help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
 	  awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
 	@echo "  make figNN          redraw one figure: $(FIGURES)"
-	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (of make figures),"
-	@echo "         SEED=7, HAND=50, COUNT=100, UNDER=\"model figures\" (of make mutants: which changes, how many, and where)"
-	@echo "         POINTS=40 (of make maps: points along each axis, 400 if not given)"
-	@echo "         RUNS=100 (of make stress: how many, with SEED, to 3, 6, 9 and 12 digits)"
+	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (for make figures),"
+	@echo "         SEED=7, HAND=50, COUNT=100, UNDER=\"model figures\" (for make mutants: which changes, how many, and where)"
+	@echo "         POINTS=40 (for make maps: points along each axis, 400 by default)"
+	@echo "         RUNS=100 (for make stress: runs, drawn with SEED, to 3, 6, 9 and 12 digits)"
 
 deps: ## install the Debian packages that are missing
 	$(call install,$(PACKAGES))
-deps-bench: deps ## install what the benchmark compares with (optional)
+deps-bench: deps ## install the library that the benchmark compares with (optional)
 	$(call install,$(BENCH_PACKAGES))
 deps-lint: deps ## install what make lint needs (optional)
 	$(call install,$(LINT_PACKAGES))
 deps-mutants: deps ## install what make mutants needs (optional)
 	$(call install,$(MUTANTS_PACKAGES))
-deps-clang: deps ## install the other compiler, for make verify CXX=clang++ (optional)
+deps-clang: deps ## install clang, for make verify CXX=clang++ (optional)
 	$(call install,$(CLANG_PACKAGES))
 deps-portable: deps ## install what make portable needs (optional)
 	$(call install,$(PORTABLE_PACKAGES))
@@ -120,7 +120,7 @@ deps-mpi: deps ## install what make mpi needs (optional)
 deps-explore: deps ## install what make explore needs (optional)
 	$(call install,$(EXPLORE_PACKAGES))
 
-# On a system without dpkg, CMake and gnuplot speak for themselves.
+# On a system without dpkg, CMake and gnuplot report what is missing.
 need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
 	$(if $(shell mkdir -p $(BUILD) 2>/dev/null && test -w $(BUILD) && echo yes),,$(error $(BUILD): cannot be written))
 	@! command -v dpkg-query >/dev/null || \
@@ -128,8 +128,8 @@ need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
 	  echo "Missing package: $$package (make deps installs it)"; missing=1; done >&2; \
 	[ -z "$$missing" ]
 
-# Quiet unless there is something to do or to complain of. CMake looks for packages again where some have
-# changed, and `make -j1` runs one compiler.
+# Silent unless there is something to do or to report. CMake runs again if packages have changed, and
+# `make -j1` runs one compiler.
 elsewhere  = $(shell grep -s ^CMAKE_HOME_DIRECTORY: $(BUILD)/CMakeCache.txt | grep -vxF 'CMAKE_HOME_DIRECTORY:INTERNAL=$(CURDIR)')
 configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BUILD)/build.ninja -nt CMakePresets.json ] && echo yes)
 define build-target
@@ -147,8 +147,8 @@ figures: pictures ## redraw Figs. 2-17 into build/figures
 pictures: $(ASKED:%=$(OUT)/%.$(FORMAT))
 $(FIGURES): %: $(OUT)/%.$(FORMAT)
 
-# One process computes all data, in a fraction of a second. Data that come out the same keep their
-# time stamp, so that their pictures are not drawn again. What was removed is made anew.
+# One process computes all data, in a fraction of a second. Unchanged data keep their time stamp, and
+# so their pictures are not drawn again. Removed files are made again.
 define compute_data
 	@mkdir -p $(OUT)/new && $(ROTOR) figure --out $(OUT)/new --equations $(EQUATIONS)
 	@for csv in $(OUT)/new/*.csv; do cmp -s $$csv $(OUT)/$${csv##*/} || mv $$csv $(OUT)/; done
@@ -159,7 +159,7 @@ $(OUT)/.data: $(ROTOR) $(SCENES)
 $(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data
 	$(if $(wildcard $@),,$(compute_data))
 
-# Points that were read off a printed figure, if there are any, are drawn into it.
+# Points read off a printed figure, if there are any, are drawn into ours.
 DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
 $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
 	@figures/draw.sh $@ "data = '$<'; equations = '$(EQUATIONS)'; \
@@ -167,23 +167,22 @@ $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIG
 figures/paper/%.gp:
 	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))
 
-# Maps of outcomes over two quantities. Coarser ones stand in a folder of their own. A sweep that was
-# stopped resumes where it was.
+# Maps of outcomes over two quantities, coarser ones in a subfolder. An interrupted sweep resumes.
 MAPS         := $(filter-out rounding,$(patsubst figures/maps/%.toml,%,$(wildcard figures/maps/*.toml)))
 MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
 MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
-maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (minutes)
+maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (up to an hour)
 .SECONDARY: $(foreach map,$(MAPS) rounding,$(foreach end,.toml .csv -theory.csv,$(MAP_OUT)/$(map)$(end)))
 map-theory: build
 	$(call build-target,map-theory)
 $(BUILD)/map-theory: map-theory
 
-# An ensemble at each point wants a tenth of the points, ten at least.
+# A map with an ensemble at each point has a tenth of the points, but at least ten.
 $(MAP_OUT)/%.toml: figures/maps/%.toml
 	@mkdir -p $(@D); sed -e 's/^points = 400$$/points = $(POINTS)/;t' -e "s/^points = 40$$/points = $$(($(POINTS) < 100 ? 10 : $(POINTS) / 10))/" $< > $@
 $(MAP_OUT)/%.csv: $(MAP_OUT)/%.toml $(ROTOR)
 	@$(ROTOR) sweep $< --out $@
-# Lines are as fine on a coarse map.
+# The lines of a coarse map are as fine as those of a full one.
 $(MAP_OUT)/%-theory.csv: figures/maps/%.toml $(BUILD)/map-theory
 	@mkdir -p $(@D); $(BUILD)/map-theory $< > $@
 $(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
@@ -196,26 +195,26 @@ $(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/m
 $(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv figures/maps/rounding.gp figures/paper/style.gp
 	@figures/draw.sh $@ "data = '$<'" figures/maps/rounding.gp
 
-verify: build ## build, run all tests, and hold the published numbers against ours
+verify: build ## build, run all tests, and compare the published numbers with ours
 	$(call build-target,all)
 	@verification/verify.sh $(BUILD)
 
-claim: build ## all that is known of one claim of the paper's text: make claim ID=speed
+claim: build ## print all that is known about one claim of the paper: make claim ID=speed
 	$(call build-target,report-numbers)
 	@$(BUILD)/report-numbers reference-data claim "$(ID)"
 
 # Each set of equations is drawn by its own make.
-report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## the reviewer's page: build/report/index.html, one file that needs no network
+report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## make the reviewer's page, build/report/index.html: one file that needs no network
 	$(call build-target,report-page report-numbers)
 	@for set in published consistent; do \
 	  $(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=$$set; done
 	@verification/report/report.sh $(BUILD)
-check-report: report ## look at the page in a browser, at its links, and at its spelling
+check-report: report ## check the page in a browser, its links and its spelling
 	@verification/report/check.sh $(BUILD)
-site: verify report ## page, pictures, data and maps for a static host, and as an archive
+site: verify report ## collect page, pictures, data and maps for a static host, and as an archive
 	@verification/report/site.sh $(BUILD)
 
-approve: build ## write verification/approved and the marked numbers in Markdown anew; read the change before you commit it
+approve: build ## rewrite verification/approved and the marked numbers in Markdown; read the change before you commit it
 	$(call build-target,verification)
 	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
 
@@ -227,19 +226,19 @@ sanitize: need-deps ## run the tests with address and undefined-behaviour saniti
 	@cmake --build $(BUILD)/sanitize --target verification
 	@verification/tests.sh $(BUILD)/sanitize
 
-mpi: build ## build build/mpi/rotor, which mpirun spreads over machines, and compare it with threads
+mpi: build ## build build/mpi/rotor, which mpirun runs on many machines, and compare it with threads
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(MPI_PACKAGES))),$(error Missing packages: $(call missing,$(MPI_PACKAGES)) (make deps-mpi installs them)))
 	$(call build-target,rotor-mpi)
 	@verification/program/mpi.sh $(BUILD)/mpi/rotor
 
 engine: need-deps
 	@figures/explore/build.sh $(BUILD)
-explore: engine report ## the page with the engine in it, compiled for the browser: drag on its map to rerun the accident
+explore: engine report ## make the page with the engine in it, compiled for the browser: drag on its map to rerun the accident
 
-check-explore: explore ## turn the page's knobs in a browser, and compare with the program (make deps-report)
+check-explore: explore ## operate that page in a browser and compare it with the program (needs make deps-report)
 	@node verification/program/explore.mjs $(BUILD)/report/index.html $(ROTOR) $(BUILD)/check-report "$$(command -v chromium)"
 
-portable: build ## build for another processor, and compare to the last bit
+portable: build ## build for another processor, and compare results to the last bit
 	@verification/program/portable.sh $(BUILD)
 
 SEED  ?= 1
@@ -248,35 +247,35 @@ COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
 	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under "$(UNDER)"
 
-reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (minutes)
+reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (up to an hour)
 	$(call build-target,reference digits-reference)
 	@$(BUILD)/digits-reference reference-data/random-runs.csv
 	@$(BUILD)/reference reference-data/high-precision.csv
 
-ensembles: build ## redraw reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes)
+ensembles: build ## recompute reference-data/ensembles.csv: every claim over the rounding of the inputs (up to an hour)
 	$(call build-target,ensembles)
 	@$(BUILD)/ensembles reference-data 10000
 
-prove: need-deps ## prove what happens by ball arithmetic: reference-data/proven.csv (minutes)
+prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-data/proven.csv (minutes)
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(PROVE_PACKAGES))),$(error Missing packages: $(call missing,$(PROVE_PACKAGES)) (make deps-prove installs them)))
 	$(call build-target,prove prover-tests)
 	@$(BUILD)/prover-tests --gtest_brief=1
 	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
-reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (minutes)
+reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (up to an hour)
 	$(call build-target,reasons)
 	@$(BUILD)/reasons reference-data 1000
 
-laws: build ## hold the laws of model/theory against 10,000 random rotors: reference-data/laws.csv, and a picture (minutes)
+laws: build ## test the laws of model/theory on 10,000 random rotors: reference-data/laws.csv, and a picture (minutes)
 	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --out $(BUILD)/laws/laws.csv
 	@verification/paper/laws.sh $(BUILD)/laws/laws.csv > $(BUILD)/laws/quantiles.csv
 	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
-bench-programs: build ## build what make bench, stress and reference run
+bench-programs: build ## build the programs of make bench, stress and reference
 	$(call build-target,benchmark stress reference digits-reference)
-bench: bench-programs ## run time against error of every method, with pictures, into build/bench
+bench: bench-programs ## measure run time against error of every method, with pictures, into build/bench
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
 	@LC_ALL=C.UTF-8 gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
 	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
@@ -284,7 +283,7 @@ bench: bench-programs ## run time against error of every method, with pictures, 
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
 
 RUNS ?= 1000
-stress: build ## a hundred thousand random rotors, stability, guaranteed digits: numbers and pictures (minutes)
+stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (up to an hour)
 	$(call build-target,stress digits-reference)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/stress rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stress steps $(BUILD)/stress-results
@@ -293,5 +292,5 @@ stress: build ## a hundred thousand random rotors, stability, guaranteed digits:
 	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)
 	@$(BUILD)/digits-reference stress $(RUNS) $(SEED) $(BUILD)/stress-results
 
-clean: ## remove everything that was made
+clean: ## remove the folder build
 	rm -rf $(BUILD)

@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
-# What `make lint` does: whether all wrong changes of `make mutants` can still be made, the format of
-# all sources, and clang-tidy (see .clang-tidy) on those of model/ and figures/. cppcheck was tried and
-# found nothing that is.
+# What `make lint` does: checks that all wrong changes of `make mutants` can still be made, the format of
+# all sources, and model/ and figures/ by clang-tidy (see .clang-tidy). cppcheck was tried and found no
+# real fault.
 set -uo pipefail
 build=$1/lint
 python3 -B verification/robustness/mutants.py --check || exit 1
 mapfile -t all < <(git ls-files '*.cpp' '*.hpp' '*.ipp')
 clang-format --dry-run -Werror "${all[@]}" || exit 1
 
-# A room's sources at once, as the headers of libraries take longest; without precompiled headers and
-# quadruple precision, which are gcc's. What other precisions are made of is looked at in double.
+# All sources of a folder at once, because the headers of libraries take longest; without gcc's
+# precompiled headers and quadruple precision. Code for other precisions is checked in double.
 cmake --preset release -B "$build" -DROTOR_VERIFICATION=OFF -DHAS_QUADMATH=OFF \
   -DCMAKE_UNITY_BUILD=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$build.log" 2>&1 ||
   { cat "$build.log" >&2; exit 1; }
-# By this name clang's analyzer knows sources that are included, and follows their paths as well.
+# With this name clang's analyzer also follows paths in the included sources.
 for file in "$build"/CMakeFiles/*/Unity/unity_*; do mv "$file" "${file/unity_/UnifiedSource_}"; done
 sed -i 's/unity_/UnifiedSource_/g' "$build/compile_commands.json"
 sed -n 's/.*"file": "\(.*\)".*/\1/p' "$build/compile_commands.json" |

@@ -6,7 +6,7 @@ build=$1
 report=$build/report
 mkdir -p "$report"
 rm -f "$report"/tests-*.json
-# The plainest locale: nothing may depend on the user's.
+# The plainest locale: nothing may depend on that of the user.
 export LC_ALL=C RC_PARAMS=seed=1 GTEST_TOTAL_SHARDS=$(nproc) GTEST_BRIEF=1
 pids=()
 for ((shard = 0; shard < GTEST_TOTAL_SHARDS; ++shard)); do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `make verify` does once everything is built: runs the tests, prints and keeps the report, and
-# sends random rotors through the engine. The status is 0 if all is as it should be.
+# What `make verify` does once everything is built: runs the tests, prints and saves the report, and runs
+# random rotors. The status is 0 if everything passes.
 set -uo pipefail
 build=$1
 report=$build/report
@@ -12,7 +12,7 @@ verification/tests.sh "$build" || failed=1
 "$build/stress" rotors 300 "$report" | tee -a "$report/report.txt" || failed=1
 echo
 echo "This report: $report/report.txt"
-# And the reviewer's page, where its pictures have been drawn.
+# The reviewer's page, if its pictures have been drawn.
 drawn=1
 for scene in figures/paper/fig[0-9][0-9].toml; do
   figure=$(basename "$scene" .toml).svg

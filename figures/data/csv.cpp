@@ -14,7 +14,7 @@
 namespace rotor {
 namespace {
 
-/// Takes a text apart into the cells of its rows.
+/// Splits a text into the cells of its rows.
 class CsvReader {
  public:
   explicit CsvReader(std::istream& stream) : stream_(stream) {}
@@ -121,7 +121,7 @@ long double CsvRow::number(std::string_view heading) const {
     std::size_t length = 0;
     const long double value = std::stold(cell, &length);
     if (length == cell.size()) return value;
-  } catch (const std::logic_error&) {  // said below
+  } catch (const std::logic_error&) {  // reported below
   }
   fail(fmt::format("{}: must be a number, not \"{}\"", heading, cell));
 }

@@ -1,4 +1,4 @@
-/// Comma-separated values, as RFC 4180 has them, below lines of provenance that start with "#".
+/// Comma-separated values (RFC 4180), below lines of provenance that start with "#".
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@
 
 namespace rotor {
 
-/// A text as a field: in quotes if it holds anything that would not survive without.
+/// A text as a field, in quotes if it needs them.
 std::string csv_field(std::string_view text);
 
-/// A number as a field, with as many digits as it takes to read the same number back; what is not a
-/// number is empty.
+/// A number as a field, with as many digits as are needed to read the same number back; empty for
+/// NaN.
 std::string csv_field(double value);
 
 /// Lines of provenance and the header row.
@@ -27,13 +27,12 @@ std::string csv_head(const std::vector<std::string>& provenance,
 /// A row: a name, then numbers.
 std::string csv_row(std::string_view name, std::span<const double> values);
 
-/// Head and rows. The first heading is that of the tables' names, the others are those of their
-/// columns.
+/// Head and rows. The first heading is for the tables' names, the others are for their columns.
 std::string to_csv(const std::vector<std::string>& provenance,
                    const std::vector<std::string_view>& headings,
                    const std::vector<NamedTable>& tables);
 
-/// A row of a CSV file that has been read. All throw std::runtime_error, naming file and line.
+/// A row that was read from a CSV file. Throws std::runtime_error with file and line.
 class CsvRow {
  public:
   using Headings = std::shared_ptr<const std::vector<std::string>>;
@@ -51,7 +50,7 @@ class CsvRow {
 
 /// The rows of a CSV file below its header row. Lines that start with "#" are skipped.
 std::vector<CsvRow> read_csv(const std::filesystem::path& file);
-/// The same of a text, which messages call by that name.
+/// The same for a text; messages refer to it by `name`.
 std::vector<CsvRow> read_csv(std::istream& stream, const std::string& name);
 
 }  // namespace rotor

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a path leads to, through links, whether it exists or not.
+/// The target of a path through links, whether it exists or not.
 fs::path resolved(fs::path file) {
   std::error_code error;
   constexpr int most_links = 40;
@@ -28,11 +28,11 @@ fs::path resolved(fs::path file) {
     const fs::path to = fs::read_symlink(file, error);
     file = to.is_absolute() ? to : file.parent_path() / to;
   }
-  const fs::path absolute = fs::absolute(file, error);  // behind a link, .. is not its parent
+  const fs::path absolute = fs::absolute(file, error);  // after a link, .. is not its parent
   return fs::weakly_canonical(absolute.parent_path(), error) / absolute.filename();
 }
 
-/// What identifies a file, whatever path leads to it; empty for a device, which many may share.
+/// Identifies a file, whatever path leads to it; empty for a device, which may be used many times.
 std::string identity(const fs::path& file) {
   if (is_standard_output(file)) return "-";
   struct stat status {};
@@ -53,7 +53,7 @@ bool is_standard_output(const fs::path& file) {
 OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
   if (file.empty()) fail("its name is empty");
   if (is_standard_output(file)) {
-    descriptor_ = ::dup(STDOUT_FILENO);  // which writes behind what has been printed
+    descriptor_ = ::dup(STDOUT_FILENO);  // appends to what has been printed
     if (descriptor_ < 0) fail_by_errno();
     return;
   }
@@ -72,7 +72,7 @@ OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
 void OutputFile::open_draft() {
   const std::string absolute = fs::absolute(named_).string();
   if (absolute.starts_with("/dev/fd/") || absolute.starts_with("/proc/"))
-    fail("state a file by its name, or - for standard output");
+    fail("name a file, or - for standard output");
   target_ = resolved(named_);
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
@@ -80,7 +80,7 @@ void OutputFile::open_draft() {
   require_folder();
   const fs::path draft =
       target_.parent_path() / fmt::format(".{}.{}.part", target_.filename().string(), ::getpid());
-  ::unlink(draft.c_str());  // that of a process with this number that was killed
+  ::unlink(draft.c_str());  // left by a killed process with the same id
   descriptor_ = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail_by_errno();
   draft_ = draft;
@@ -113,7 +113,7 @@ void OutputFile::flush() {
     if (written < 0 && errno == EINTR && !is_interrupted()) continue;
     if (written < 0) fail_by_errno();
     left.remove_prefix(static_cast<std::size_t>(written));
-    if (!left.empty() && is_interrupted()) throw Interrupted();  // there is no reader for the rest
+    if (!left.empty() && is_interrupted()) throw Interrupted();  // nobody reads the rest
   }
   buffer_.clear();
 }
@@ -147,10 +147,10 @@ void FileTransaction::require_distinct(const std::vector<fs::path>& files, const
     const std::string its = identity(file);
     if (!its.empty() && its == of_source)
       throw std::runtime_error(fmt::format(
-          "{}: cannot be written: it is what the runs are read from", shown(file.string())));
+          "{}: cannot be written: the runs are read from this file", shown(file.string())));
     if (!its.empty() && std::find(identities.begin(), identities.end(), its) != identities.end())
-      throw std::runtime_error(
-          fmt::format("{}: cannot be written: it is asked for twice", shown(file.string())));
+      throw std::runtime_error(fmt::format("{}: cannot be written: it is the file of two outputs",
+                                           shown(file.string())));
     identities.push_back(its);
   }
 }
@@ -164,7 +164,7 @@ void FileTransaction::write_to_all(std::string_view text) {
 }
 
 void FileTransaction::commit() {
-  for (const auto& file : files_) file->flush();  // what fails does so before any takes its place
+  for (const auto& file : files_) file->flush();  // errors occur before any file is replaced
   for (const auto& file : files_) file->commit();
   files_.clear();
 }

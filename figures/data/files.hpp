@@ -9,11 +9,11 @@
 
 namespace rotor {
 
-/// A file that is being written. A regular one is written as a draft in the same folder, which
-/// replaces it, with its mode, when it is committed; before that nothing existing is touched, and
-/// without it nothing is left behind, unless the process is killed. Links are followed; no folder
-/// is created. A device or a pipe is written straight away; so is "-", which is standard output.
-/// All throw std::runtime_error, naming the file and the reason.
+/// A file that is being written. A regular file is written as a draft in the same folder, which
+/// replaces it, with its mode, on commit. Until then no existing file changes; without a commit the
+/// draft is removed, unless the process is killed. Links are followed; folders are not created. A
+/// device, a pipe or "-", which is standard output, is written directly. Throws std::runtime_error
+/// with the file and the reason.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);
@@ -22,32 +22,32 @@ class OutputFile {
   ~OutputFile();
 
   void write(std::string_view text);
-  /// After this, all that was written has left the program.
+  /// Passes everything written to the operating system.
   void flush();
-  /// After this, it survives a power cut.
+  /// The same, so that it survives a power cut.
   void sync();
   void commit();
 
  private:
   void open_draft();
-  void require_folder() const;  ///< that the file is to be in
+  void require_folder() const;  ///< of the file
   [[noreturn]] void fail(std::string_view reason) const;
   [[noreturn]] void fail_by_errno() const;
 
-  std::filesystem::path named_;   ///< as it was asked for
-  std::filesystem::path target_;  ///< what that leads to
-  std::filesystem::path draft_;   ///< empty if it is written straight away
+  std::filesystem::path named_;   ///< as stated
+  std::filesystem::path target_;  ///< the target of named_
+  std::filesystem::path draft_;   ///< empty if the file is written directly
   int descriptor_ = -1;
   std::string buffer_;
 };
 
-/// Whether a path leads to standard output: "-", or another name of it.
+/// Whether a path leads to standard output: "-" or another name for it.
 bool is_standard_output(const std::filesystem::path& file);
 
-/// Files that appear together, when all have been written.
+/// Files that appear together once all have been written.
 class FileTransaction {
  public:
-  /// To be called before any work, for the files that will be opened: throws if two are the same.
+  /// To be called before any work with the files that will be opened. Throws if two are the same.
   static void require_distinct(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& source = {});
 

@@ -18,9 +18,9 @@ void note_interruptions() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     ::sigaction(signal, nullptr, &action);
-    if (signal == SIGHUP && action.sa_handler == SIG_IGN) continue;  // nohup wants it to live on
+    if (signal == SIGHUP && action.sa_handler == SIG_IGN) continue;  // started by nohup
     action.sa_handler = note;
-    action.sa_flags = 0;  // calls that block return
+    action.sa_flags = 0;  // blocking calls return
     ::sigaction(signal, &action, nullptr);
   }
 }

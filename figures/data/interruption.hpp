@@ -1,17 +1,17 @@
-/// Interruptions such as Ctrl-C: long work asks for them from time to time, and cleans up.
+/// Interruptions such as Ctrl-C: long work checks for them from time to time, and cleans up.
 #pragma once
 
 #include <stdexcept>
 
 namespace rotor {
 
-/// From now on SIGINT, SIGTERM and SIGHUP are noted instead of ending the program.
+/// From now on SIGINT, SIGTERM and SIGHUP are only noted and do not end the program.
 void note_interruptions();
 
-/// Whether there has been one.
+/// Whether one has been noted.
 bool is_interrupted();
 
-/// Which signal has been noted, or 0.
+/// The signal that was noted, or 0.
 int interrupting_signal();
 
 struct Interrupted : std::runtime_error {

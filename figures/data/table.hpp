@@ -24,7 +24,7 @@ class Table {
   std::vector<double> values_;
 };
 
-/// Rows that belong together, all named alike in their first column.
+/// Rows with the same name in their first column.
 struct NamedTable {
   std::string name;
   Table table;

@@ -11,8 +11,8 @@
 namespace rotor {
 namespace {
 
-/// How many letters have to be inserted, removed, replaced or exchanged with their neighbour
-/// (Damerau and Levenshtein).
+/// How many letters must be inserted, removed, replaced or exchanged with their neighbour (Damerau
+/// and Levenshtein).
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), 0U);
@@ -30,8 +30,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return last.back();
 }
 
-/// How many bytes at the beginning of a text are a control character, which terminals obey, or one
-/// that XML does not allow; 0 if there is none.
+/// Number of bytes of a control character, or of one that XML does not allow, at the start of a
+/// text; 0 if there is none.
 std::size_t control_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -58,7 +58,7 @@ std::string one_line(std::string_view text) {
 std::string shown(std::string_view text) {
   std::size_t most = 60;
   while (most < text.size() && (static_cast<unsigned char>(text[most]) & 0xc0U) == 0x80U)
-    --most;  // a letter of several bytes is left out whole
+    --most;  // never half a letter of several bytes
   return one_line(text.substr(0, most)) + (text.size() > most ? "..." : "");
 }
 
@@ -67,11 +67,11 @@ void print_message(std::string_view message) {
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 
-/// All of the text as a number, without anything around it.
+/// The text as a number, if it is one from end to end.
 std::optional<double> number_in(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
-    return std::nullopt;  // which strtod may know: blanks, nan, hexadecimal
-  char* end = nullptr;    // libc++ 14 has std::from_chars for integers alone
+    return std::nullopt;  // strtod would accept blanks, nan, hexadecimal
+  char* end = nullptr;    // libc++ 14 has std::from_chars only for integers
   errno = 0;
   const double value = std::strtod(text.c_str(), &end);
   const bool vanishes = errno == ERANGE && value == 0;

@@ -8,22 +8,22 @@
 
 namespace rotor {
 
-/// The text as one line that may be shown anywhere: control characters are made visible. What is
-/// such a line already stays as it is.
+/// The text as one line that may be shown anywhere: control characters are made visible. A line
+/// without any does not change.
 std::string one_line(std::string_view text);
 
-/// The same, or its beginning if it is longer than a message should repeat.
+/// The same, shortened for messages.
 std::string shown(std::string_view text);
 
 /// Prints a message on standard error, in one line. A failure to write it is ignored.
 void print_message(std::string_view message);
 
-/// All of the text as a number, without anything around it.
+/// The text as a number, if it is one from end to end.
 std::optional<double> number_in(const std::string& text);
-/// An error message for a text that is no number; empty if it is one.
+/// An error message for a text that is not a number; empty for a number.
 std::string unless_number(const std::string& text);
 
-/// "; did you mean NAME?" if one of the names is what was probably meant, or nothing.
+/// "; did you mean NAME?" if one of the names was probably meant; otherwise empty.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
 
 /// A time, in seconds, minutes, hours or days.

@@ -9,7 +9,7 @@
 namespace rotor {
 namespace {
 
-/// A column's least and greatest value, and the first rows that have them.
+/// A column's least and greatest value, and the first rows with them.
 struct Range {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   std::size_t least_row = 0, greatest_row = 0;
@@ -31,8 +31,8 @@ Range range_of(const Table& table, std::size_t column) {
   return range;
 }
 
-/// One column, scaled so that its values lie between 0 and 1. A constant column is all zero; what
-/// is not a number is zero as well.
+/// One column, scaled so that its values lie between 0 and 1. A constant column and NaN become
+/// zero.
 std::vector<double> scaled(const Table& table, std::size_t column, const Range& range) {
   const double length = range.greatest > range.least ? range.greatest - range.least : 1;
   std::vector<double> values(table.rows());
@@ -43,7 +43,7 @@ std::vector<double> scaled(const Table& table, std::size_t column, const Range& 
   return values;
 }
 
-/// Marks the rows before and after each gap, where the column is not a number.
+/// Marks the rows before and after each gap, where the column is NaN.
 void mark_gaps(const Table& table, std::size_t column, std::vector<char>& needed) {
   for (std::size_t i = 1; i < table.rows(); ++i)
     if (std::isnan(table.row(i)[column]) != std::isnan(table.row(i - 1)[column]))
@@ -55,7 +55,7 @@ struct Curves {
   std::vector<double> x;
   std::vector<std::vector<double>> all;
 
-  /// How far a row lies from the lines between two others, in the curve that is furthest.
+  /// The largest distance of a row, over all curves, from the lines between two others.
   double distance(std::size_t row, std::size_t from, std::size_t until) const {
     const double length = x[until] - x[from];
     const double part = length > 0 ? (x[row] - x[from]) / length : 0;
@@ -66,10 +66,10 @@ struct Curves {
   }
 };
 
-/// Marks the rows that lines need to stay within `tolerance` of all curves between two rows that
-/// are needed (Douglas-Peucker, for all curves at once: a corner of one alone would bend the lines
-/// of the others). What counts is the error at a given x, because a scene may draw two columns over
-/// each other.
+/// Marks the rows needed between two others so that straight lines stay within `tolerance` of all
+/// curves (Douglas-Peucker, for all curves at once: a corner of one curve would otherwise bend the
+/// lines of the others). The error is measured at a given x, because a scene may draw two columns
+/// over each other.
 void mark_corners(const Curves& curves, std::size_t first, std::size_t last, double tolerance,
                   std::vector<char>& needed) {
   std::vector<std::pair<std::size_t, std::size_t>> open = {{first, last}};
@@ -100,10 +100,10 @@ Table thinned(const Table& table, double tolerance) {
     const Range range = range_of(table, column);
     curves.all.push_back(scaled(table, column, range));
     mark_gaps(table, column, needed);
-    // The ends of the range are what annotations quote: they stay to the last digit.
+    // Annotations quote the ends of the range: these rows are kept exactly.
     needed[range.least_row] = needed[range.greatest_row] = true;
   }
-  // Piece by piece, because the time that it takes grows faster than a piece's length.
+  // Piece by piece, because the time needed grows faster than the length of a piece.
   constexpr std::size_t piece_length = 512;
   for (std::size_t row = 0; row < table.rows(); row += piece_length) needed[row] = true;
   needed.back() = true;

@@ -9,9 +9,9 @@ namespace rotor {
 /// fifth of a pixel in a picture 1000 pixels high.
 inline constexpr double thinning = 2e-4;
 
-/// The table with only those rows that its curves need: interpolated over its first column, which
-/// must not fall, each of the other columns stays within `tolerance`, relative to its range, of its
-/// values in the full table.
+/// The table with only the rows that its curves need: interpolated over its first column, which
+/// must not fall, each other column stays within `tolerance`, relative to its range, of its values
+/// in the full table.
 Table thinned(const Table& table, double tolerance);
 
 }  // namespace rotor

@@ -3,7 +3,7 @@
 set -euo pipefail
 work=$1/explore
 command -v em++ >/dev/null || { echo "Without em++, which make deps-explore installs." >&2; exit 1; }
-# A node that is not Debian's does not look where Debian keeps node-acorn.
+# A node other than Debian's does not find Debian's node-acorn.
 export NODE_PATH=/usr/share/nodejs
 mkdir -p "$work"
 emcmake cmake --preset browser -B "$work" >"$work/cmake.log" 2>&1 || { cat "$work/cmake.log" >&2; exit 1; }

@@ -16,28 +16,28 @@
 namespace rotor {
 namespace {
 
-/// Before the mass loss a picture shows so many seconds, unless a beginning is given.
+/// The time before the mass loss that a picture shows by default, s.
 constexpr double shown_before_loss_s = 0.02;
 
-/// Draws need but the digits that are printed, and less of their curves.
+/// Runs of a sample need only the printed digits, and coarser curves.
 constexpr double tolerance_of_draws = 1e-8, closeness_of_draws = 5e-3;
 
 constexpr std::array works = {"time_s",          "motor",    "gravity",  "support_damping",
                               "contact_damping", "friction", "mass_loss"};
 
-/// What a page can hold.
+/// Limits of a page's memory.
 constexpr std::size_t most_rows = 1'000'000;
 
-/// Throws InputError where a row more would be too many.
+/// Throws InputError if there are too many rows.
 void require_room(std::size_t rows) {
   if (rows == most_rows)
     throw InputError(
-        fmt::format("--from, --until: between them the trace would have more than {} rows; show a "
+        fmt::format("--from, --until: the trace would have more than {} rows; show a "
                     "shorter part",
                     most_rows));
 }
 
-/// Lists the works after each step in the window. Belongs behind the observer of the energy.
+/// Lists the works after each step in the window. To be added after the observer of the energy.
 class WorkLog : public Observer {
  public:
   WorkLog(const EnergyObserver& energy, double from_s) : energy_(energy), from_s_(from_s) {}
@@ -60,7 +60,7 @@ class WorkLog : public Observer {
   double from_s_;
 };
 
-/// What there is to see of a run.
+/// What can be seen of a run.
 const std::vector<const Column*>& columns_of_picture() {
   static const auto all = parse_columns(
       {"time_s", "normal_force_N", "friction_force_N", "speed_Hz", "x_a_m", "y_a_m", "q3_rad",
@@ -72,7 +72,7 @@ const std::vector<const Column*>& columns_of_draw() {
   return all;
 }
 
-/// Where the trace begins. Throws InputError.
+/// Start of the trace. Throws InputError.
 double beginning(const Settings& settings, const Scenario& scenario) {
   if (settings.from_s) return stated_window({}, settings.from_s, {}, {{"run", scenario}}).from_s;
   const double loss_s = scenario.parameters.mass_loss_time;
@@ -145,7 +145,7 @@ Picture Explorer::draw(const Options& options, long n, long count, Observer& mon
   ScenarioSpec drawn = SweepPoints(sweep)(n).spec;
   drawn.numbers.emplace("tolerance", tolerance_of_draws);
   Scenario scenario = scenario_of(drawn, run_ups_);
-  // The same part of the run, seen from its own mass loss.
+  // The same part of the run, relative to its own mass loss.
   const double later_s = stated.loses_mass()
                              ? scenario.parameters.mass_loss_time - stated.parameters.mass_loss_time
                              : 0;

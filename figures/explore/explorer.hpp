@@ -1,4 +1,4 @@
-/// Runs for somebody who turns knobs and watches: fast, again and again.
+/// Runs for interactive use: fast, and repeated with changed settings.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,34 +16,33 @@ namespace rotor {
 /// A run, ready to be drawn.
 struct Picture {
   /// "summary" as `rotor run --energy --json` prints it, the "events", the columns of the tables,
-  /// and where the trace begins and the mass is lost.
+  /// the start of the trace and the time of the mass loss.
   nlohmann::ordered_json metadata;
-  Table motion;  ///< rows of the columns that are asked for
-  Table works;   ///< time, and the works of EnergyBalance until then, J
+  Table motion;  ///< rows of the requested columns
+  Table works;   ///< time, and the works of EnergyBalance up to then, J
 };
 
-/// Keeps the run-ups of the last settings: a knob that matters later than these does not wait for
-/// them. All throw std::exception in the words of the command line, and ask the monitor after each
-/// step.
+/// Keeps the run-ups of the last settings, so that knobs that act later need no new run-up. All
+/// functions throw std::exception with the messages of the command line, and call the monitor after
+/// each step.
 class Explorer {
  public:
   explicit Explorer(std::vector<CsvRow> printed_inputs);
 
-  /// As close are its curves to the motion, relative to their range: half a pixel of a screen.
+  /// Largest distance of its curves from the motion, relative to their range: half a pixel.
   Picture run(const Options& options, Observer& monitor, double closeness = 1e-3);
 
-  /// One of `count` runs over the printed digits, for its outcome and the curves over time.
+  /// One of `count` draws over the rounding of the inputs: its outcome and its curves over time.
   Picture draw(const Options& options, long n, long count, Observer& monitor);
 
   /// What `rotor run --trace` writes.
   std::string trace(const Options& options, Observer& monitor);
 
-  /// What can be stated: name, symbol, unit, meaning, and the paper's value of each number, if it
-  /// has one.
+  /// The inputs: name, symbol, unit, meaning, and the paper's value, if there is one.
   nlohmann::ordered_json describe_numbers() const;
 
  private:
-  /// What a picture is taken of, and how closely.
+  /// What a picture shows, and how accurately.
   struct Shot {
     Scenario scenario;
     double from_s, closeness;

@@ -1,5 +1,5 @@
-/// The engine as a page's script sees it. Everything passes as JSON text but the tables, which are
-/// arrays of numbers, row after row.
+/// The engine's interface to the page's script. Everything is passed as JSON text, except for the
+/// tables, which are arrays of numbers, row after row.
 #include <emscripten/bind.h>
 #include <emscripten/emscripten.h>
 
@@ -12,14 +12,14 @@ namespace {
 
 using emscripten::val;
 
-/// Tells the page how far a run is. Nothing that the page says could reach a busy engine: a run
-/// that is not wanted any more ends with its worker.
+/// Reports progress to the page. A busy engine cannot receive messages: to end a run, the page ends
+/// its worker.
 class PageMonitor : public Observer {
  public:
   explicit PageMonitor(val on_progress) : on_progress_(std::move(on_progress)) {}
 
   bool goes_on(const Progress& now) override {
-    constexpr long seldom = 256;  // a clock takes as long as a small part of a step
+    constexpr long seldom = 256;  // reading a clock is not free
     if (++steps_ % seldom == 0 && emscripten_get_now() >= next_ms_) {
       next_ms_ = emscripten_get_now() + every_ms;
       on_progress_(now.time_s);
@@ -80,7 +80,7 @@ class Engine {
     result.set("works", array(picture.works));
     return result;
   }
-  /// What is refused is an answer as well.
+  /// A refusal is returned as a result, too.
   template <class Action>
   static val answer(const val& on_progress, const Action& action) {
     PageMonitor monitor(on_progress);

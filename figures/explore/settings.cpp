@@ -42,15 +42,15 @@ void set(Settings& settings, const std::string& option, const std::string& text)
                                suggestion(option, option_names())));
 }
 
-/// The quantity of a printed input. Of those that differ from scene to scene there are several.
+/// The quantity of a printed input; several inputs have the same one in different scenes.
 std::string_view quantity_of(std::string_view input) {
   if (input.starts_with("mu_")) return "friction";
   if (input.starts_with("t_")) return "mass_loss_time";
   return input;
 }
 
-/// Whether the printed value is the one in effect; of what follows from other numbers, whether it
-/// is within the printed digits.
+/// Whether the printed value is the one in effect; for a value that follows from other numbers,
+/// whether it is within the printed digits.
 bool is_in_effect(std::string_view quantity, const CsvRow& row, const ScenarioSpec& spec,
                   const Scenario& scenario) {
   const InputQuantity& drawn = *find_input_quantity(quantity);

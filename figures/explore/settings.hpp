@@ -1,5 +1,5 @@
-/// What a page with knobs states of a run: options of `rotor run` and their texts, so that the page
-/// is understood, and refused, as the command line is.
+/// What the page states about a run: options of `rotor run` and their texts, so that the page is
+/// interpreted, and refused, exactly like the command line.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@
 
 namespace rotor {
 
-/// By the names of the options, without the dashes in front of them. The text of a flag is empty.
+/// Keys are the names of options without leading dashes. The text of a flag is empty.
 using Options = std::map<std::string, std::string>;
 
 struct Settings {
   ScenarioSpec spec;
-  std::optional<double> from_s;  ///< where the trace begins
+  std::optional<double> from_s;  ///< start of the trace
 };
 
-/// Throws InputError in the words of the command line.
+/// Throws InputError with the messages of the command line.
 Settings settings_of(const Options& options);
 
-/// The same settings with their printed inputs drawn from what the printed digits allow: the rows
-/// of reference-data/printed-inputs.csv whose printed value is the one in effect. What somebody has
-/// set to another value is meant literally.
+/// The same settings with their printed inputs drawn from their rounding: the rows of
+/// reference-data/printed-inputs.csv whose printed value is the one in effect. Values that were
+/// changed are kept.
 Sweep over_printed_digits(const ScenarioSpec& spec, const std::vector<CsvRow>& printed_inputs,
                           long count);
 

@@ -18,7 +18,7 @@ struct Named {
 };
 
 template <class Kind>
-Named(const char*, Kind) -> Named<Kind>;  // which clang 14 does not find itself
+Named(const char*, Kind) -> Named<Kind>;  // clang 14 does not deduce it
 
 template <class Kind>
 constexpr std::array<Named<Kind>, 0> names_of;

@@ -1,4 +1,4 @@
-/// How kinds of things are called in options, scene files and CSV.
+/// The names of choices, events and outcomes in options, scene files and CSV.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace rotor {
 
-/// Says what is wrong with an input, where, and what would be right.
+/// States what is wrong with an input, where, and what is allowed.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,12 +21,12 @@ VelocityJump parse_velocity_jump(std::string_view name);    ///< throws InputErr
 GravityMoment parse_gravity_moment(std::string_view name);  ///< throws InputError
 StopOn parse_stop_on(std::string_view name);                ///< throws InputError
 
-/// "mixed" for equations that have no name of their own. Of: Equations, VelocityJump,
+/// The name of one of: Equations ("mixed" if neither published nor consistent), VelocityJump,
 /// GravityMoment, Method, Event, Outcome, StopOn.
 template <class Kind>
 std::string_view name_of(Kind kind);
 
-/// All of a kind.
+/// All names of a kind.
 template <class Kind>
 std::vector<std::string_view> all_names();
 

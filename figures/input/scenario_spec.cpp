@@ -47,7 +47,7 @@ std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
 
 void state_lost_mass(Parameters& p, double lost_mass) {
   if (!(p.eccentricity > 0))
-    throw InputError("lost_mass: a rotor without eccentricity has no unbalance that could grow");
+    throw InputError("lost_mass: a rotor without eccentricity has no unbalance to increase");
   if (!(lost_mass < p.mass))
     throw InputError(
         fmt::format("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass));
@@ -55,10 +55,10 @@ void state_lost_mass(Parameters& p, double lost_mass) {
   p.unbalance_factor = lost_mass > 0 ? MassLoss<double>::unbalance_factor(p) : 1;
 }
 
-/// The time between the mass loss and the end of a run that states none.
+/// The default time between the mass loss and the end of a run.
 constexpr double default_rub_s = 0.25;
 
-/// The scenario but for the time at which a speed is reached: then the mass is lost at the start.
+/// The scenario, except for the time at which a stated speed is reached: mass is lost at the start.
 Scenario numbers_of(const ScenarioSpec& spec) {
   for (const InputQuantity& s : input_quantities())
     if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
@@ -77,7 +77,7 @@ Scenario numbers_of(const ScenarioSpec& spec) {
   scenario.method = spec.method.value_or(scenario.method);
   if (spec.digits && scenario.method == Method::rk4)
     throw InputError(
-        "digits: method rk4 is of first order at contacts; only event can have any number of them");
+        "digits: only method event can guarantee digits; rk4 is of first order at contacts");
 
   if (const auto clearance = number(spec, "clearance")) {
     p.clearance = *clearance;
@@ -124,7 +124,7 @@ ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
       return determined_by(lower.first) == determined_by(stated);
     });
   result.numbers.insert(other.numbers.begin(), other.numbers.end());
-  // Above "no mass loss", a time or speed of it states that there is one; below it, none.
+  // A time or speed of the mass loss overrides "no mass loss", and is overridden by it.
   const auto is_of_loss = [&](const auto& number) {
     return determined_by(number.first) == "mass_loss_time";
   };
@@ -156,15 +156,15 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
   if (const auto speed = number(spec, mass_loss_speed)) {
     check(scenario);
     if (*speed < scenario.start_speed_Hz)
-      throw InputError(fmt::format("{} = {} Hz: the rotor begins with {} Hz already",
-                                   mass_loss_speed, *speed, scenario.start_speed_Hz));
+      throw InputError(fmt::format("{} = {} Hz: the run starts at {} Hz already", mass_loss_speed,
+                                   *speed, scenario.start_speed_Hz));
     Interruptible monitor;
     const auto until = number(spec, "until");
     const SpeedReached reached = run_ups.time_at_speed(scenario, *speed, until, monitor);
     if (is_interrupted()) throw Interrupted();
     if (!reached.time_s)
       throw InputError(fmt::format(
-          "{} = {} Hz: is not reached; until {:.6g} s{} the rotor has {:.6g} Hz at most",
+          "{} = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most {:.6g} Hz",
           mass_loss_speed, *speed, reached.looked_until_s,
           reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz));
     p.mass_loss_time = *reached.time_s;

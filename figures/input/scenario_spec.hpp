@@ -1,5 +1,5 @@
-/// What somebody states of a scenario, in a scene file or by options, and the scenario that this
-/// makes. What is not stated follows from the rest, or is the paper's.
+/// What a scene file or options state of a scenario, and the scenario that results. What is not
+/// stated follows from the rest, or is the paper's value.
 #pragma once
 
 #include <map>
@@ -12,16 +12,16 @@
 
 namespace rotor {
 
-/// A number that can be stated: one of the scenario itself, or another way to state one of those.
+/// A number that can be stated: one of the scenario, or one from which it follows.
 struct InputQuantity {
   Quantity quantity;
-  std::string_view instead_of;  ///< the scenario's own, if it is not that
+  std::string_view instead_of;  ///< name of the scenario's number that follows; empty if it is one
 };
 
 /// In the order in which they are documented.
 std::span<const InputQuantity> input_quantities();
 const InputQuantity* find_input_quantity(std::string_view name);
-/// The name of what a number or choice determines: itself, or what it is stated instead of.
+/// The name of the number or choice that this one determines: itself, or the one it replaces.
 std::string_view determined_by(std::string_view name);
 
 struct ScenarioSpec {
@@ -31,34 +31,34 @@ struct ScenarioSpec {
   std::optional<VelocityJump> velocity_jump;
   std::optional<GravityMoment> gravity_moment;
   std::optional<Method> method;
-  std::optional<int> digits;  ///< that a run is to make sure of
+  std::optional<int> digits;  ///< to be guaranteed
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
 
-  /// The same, where another one takes precedence.
+  /// Both together; `other` takes precedence.
   ScenarioSpec overridden_by(const ScenarioSpec& other) const;
 };
 
-/// Throws InputError, saying what is wrong and what would be right, if two numbers determine the
-/// same, if one is missing, or if what they make is not physical. The speed at the mass loss is
-/// searched in run-ups that may be known already.
+/// Throws InputError, stating what is wrong and what is allowed, if two numbers determine the same
+/// one, if one is missing, or if the scenario is not physical. The speed at the mass loss is
+/// searched in run-ups that may already be known.
 Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups);
 Scenario scenario_of(const ScenarioSpec& spec);
 
-/// Throws InputError where no run-up could help: scenario_of will, too.
+/// Throws InputError if scenario_of() would throw whatever its run-ups give.
 void check_numbers(const ScenarioSpec& spec);
 
-/// The number of digits that a number states. Throws InputError, saying what is allowed.
+/// A stated number of digits. Throws InputError, stating what is allowed.
 int parse_digits(double number);
 
-/// What is stated by a name: equations, velocity_jump, gravity_moment, method.
+/// The inputs that are stated by a name: equations, velocity_jump, gravity_moment, method.
 std::span<const std::string_view> named_inputs();
-/// States one of them. Throws InputError, saying which names there are.
+/// States one of them. Throws InputError, listing the names.
 void state(ScenarioSpec& spec, std::string_view input_quantity, std::string_view name);
 
-/// How the command line calls a number or a choice: with dashes.
+/// The option of a number or a choice: its name with dashes.
 std::string option_of(std::string_view name);
-/// States a number by its text, as the command line does. Throws InputError, naming its option.
+/// States a number by its text, as the command line does. Throws InputError with the option.
 void state_number(ScenarioSpec& spec, const Quantity& quantity, const std::string& text);
 
 }  // namespace rotor

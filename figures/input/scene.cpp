@@ -45,7 +45,7 @@ class SceneReader : TomlFile {
     if (names.empty() || std::find(names.begin(), names.end(), "") != names.end())
       fail(*node, "columns", "must be a list of names of columns, in quotes");
     if (names.front() != "time_s" || names.size() == 1)
-      fail(*node, "columns", "must begin with \"time_s\" and have another column");
+      fail(*node, "columns", "must start with \"time_s\" and have another column");
     return at(*node, "columns", [&] { return parse_columns(names); });
   }
 
@@ -82,7 +82,7 @@ class SceneReader : TomlFile {
                                    fmt::join(names, ", ")));
   }
 
-  /// By options: one that states it, or any of a rotor if the scene leaves it open.
+  /// Whether options may move the end: --until, or others if the scene does not state the end.
   bool may_end_elsewhere(const SceneRun& run) const {
     const ScenarioSpec& options = overrides_.of_runs;
     return run.states_end ? options.numbers.contains("until")
@@ -99,15 +99,15 @@ class SceneReader : TomlFile {
       if (*from != "rolling_onset") fail(*in.get("from"), "from", "must be \"rolling_onset\"");
       const auto length = time(in, "length_s");
       if (!length || in.size() != 2)
-        fail(in, "window", "from goes with length_s, and nothing else");
+        fail(in, "window", "from needs length_s, and excludes other keys");
       return {.from_rolling_onset = true, .length_s = *length};
     }
-    if (in.contains("length_s")) fail(in, "window", "length_s goes with from");
+    if (in.contains("length_s")) fail(in, "window", "length_s needs from");
     const double from =
         time(in, "from_s").value_or(in.empty() ? window_about_loss(scene.runs).from_s : 0);
     const auto stated_until = time(in, "until_s");
     const double until = stated_until.value_or(shortest);
-    // Of runs whose ends options move is shown what of the window they reach.
+    // A run whose end was moved by options may end before the window does.
     const bool lies_in_runs =
         std::all_of(scene.runs.begin(), scene.runs.end(), [&](const SceneRun& run) {
           const double end_s = run.scenario.until;
@@ -116,8 +116,8 @@ class SceneReader : TomlFile {
     if (!lies_in_runs || (stated_until && from >= until))
       fail(in.empty() ? static_cast<const toml::node&>(root) : *root.get("window"), "window",
            fmt::format(
-               "must lie inside the run, with 0 <= from_s < until_s <= {} s; it goes from {} "
-               "s to {} s",
+               "must lie inside the run, with 0 <= from_s < until_s <= {} s; it extends from "
+               "{} s to {} s",
                shortest, from, until));
     if (!stated_until) return {.from_s = from};  // to the end of each run
     return {.from_s = from, .length_s = until - from};
@@ -151,7 +151,7 @@ bool SceneRun::leaves_equations_open() const {
 }
 
 Window window_about_loss(const std::vector<SceneRun>& runs) {
-  constexpr double part_before = 0.05;  // of the time that follows
+  constexpr double part_before = 0.05;  // of the time after the mass loss
   double from_s = std::numeric_limits<double>::infinity();
   for (const SceneRun& run : runs) {
     const double loss_s = run.scenario.loses_mass() ? run.scenario.parameters.mass_loss_time : 0;

@@ -1,4 +1,4 @@
-/// Scene files: what a figure, or any other run, consists of.
+/// Scene files: the runs, columns and window of a figure, or of any other run.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,10 @@ struct SceneRun {
   std::string name;
   Scenario scenario;
   bool states_equations = false;
-  std::optional<int> digits{};  ///< that are asked for
-  bool states_end = false;      ///< in its scene
+  std::optional<int> digits{};  ///< to be guaranteed
+  bool states_end = false;      ///< whether the scene states `until`
 
-  /// Of a rotor that is not the paper's nobody can know which equations are meant.
+  /// Whether no equations are stated for a rotor other than the paper's.
   bool leaves_equations_open() const;
 };
 
@@ -30,31 +30,31 @@ struct Scene {
   Window window;
   std::vector<const Column*> columns;
   std::vector<SceneRun> runs;
-  std::filesystem::path file{};  ///< that states it, if one does
+  std::filesystem::path file{};  ///< empty if there is none
 };
 
-/// The lines above a scene file.
+/// What takes precedence over a scene file.
 struct Overrides {
-  ScenarioSpec of_parameters;  ///< but not what a [[run]] states itself
+  ScenarioSpec of_parameters;  ///< over [parameters]; a [[run]] takes precedence
   ScenarioSpec of_runs;
-  std::string run{};  ///< all runs but this one are left out, if it is stated
+  std::string run{};  ///< the only run that is kept, unless empty
 };
 
 /// Reads a TOML scene file. Throws InputError.
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
 
-/// The scenes of a folder's figures, figNN.toml, by their numbers.
+/// The scene files of a folder's figures, figNN.toml, by their numbers.
 std::map<int, std::filesystem::path> figure_files(const std::filesystem::path& folder);
 
-/// From shortly before the first mass loss of the runs to their ends; all of a run without one.
+/// From shortly before the first mass loss to the ends of the runs; from the start if one has none.
 Window window_about_loss(const std::vector<SceneRun>& runs);
 
-/// The same window with what the options --from and --until state. Throws InputError if it is not
-/// inside every run.
+/// The window with the options --from and --until applied. Throws InputError if it is not inside
+/// every run.
 Window stated_window(Window window, std::optional<double> from_s, std::optional<double> until_s,
                      const std::vector<SceneRun>& runs);
 
-/// The columns of those names. Throws InputError, naming all columns, for one that does not exist.
+/// The columns with those names. Throws InputError, listing all columns, if one does not exist.
 std::vector<const Column*> parse_columns(const std::vector<std::string>& names);
 
 }  // namespace rotor

@@ -13,7 +13,7 @@
 namespace rotor {
 namespace {
 
-/// The line with a key of more parts than the parser's recursion survives; 0 if there is none.
+/// The line of a key with too many parts for the parser's recursion; 0 if there is none.
 long line_with_a_deep_key(const std::string& text) {
   constexpr int most = 200;
   int dots = 0;
@@ -49,7 +49,7 @@ std::string TomlFile::content() const {
   };
   const auto status = std::filesystem::status(file_, error);
   if (!std::filesystem::exists(status)) refuse("there is no such file");
-  if (!std::filesystem::is_regular_file(status)) refuse("it is no regular file");
+  if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
   if (std::filesystem::file_size(file_, error) > most)
     refuse(fmt::format("it is larger than {} bytes", most));
   std::ifstream stream(file_, std::ios::binary);

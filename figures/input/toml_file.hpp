@@ -1,4 +1,4 @@
-/// A TOML file that knows the line of a mistake.
+/// A TOML file whose errors name the line.
 #pragma once
 
 #include <toml++/toml.h>
@@ -18,7 +18,7 @@ class TomlFile {
  public:
   using Keys = std::vector<std::string_view>;
 
-  /// Reads and parses a regular file of bounded size. All throw InputError.
+  /// Reads and parses a regular file of bounded size. All functions throw InputError.
   explicit TomlFile(std::filesystem::path file);
 
   const toml::table& root() const { return root_; }
@@ -30,7 +30,7 @@ class TomlFile {
 
   void expect_keys(const toml::table& table, const Keys& allowed) const;
 
-  /// What a key is set to, if it is.
+  /// The value of a key, if it is set.
   template <class T>
   std::optional<T> value(const toml::table& in, std::string_view key, std::string_view kind) const {
     const toml::node* node = in.get(key);
@@ -43,18 +43,18 @@ class TomlFile {
     if (!found) fail(*node, key, std::string("must be ") + std::string(kind));
     return found;
   }
-  /// If it is one: rounded, as every number, even where it is stated as a whole one.
+  /// The node as a double, if it is a number, whole or not.
   static std::optional<double> number(const toml::node& node);
-  /// One line without control characters: it is shown in messages and pictures.
+  /// One line without control characters, because messages and pictures show it.
   std::optional<std::string> text(const toml::table& in, std::string_view key) const;
-  /// In seconds: finite and not below zero.
+  /// A time in seconds: finite and not below zero.
   std::optional<double> time(const toml::table& in, std::string_view key) const;
   /// The sub-table of that name, empty if there is none.
   const toml::table& table(const toml::table& in, std::string_view key) const;
   /// The tables of that name, in their order; none if there are none.
   std::vector<const toml::table*> tables(const toml::table& in, std::string_view key) const;
 
-  /// What a function throws without a place is said of this node.
+  /// Calls a function, and adds file, line and key to the error that it throws.
   template <class F>
   auto at(const toml::node& node, std::string_view key, F parse) const {
     try {
@@ -69,8 +69,8 @@ class TomlFile {
   toml::table root_;
 };
 
-/// What a table states of a scenario. It may have other keys beside. Throws InputError, naming
-/// file, line and key.
+/// What a table states of a scenario, beside `other_keys`. Throws InputError with file, line and
+/// key.
 ScenarioSpec stated_in(const TomlFile& file, const toml::table& table, TomlFile::Keys other_keys);
 
 }  // namespace rotor

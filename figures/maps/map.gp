@@ -1,6 +1,6 @@
-# A map, published and consistent equations side by side. A script of the map's name, loaded before, sets what
-# its axes are; the caller, beside what style.gp wants:
-#   theory  what closed forms say of the same points
+# A map, published and consistent equations side by side. A script with the map's name, loaded before, defines
+# the axes; the caller sets, besides what style.gp needs:
+#   theory  closed forms at the same points
 #   shows   outcome or force
 
 if (!exists("rows")) { rows = 1; name_of_row(unused) = "" }
@@ -24,7 +24,7 @@ panel = int(all_records)/(2*rows)
 stats theory using (1) nooutput name "closed"
 closed_scan = int(sqrt(closed_records/(2*rows)) + 0.5)
 
-# Where a closed form passes what it is compared with, as lines: $closed_P_I of panel P and form I.
+# Lines on which a closed form equals the quantity it is compared with: $closed_P_I of panel P and form I.
 forms = 6
 array form[forms] = ["greatest_m", "bound_m", "steady_m", "synchronous_friction", "rebound_friction", "peak_force_N"]
 array meaning[forms] = ["closed forms: border of contact", "cannot touch beyond", \
@@ -46,7 +46,7 @@ do for [p = 0:2*rows - 1] { do for [i = 1:forms] {
 } }
 unset contour; set surface
 
-nth_word(n) = real(word(strcol(1), n))    # of a table, which knows no commas
+nth_word(n) = real(word(strcol(1), n))    # gnuplot's tables have no commas
 array seen[forms] = [0, 0, 0, 0, 0, 0]
 
 set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome" : "largest normal force")

@@ -1,5 +1,5 @@
-# The share of rotors that roll, over the rounding of the inputs that are not on the axes, and its standard error,
-# which is that of random draws. The caller sets what style.gp wants; data are those of shares.awk.
+# The share of rotors that roll, over the rounding of the inputs that are not on the axes, and its standard error
+# for random draws. The caller sets what style.gp needs; data are the output of shares.awk.
 eval "set terminal ".square
 stats data using (1) nooutput name "all"
 panel = int(all_records)/2

@@ -1,4 +1,4 @@
-# The share of draws that roll, at each point of a sweep's axes: the rows of its draws are adjacent.
+# The share of draws that roll at each point of a sweep's axes. The rows of a point are adjacent.
 BEGIN { FS = OFS = "," }
 /^#/ { print; next }
 !outcome {

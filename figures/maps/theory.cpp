@@ -1,5 +1,5 @@
-/// What closed forms say of a map: `map-theory MAP.toml` writes a row for each point of a sweep
-/// file, in its order, a blank line before each scan of the last axis, as gnuplot wants it.
+/// Closed forms for a map: `map-theory MAP.toml` writes a row for each point of a sweep file, in
+/// its order, with a blank line before each scan of the last axis, as gnuplot needs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -34,7 +34,7 @@ constexpr std::array names = {"clearance_m",
 std::array<double, names.size()> closed_forms(const Scenario& scenario) {
   const Parameters& p = scenario.parameters;
   const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
-  if (!(speed > 0)) throw std::domain_error("the speed of the loss is that of the start");
+  if (!(speed > 0)) throw std::domain_error("a map needs a start speed, at which the mass is lost");
   const MassLossResponse response(p, scenario.equations, speed);
   const Whirl whirl(p);
   const Accident law(p, scenario.equations, speed);
@@ -51,13 +51,13 @@ std::array<double, names.size()> closed_forms(const Scenario& scenario) {
           law.peak_force().value_or(none)};
 }
 
-/// Empty cells where the rotor would touch before the loss.
+/// Empty cells where the rotor would touch the ring before the loss.
 std::string cells(const ScenarioSpec& spec) {
   std::array<double, names.size()> values;
   values.fill(std::numeric_limits<double>::quiet_NaN());
   try {
     values = closed_forms(scenario_of(spec));
-  } catch (const std::exception&) {  // which the sweep says in its own row
+  } catch (const std::exception&) {  // the sweep reports it in its own row
   }
   std::string row;
   for (const double value : values) row += ',' + csv_field(value);
@@ -67,7 +67,8 @@ std::string cells(const ScenarioSpec& spec) {
 void print(const char* file) {
   const Sweep sweep = read_sweep(file);
   if (sweep.axes.empty() || !sweep.sample.over.empty())
-    throw std::runtime_error(fmt::format("{}: a map has an [[axis]], and no [sample]", file));
+    throw std::runtime_error(
+        fmt::format("{}: a map needs an [[axis]], and excludes a [sample]", file));
   const SweepPoints points(sweep);
   std::vector<std::string> columns = sweep.quantities();
   columns.insert(columns.end(), names.begin(), names.end());

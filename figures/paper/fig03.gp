@@ -1,6 +1,6 @@
 # F_n for high, intermediate and low friction, one above the other.
 set title caption(3, "Radial component F_n of the impact force", \
-  sprintf("%s, f_{max} = %g Hz, %s; wide grey beneath: %s, steps of %g μs", loss("mu = 0.3"), \
+  sprintf("%s, f_{max} = %g Hz, %s; wide grey: %s, steps of %g μs", loss("mu = 0.3"), \
     number("mu = 0.3", "motor_off_hz"), stiffness("mu = 0.3"), by_method("mu = 0.3 by rk4"), \
     1e6*number("mu = 0.3 by rk4", "step_rub")))
 set multiplot layout 3,1 margins 0.115,0.97,0.11,0.87 spacing 0,0.035
@@ -16,7 +16,7 @@ do for [i = 1:3] {
   stats data using (force(name)) name "F" nooutput
   set label 1 "{/:Bold ".friction(name)."}" at graph 0.985,0.62 right boxed front
   set label 2 sprintf("largest |F_n|: %.1f kN", -F_min) at graph 0.985,0.42 right boxed front
-  if (i == 1) { set label 3 "paper: 400–450 kN in rolling, 455 kN at most" at graph 0.985,0.22 right \
+  if (i == 1) { set label 3 "paper: 400–450 kN in rolling, largest 455 kN" at graph 0.985,0.22 right \
                   textcolor rgb grey boxed front
                 set arrow 1 from graph 0,first -455 to graph 1,first -455 nohead linestyle published }
   else { unset label 3; unset arrow 1 }

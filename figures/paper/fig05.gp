@@ -20,7 +20,7 @@ set multiplot
 plot data using "time_s":(column("normal_force_N")/1e3) with lines linetype 1 notitle \
   @digitised
 
-# Slip stops before the force is greatest.
+# Slip stops before the force is largest.
 unset label; unset arrow; unset title; unset ylabel; unset grid
 set lmargin at screen 0.17; set rmargin at screen 0.5; set bmargin at screen 0.23; set tmargin at screen 0.44
 set xrange [-0.4:0.8]; set xlabel "ms" offset 0,0.8

@@ -30,8 +30,8 @@ set label "paper: −1950 J by sliding, 1050 J left" at graph 0.01,first 1050 of
 set label sprintf("here: %.0f J, and %.0f J after the mass loss", T0, T1_0) at t_1 + 3e-4,T0 offset 0,0.7
 set arrow from continuous,graph 0 to continuous,graph 1 nohead linestyle reading
 set arrow from onset,graph 0 to onset,graph 1 nohead linestyle reading
-# Brackets: from which energy to which one.
-gap = 4e-4                                         # s, beside the vertical lines
+# Brackets from one energy to another.
+gap = 4e-4                                         # s, from the vertical lines
 set style arrow 1 heads size screen 0.006,90 linecolor rgb black linewidth 1
 set arrow from continuous - gap,T1_0 to continuous - gap,T1 arrowstyle 1
 set arrow from onset + gap,T1 to onset + gap,T2 arrowstyle 1

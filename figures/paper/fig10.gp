@@ -1,9 +1,9 @@
-# The velocities in rolling without slipping, drawn to the state at the onset of rolling: directions and
-# velocities are the computed ones; the clearance alone is enlarged.
+# The velocities in rolling without slipping, at the onset of rolling: directions and velocities are the
+# computed ones; only the clearance is enlarged.
 eval "set terminal ".square
 enlarged = 5                                       # the clearance, as the title says
 set title caption(10, "Velocities in rolling along the ring without slipping", \
-  "drawn to the computed onset of rolling, ".friction("run").sprintf("; clearance enlarged %d times", enlarged))
+  "state at the computed onset of rolling, ".friction("run").sprintf("; clearance enlarged %d times", enlarged))
 r = number("run", "rotor_radius")
 
 # The state at the onset: the first row.
@@ -15,7 +15,7 @@ stats data every ::0::0 using "speed_Hz" name "f" nooutput
 t = t_max; rho = rho_max; f = f_max
 f_rol = f*r/rho                                    # Eq. (26)
 
-# The whirl's mean over the window: the angle that O turns by about O_a from row to row, added up.
+# The mean whirl over the window: the sum of the angles by which O turns about O_a from row to row.
 x_1 = NaN; y_1 = NaN; turned = 0
 turn(x, y) = (turned = x_1 == x_1 ? turned + atan2(x_1*y - y_1*x, x_1*x + y_1*y) : 0, x_1 = x, y_1 = y, 0)
 stats data using (turn(column("x_a_m"), column("y_a_m"))) nooutput
@@ -49,7 +49,7 @@ set object 5 circle at Kx,Ky size 0.024 fillcolor rgb black fillstyle solid fron
 set object 6 circle at 0,0 size drawn fillstyle empty border linecolor rgb grey linewidth 1 dashtype (2,3) front
 Px = Ox - radius*nx; Py = Oy - radius*ny           # the rim point opposite to K
 
-# Velocities: the field of a body that turns about K at this instant.
+# Velocities of a body that turns about K at this instant.
 set arrow from Kx,Ky to Px,Py arrowstyle 4
 set arrow from Kx,Ky to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 4 front
 set arrow from Ox,Oy to Ox - v_O*u*tx,Oy - v_O*u*ty arrowstyle 1 front
@@ -83,7 +83,7 @@ set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65)
 set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz", t, 1e3*rho, f) at 0,-1.2 center
 set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz, paper 771.4 Hz;  v_O = %.2f m/s, paper 16.9 m/s", \
   f_rol, v_O) at 0,-1.31 center
-set label sprintf("the %.1f ms after it, in which ρ and f ripple: whirl of O %.1f Hz on average, seen from the stator", \
+set label sprintf("over the next %.1f ms, in which ρ and f ripple: mean whirl of O %.1f Hz, seen from the stator", \
   1e3*length, f_whirl) at 0,-1.42 center
 plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb black linewidth 3, \
      Ox + 0.5*radius*cos(rotor_angle + arc(0.5, 1.18, 1, t)),Oy + 0.5*radius*sin(rotor_angle + arc(0.5, 1.18, 1, t)) \

@@ -1,7 +1,7 @@
 # rho after a mass loss far above the critical speed, with the clearance.
 stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
 stats data using "speed_Hz" name "f" nooutput
-# What the clearance's printed digits allow is far wider than the margin by which the rotor stays clear.
+# The printed digits of the clearance allow a far wider range than the margin by which the rotor stays clear.
 stats printed_inputs using (strcol("input") eq "clearance" ? 1e3*column("least") : NaN) name "least" nooutput
 stats printed_inputs using (strcol("input") eq "clearance" ? 1e3*column("greatest") : NaN) name "greatest" nooutput
 t_1 = number("run", "mass_loss_time")

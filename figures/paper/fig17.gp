@@ -4,7 +4,7 @@ set title caption(17, "Displacement ρ of O near the critical speed", \
 t_1 = number("a", "mass_loss_time")
 stats data using (follow(of_run("a", "time_s"), of_run("a", "speed_Hz"), t_1)) nooutput
 loss_Hz = crossing
-paper_Hz = 11.8                                    # and when the run passes it
+paper_Hz = 11.8                                    # and when the run reaches it
 stats data using (follow(of_run("a", "speed_Hz"), of_run("a", "time_s"), paper_Hz)) nooutput
 set xrange [1:4]
 set yrange [0:3.3]
@@ -18,7 +18,7 @@ stats data using (rho("b")) name "b" nooutput
 set label sprintf("largest ρ: a %.2f mm, b %.2f mm: %s; paper: no contact", a_max, b_max, \
   contact("a", a_max > b_max ? a_max : b_max)) \
   at graph 0.97,0.82 right boxed front
-set label sprintf("speed at the mass loss: %.1f Hz; paper: %g Hz, which is passed at %.2f s", loss_Hz, paper_Hz, \
+set label sprintf("speed at the mass loss: %.1f Hz; paper: %g Hz, which is reached at %.2f s", loss_Hz, paper_Hz, \
   crossing) \
   at graph 0.97,0.75 right boxed front
 plot data using (of_run("a", "time_s")):(rho("a")) with lines linetype 2 title "a", \

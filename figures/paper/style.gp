@@ -2,9 +2,9 @@
 #   data      the figure's CSV file, columns addressed by name
 #   output    the picture
 #   format    svg, pdf or png
-#   equations published or consistent; published if not given
-#   points    files of points read off the printed figure, in its axes' units; none if not given
-# The picture is wide; a script that wants it square says: eval "set terminal ".square
+#   equations published (default) or consistent
+#   points    files of points read off the printed figure, in its axes' units (default: none)
+# The picture is wide; for a square one a script has: eval "set terminal ".square
 
 set datafile separator comma
 set encoding utf8
@@ -19,10 +19,10 @@ if (format eq "png") { wide = "pngcairo size 1920,1120 font 'DejaVu Sans,11' fon
                        square = "pngcairo size 1520,1600 font 'DejaVu Sans,11' fontscale 2 pointscale 2 enhanced rounded linewidth 2.4" }
 if (format eq "pdf") { wide = "pdfcairo ".wide_pdf; square = "pdfcairo ".square_pdf }
 eval "set terminal ".wide
-small = sprintf(",%g", 0.8*(format eq "svg" ? 14 : format eq "png" ? 11 : 8))    # a font of keys that say much
+small = sprintf(",%g", 0.8*(format eq "svg" ? 14 : format eq "png" ? 11 : 8))    # a font for long keys
 set output output
 
-# Colours that colour-blind readers can distinguish; what is published is grey and dashed.
+# Colours that colour-blind readers can distinguish; the paper's values are grey and dashed.
 set colorsequence podo
 blue = "#0072b2"; vermilion = "#d55e00"; green = "#009e73"; black = "#000000"; grey = "#707070"
 set linetype 1 linecolor rgb blue linewidth 1.3
@@ -37,13 +37,13 @@ published = 11; clearance = 12; reading = 13; fixed_steps = 14; first_place = 15
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 7)
 set style line clearance linecolor rgb black linewidth 1.2 dashtype (1, 5)
 set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
-beneath = 3.4                                       # its width beneath a curve that it may equal
+beneath = 3.4                                       # its width beneath a curve that may coincide
 set style line first_place pointtype 6 pointsize 1 linecolor rgb black linewidth 1.5
 set style line lost pointtype 2 pointsize 1.2 linecolor rgb vermilion linewidth 2
 set style line law linecolor rgb "#7a0177" linewidth 1.2 dashtype (10, 6, 1, 6)
 set style line reading linecolor rgb grey linewidth 0.8
 
-# Outcomes by their code from 0 on, the last one of what stalls, or has none; and the palettes of maps.
+# Colours of outcomes by their code from 0 on, the last one for stalled or none; and the palettes of maps.
 array outcome_tint[7] = ["#f4f4f4", "#009e73", "#f0e442", "#56b4e9", "#d55e00", "#cc79a7", "#606060"]
 outcome_code(outcome) = outcome eq "no_contact" ? 0 : outcome eq "freed" ? 1 : outcome eq "bouncing" ? 2 : \
   outcome eq "sliding" ? 3 : outcome eq "rolling" ? 4 : outcome eq "undecided" ? 5 : 6
@@ -62,20 +62,20 @@ set key opaque samplen 2 spacing 1.15
 set title offset 0,0.3
 set style textbox opaque noborder margins 0.4,0.4
 
-# "Fig. N" and what it shows, with the parameters on a second line.
+# "Fig. N" and its subject, with the parameters on a second line.
 if (!exists("equations")) equations = "published"
 of_set = equations eq "published" ? "" : "; {/:Bold ".equations." equations}"
 caption(number, what, parameters) = \
   sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s%s}", number, what, parameters, of_set)
 
-# A published number beside ours, as annotations show it.
+# The paper's number beside ours, for annotations.
 beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ours, paper)
 
 # The column of one run, for scenes with several.
 of_run(name, c) = strcol("run") eq name ? column(c) : NaN
 
-# Points read off the printed figure, drawn by `plot ... @digitised`: those of one run or one quantity,
-# if a script says of which.
+# Points read off the printed figure, drawn by `plot ... @digitised`; a script may restrict them to one run
+# or quantity.
 if (!exists("points")) points = ""
 its_run = ""; its_quantity = ""
 is_wanted(wanted, c) = wanted eq "" || strcol(c) eq wanted
@@ -86,12 +86,12 @@ digitised = points eq "" ? "" : ', for [file in points] file using \
   (read_off("x")):(read_off("y")):(read_off("x_error")):(read_off("y_error")) \
   with xyerrorbars linestyle 17 title file eq word(points, 1) ? "printed" : ""'
 
-# What the data say of a run in the lines above their header row: its method, and its numbers.
+# The method and the numbers of a run, from the provenance above the data.
 said(run, what) = system(sprintf("sed -n 's/^# %s: %s.*/\\1/p' '%s'", run, what, data))
 number(run, name) = read(said(run, ".* ".name." = \\([-+.e0-9]*\\)"))
 read(text) = strstrt(text, "e") == 0 ? real(text) : \
   real(text[:strstrt(text, "e") - 1])*10.0**int(text[strstrt(text, "e") + 1:])    # gnuplot refuses 5e-06
-# Where the closed form puts the largest force in rolling, kN, if its frictions say that the rotor rolls, and its label:
+# The largest force in rolling by the closed form, kN, if that predicts rolling, and its label:
 friction_above(run, name) = number(run, "friction") > number(run, name)
 law_kN(run) = said(run, ".*\\(law_peak_force_N\\)") eq "" ? 0 : friction_above(run, "law_whirl_friction") && \
   friction_above(run, "law_forward_friction") ? 1e-3*number(run, "law_peak_force_N") : 0
@@ -101,13 +101,13 @@ mark_law(run, place) = law_kN(run) > 0 ? sprintf("set arrow 9 from graph 0,first
 by_method(run) = said(run, ".*method \\([a-z0-9]*\\)") eq "rk4" ? "published method" : "event method"
 power_of_ten(x) = sprintf("%g×10^{%d}", x/10**floor(log10(x)), floor(log10(x)))
 
-# What y is where x passes a value, between the rows around it: stats data using (follow(x, y, value)).
+# y where x passes a value, interpolated between two rows: stats data using (follow(x, y, value)).
 x_0 = NaN; y_0 = NaN; crossing = NaN
 follow(x, y, at) = (x_0 < at && x >= at ? crossing = y_0 + (y - y_0)*(at - x_0)/(x - x_0) : 0, \
   x_0 = x, y_0 = y, 0)
 
-# The place of O at a time, mm, and where it is a little later: eval place_at(run, time_s, a_little_s)
-# gives y_1, x_1 and y_2, x_2.
+# The position of O at a time and a little later, mm: eval place_at(run, time_s, a_little_s) sets y_1, x_1
+# and y_2, x_2.
 coordinate(run, c, t) = sprintf("stats data using (follow(of_run('%s', 'time_s'), of_run('%s', '%s')*1e3, %.17g)) nooutput; ", \
   run, run, c, t)
 place_at(run, t, later) = coordinate(run, "y_a_m", t)."y_1 = crossing; ".coordinate(run, "x_a_m", t)."x_1 = crossing; ". \

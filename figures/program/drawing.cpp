@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A format by how names of its pictures end, and what the pictures themselves end with.
+/// A format: the extension of its files, and how their contents end.
 struct Format {
   std::string_view extension, end;
 };
@@ -43,7 +43,7 @@ const Format& format_of(const fs::path& out) {
   throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
 }
 
-/// The status of a program that works in a folder. Throws where it cannot be started.
+/// Runs a program in a folder and returns its status. Throws if it cannot be started.
 int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
   std::vector<char*> arguments;
   for (const std::string& argument : command)
@@ -66,15 +66,14 @@ int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
   return status;
 }
 
-/// What gnuplot has drawn. It succeeds also where there was no room for the whole of it, and leaves
-/// in texts what XML has for an end.
+/// What gnuplot has drawn. Its status is 0 even if the disk was full, and it does not escape "]]>".
 std::string read_picture(const fs::path& path, const Format& format) {
   std::ifstream file(path, std::ios::binary);
   std::string picture(std::istreambuf_iterator<char>(file), {});
   const std::size_t after_end = 4;  // a line's end, or a png's check sum
   const std::size_t at = picture.rfind(format.end);
   if (at == std::string::npos || picture.size() - at > format.end.size() + after_end)
-    throw std::runtime_error("gnuplot has not drawn the whole picture");
+    throw std::runtime_error("gnuplot did not draw the whole picture");
   if (format.extension == ".svg")
     for (std::size_t in = 0; (in = picture.find("]]>", in)) != std::string::npos;)
       picture.replace(in, 3, "]]&gt;");
@@ -84,8 +83,7 @@ std::string read_picture(const fs::path& path, const Format& format) {
 fs::path new_folder() {
   std::error_code error;
   const fs::path parent = fs::temp_directory_path(error);
-  if (error)
-    throw InputError("TMPDIR: must be a folder that exists, where gnuplot reads and draws");
+  if (error) throw InputError("TMPDIR: must be an existing folder for gnuplot's files");
   std::string path = (parent / "rotor-plot-XXXXXX").string();
   if (!::mkdtemp(path.data()))
     throw std::runtime_error(
@@ -105,7 +103,7 @@ Drawing::Drawing(const std::string& file, const std::string& out)
     : out_(out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out)) {
   extension_ = format_of(out_).extension;
   FileTransaction::require_distinct({out_}, file);
-  FileTransaction().open(out_);  // what cannot take its place is said before any work
+  FileTransaction().open(out_);  // errors of the output file are reported before any work
   folder_ = new_folder();
 }
 
@@ -124,7 +122,7 @@ void Drawing::write(const std::string& name, std::string_view text) const {
   draft.commit();
 }
 
-/// Without the user's own settings, and in a locale whose letters gnuplot can write.
+/// Without the user's settings, and in a locale with all letters.
 void Drawing::finish(const std::string& settings, const std::string& script) const {
   write("settings.gp",
         settings + fmt::format("output = 'picture'; format = '{}'\n", extension_.substr(1)));
@@ -136,11 +134,10 @@ void Drawing::finish(const std::string& settings, const std::string& script) con
                         scenes + "/../program/" + script},
                        folder_);
   } catch (const std::system_error& error) {
-    throw std::runtime_error(
-        fmt::format("gnuplot, which draws, cannot be started: {}", error.what()));
+    throw std::runtime_error(fmt::format("gnuplot cannot be started: {}", error.what()));
   }
   if (!(WIFEXITED(status) && WEXITSTATUS(status) == 0))
-    throw std::runtime_error("gnuplot has not drawn the picture");
+    throw std::runtime_error("gnuplot did not draw the picture");
   FileTransaction files;
   files.write(out_, read_picture(file("picture"), format_of(out_)));
   files.commit();

@@ -22,7 +22,7 @@ Scene scene_of(const CaseOptions& options) {
 void estimate_rotor(const CaseOptions& options) {
   CaseOptions stated = options;
   auto& numbers = stated.numbers.numbers;
-  if (auto at_loss = numbers.extract("mass_loss_speed_hz")) {  // which takes no run-up to reach
+  if (auto at_loss = numbers.extract("mass_loss_speed_hz")) {  // reached without a run-up
     numbers.insert_or_assign("start_speed_hz", at_loss.mapped());
     numbers.erase("mass_loss_time");
   }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Those that are asked for. A scene may state its own equations and methods.
+/// The scenes that were requested. A scene may state its own equations and methods.
 std::map<int, Scene> read_scenes(const FigureOptions& options) {
   if (!fs::is_directory(options.scenes))
     throw InputError(fmt::format("--scenes {}: there is no such folder", shown(options.scenes)));

@@ -1,5 +1,4 @@
-/// The command line: `rotor figure` writes the data of the paper's figures, `rotor run` runs any
-/// rotor. What it states ends in the structures of options.hpp.
+/// The command line. What it states is stored in the structures of options.hpp.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +17,7 @@
 namespace rotor {
 namespace {
 
-/// A text that a function can parse, or which it refuses by an InputError.
+/// Checks that a function can parse a text without an InputError.
 template <class Parse>
 CLI::Validator parsed_by(Parse parse) {
   return {[parse](const std::string& text) -> std::string {
@@ -31,13 +30,13 @@ CLI::Validator parsed_by(Parse parse) {
           "", ""};
 }
 
-/// Such as 02, the number of a figure, which is not octal.
+/// A whole decimal number; 02, a figure, is not octal.
 CLI::Validator whole_number() {
   return {[](std::string& text) -> std::string {
             if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)
               return fmt::format("must be a whole number, not \"{}\"", shown(text));
             text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
-            constexpr std::size_t most_digits = 18;  // that a long can have
+            constexpr std::size_t most_digits = 18;  // of a long
             return text.size() > most_digits ? fmt::format("{}: is too large", shown(text)) : "";
           },
           ""};
@@ -52,7 +51,7 @@ CLI::Validator not_empty(const char* what = "a file") {
           "", ""};
 }
 
-/// An option whose text names something.
+/// An option whose text is a name.
 template <class Kind>
 void add_named(CLI::App& command, const char* option, std::optional<Kind>& into,
                Kind (*parse)(std::string_view), Kind standard, const char* meaning) {
@@ -71,19 +70,20 @@ void add_options(CLI::App& command, CommonOptions& options) {
   add_named(command, "--velocity-jump", stated.velocity_jump, parse_velocity_jump,
             standard.equations.velocity_jump,
             "once or twice: how often the mass loss adds Delta_vy to the velocity of C");
-  add_named(command, "--gravity-moment", stated.gravity_moment, parse_gravity_moment,
-            standard.equations.gravity_moment,
-            "whole (as printed) or balanced by the springs but for the part of the eccentricity");
+  add_named(
+      command, "--gravity-moment", stated.gravity_moment, parse_gravity_moment,
+      standard.equations.gravity_moment,
+      "whole (as printed) or balanced by the springs except for the part due to the eccentricity");
   add_named(command, "--method", stated.method, parse_method, standard.method,
             "event (located contacts, error control) or rk4 (the paper's fixed steps)");
 }
 
 constexpr const char* precedence =
-    "What a [[run]] of a scene states itself takes precedence over these options.";
+    "What a [[run]] of a scene states takes precedence over these options.";
 
 void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = ROTOR_SCENES;
-  command.add_option("numbers", options.numbers, "figures; all if none is given")
+  command.add_option("numbers", options.numbers, "figures to write (default: all)")
       ->transform(whole_number());
   command.add_option("--out", options.out, "folder for figNN.csv")
       ->check(not_empty())
@@ -102,22 +102,23 @@ void add_options(CLI::App& command, PlotOptions& options) {
       ->check(not_empty());
   command
       .add_option("--out", options.out,
-                  "picture, svg, pdf or png by its ending; the file's name with .svg, if not given")
+                  "picture: .svg, .pdf or .png (default: the file's name with .svg)")
       ->check(not_empty());
   const auto add_time = [&](const char* name, std::optional<double>& time, const char* meaning) {
     command.add_option(name, time, meaning)->type_name("s")->check(a_number());
   };
   add_time("--from", options.from_s,
-           "beginning of what is drawn; the scene's window, or shortly before the first mass loss, "
-           "if not given");
-  add_time("--until", options.until_s, "end of what is drawn, instead of the run's");
+           "start of what is drawn (default: the scene's window, or shortly before the first mass "
+           "loss)");
+  add_time("--until", options.until_s,
+           "end of what is drawn (default: the end of the window or the run)");
   command.add_flag("--spectrum", options.spectrum,
                    "draw the spectrum of displacement and force in the stator's frame over that "
-                   "time, with f, 2f, f_n and the whirl marked");
+                   "time, with f, 2f, f_n and the whirl frequency marked");
   command
       .add_option("--column", options.column,
-                  "result of a sweep that is drawn beside the outcome; the largest normal force, "
-                  "if not given")
+                  "result of a sweep to draw beside the outcome (default: the largest normal "
+                  "force)")
       ->check(not_empty("a column"));
   add_options(command, static_cast<CommonOptions&>(options));
   command.footer(precedence);
@@ -125,19 +126,20 @@ void add_options(CLI::App& command, PlotOptions& options) {
 
 void add_options(CLI::App& command, SweepOptions& options) {
   command
-      .add_option("file", options.file, "sweep file (TOML): a scene's parameters and what varies")
+      .add_option("file", options.file,
+                  "sweep file (TOML): parameters, and the quantities that vary")
       ->required()
       ->check(not_empty());
-  auto* out =
-      command
-          .add_option("--out", options.out, "write the results, a row a point, to this CSV file")
-          ->check(not_empty());
-  command.add_option("--jobs", options.jobs, "threads; as many as there are cores, if not given")
+  auto* out = command
+                  .add_option("--out", options.out,
+                              "write the results, one row per point, to this CSV file")
+                  ->check(not_empty());
+  command.add_option("--jobs", options.jobs, "threads (default: one per core)")
       ->transform(whole_number())
       ->check(CLI::Range(1, 4096));
   command
       .add_flag("--dry-run", options.dry_run,
-                "say how many points there are, and about how long they take")
+                "print the number of points, and about how long they take")
       ->excludes(out);
 }
 
@@ -146,7 +148,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
                     .add_option("--scene", options.scene,
                                 "scene file (TOML); options override what it states")
                     ->check(not_empty());
-  command.add_option("--run", options.run_name, "which [[run]] of the scene, if it has several")
+  command.add_option("--run", options.run_name, "the [[run]] of the scene to run (default: all)")
       ->check(not_empty("a run"))
       ->needs(scene);
   for (const InputQuantity& input_quantity : input_quantities()) {
@@ -182,38 +184,39 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_option_function<std::string>(
           "--stop-on",
           [&options](const std::string& text) { options.stop_on = parse_stop_on(text); },
-          "end at the outcome, once an event decides it, at rolling (and the force's first maximum "
-          "then), or at rest (a second below 0.1 Hz), if that comes before --until")
+          "end the run early: outcome (once an event decides it), rolling (at the first maximum of "
+          "the force in rolling) or rest (after a second below 0.1 Hz)")
       ->check(parsed_by(parse_stop_on));
   auto* trace = command
                     .add_option("--trace", options.trace,
-                                "write the motion inside the window to this CSV file; - is "
+                                "write the motion within the window to this CSV file; - is "
                                 "standard output")
                     ->check(not_empty());
   command
       .add_option("--columns", options.columns,
-                  "columns of the trace, comma-separated; the scene's, or all, if not given; "
-                  "help lists them")
+                  "columns of the trace, comma-separated (default: the scene's, or all); help "
+                  "lists them")
       ->delimiter(',');
   command
       .add_option("--from", options.from_s,
-                  "beginning of the trace, which then extends to the end of the run; the "
-                  "scene's window, or shortly before the mass loss, if not given")
+                  "start of the trace, which then extends to the end of the run (default: the "
+                  "scene's window, or from shortly before the mass loss)")
       ->type_name("s")
       ->check(a_number())
       ->needs(trace);
   auto* every =
       command
           .add_option("--every", options.every_s,
-                      "rows of the trace at this distance, as spectra want it; if neither "
-                      "this nor --rows is given, as many as the curves need")
+                      "interval between rows of the trace, as spectra need it (default: as many "
+                      "rows as the curves need)")
           ->type_name("s")
           ->check(a_number())
           ->needs(trace);
   command
-      .add_option("--rows", options.rows,
-                  "so many rows of the trace at equal distances, the first and the last instant "
-                  "included; fewer if the run stops early")
+      .add_option(
+          "--rows", options.rows,
+          "number of rows of the trace, at equal intervals from its start to its end; fewer "
+          "if the run stops early")
       ->transform(whole_number())
       ->needs(trace)
       ->excludes(every);
@@ -224,28 +227,28 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->check(not_empty());
   auto* digits = command.add_option_function<double>(
       "--digits", [&options](double number) { options.numbers.digits = parse_digits(number); },
-      "significant digits that every value, event and the end are to have for certain, instead of "
-      "--tolerance; --json adds errors and events");
+      "significant digits to guarantee for every value and event, instead of --tolerance; --json "
+      "adds errors and events");
   digits->check(a_number());
-  command.add_option("--budget", options.budget_s, "how long to look for the digits of a run")
+  command.add_option("--budget", options.budget_s, "time allowed for the --digits of each run")
       ->type_name("s")
       ->check(a_number())
       ->default_str(fmt::format("{}", RunOptions::usual_budget_s));
   command
       .add_flag("--estimate-error", options.estimate_error,
-                "estimate the relative error of the summary, by another run")
+                "estimate the relative error of the summary by another run")
       ->excludes(digits);
   command.add_flag("--json-schema", options.json_schema,
-                   "print the JSON schema of the summary instead: what each key means");
+                   "print the JSON schema of the summary instead, with the meaning of each key");
   command.add_flag(
       "--energy", options.energy,
-      "say in the summary where the energy goes from the mass loss on, until rolling and "
+      "add to the summary where the energy goes from the mass loss on, until rolling and "
       "until the end");
   command.add_flag("--keep-partial", options.keep_partial,
-                   "when interrupted, write what was computed until then, marked as cut short");
+                   "when interrupted, write what has been computed, marked as cut short");
 }
 
-/// A command whose options are filled in, and which is run then.
+/// A command that fills in its options and then runs.
 template <class Options>
 void add_command(CLI::App& app, const char* name, const char* does, Options& options,
                  void (*run)(const Options&)) {
@@ -254,7 +257,7 @@ void add_command(CLI::App& app, const char* name, const char* does, Options& opt
   command->callback([&options, run] { run(options); });
 }
 
-/// What to say of words that mean nothing here: what they probably should have been.
+/// A message about unknown words, with what was probably meant.
 std::string about_extras(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining(true);
   const auto commands = app.get_subcommands();
@@ -276,8 +279,8 @@ std::string about_extras(const CLI::App& app) {
                      commands.front()->get_name());
 }
 
-/// Files must not be opened in the place of standard streams that were closed: what is printed
-/// would end in them. What takes their place cannot be written.
+/// Files must not get the descriptors of closed standard streams, or output would end in them. A
+/// read-only device takes their place.
 void occupy_standard_streams() {
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor)
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) < 0) std::abort();
@@ -285,7 +288,7 @@ void occupy_standard_streams() {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
-  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));  // a lost reader is an error like any other
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));  // a lost reader is reported as an error
   note_interruptions();
   CLI::App app("Overcritical rotor, mass loss, rub: the paper's figures, and any other case.");
   app.set_version_flag("--version", "rotor " ROTOR_VERSION);
@@ -297,12 +300,12 @@ int main(int argc, char** argv) {
   CaseOptions estimate;
   SweepOptions sweep;
   add_command(app, "figure", "Write the data of the paper's figures as CSV", figure, write_figures);
-  add_command(app, "plot", "Draw the motions of a scene, their spectrum, or a sweep", plot_options,
+  add_command(app, "plot", "Draw the motions of a scene, their spectra, or a sweep", plot_options,
               plot);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
-  add_command(app, "estimate", "Estimate by closed forms, without a run, what happens to a rotor",
-              estimate, estimate_rotor);
-  add_command(app, "sweep", "Run many, of which some quantities vary", sweep, run_sweep);
+  add_command(app, "estimate", "Estimate by closed forms, without a run, what happens", estimate,
+              estimate_rotor);
+  add_command(app, "sweep", "Run many rotors, varying some quantities", sweep, run_sweep);
   int status = 0;
   try {
     app.parse(argc, argv);
@@ -316,7 +319,7 @@ int main(int argc, char** argv) {
     status = error.get_exit_code();
   } catch (const Interrupted& error) {
     print_message(fmt::format("rotor: {}", error.what()));
-    status = 128 + interrupting_signal();  // as shells have it
+    status = 128 + interrupting_signal();  // the convention of shells
   } catch (const std::exception& error) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 1;

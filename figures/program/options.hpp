@@ -1,4 +1,4 @@
-/// What can be stated on the command line. What is not stated is empty.
+/// What can be stated on the command line. Empty: not stated.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace rotor {
 
-/// Options that every command has.
+/// Options of several commands.
 struct CommonOptions {
   ScenarioSpec equations_and_method;
 };
 
 struct FigureOptions : CommonOptions {
-  std::vector<int> numbers;  ///< all if there are none
+  std::vector<int> numbers;  ///< all if empty
   std::string out = "build/figures";
   std::string scenes;  ///< folder with figNN.toml
 };
@@ -25,7 +25,7 @@ struct PlotOptions : CommonOptions {
   std::string out;   ///< the file's name with .svg, if empty
   std::optional<double> from_s, until_s;
   bool spectrum = false;
-  std::string column;  ///< of a sweep; the largest normal force, if empty
+  std::string column;  ///< of a sweep; empty: the largest normal force
 };
 
 struct SweepOptions {
@@ -34,7 +34,7 @@ struct SweepOptions {
   bool dry_run = false;
 };
 
-/// What is run, or estimated.
+/// The case to run or estimate.
 struct CaseOptions : CommonOptions {
   std::string scene, run_name;
   ScenarioSpec numbers;  ///< and whether mass is lost
@@ -45,15 +45,15 @@ struct RunOptions : CaseOptions {
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
-  std::optional<double> every_s;  ///< equal distances; adaptive if neither is stated
+  std::optional<double> every_s;  ///< equal intervals; adaptive if neither this nor rows is stated
   std::optional<long> rows;
   std::optional<StopOn> stop_on;
   bool json_schema = false;
   static constexpr double usual_budget_s = 300;
-  std::optional<double> budget_s;  ///< of each run whose digits are asked for
+  std::optional<double> budget_s;  ///< of each run with guaranteed digits
   bool estimate_error = false;
   bool energy = false;        ///< by cause, in the summary
-  bool keep_partial = false;  ///< what was computed when the run is interrupted
+  bool keep_partial = false;  ///< keep what was computed before an interruption
 };
 
 }  // namespace rotor

@@ -1,16 +1,16 @@
-# Force, speed, displacement and orbit of any scene. `rotor plot` sets, beside what style.gp wants:
+# Force, speed, displacement and orbit of any scene. `rotor plot` sets, besides what style.gp needs:
 #   heading, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...
-# Each run has a file of data where gnuplot works.
+# Each run has a data file in gnuplot's folder.
 
 gap(i) = value(sprintf("clearance_mm%d", i))
 name(i) = greek(value(sprintf("run%d", i)))
 data(i) = sprintf("run%d.csv", i)
 greater(a, b) = a > b ? a : b
-wide(i) = 1 + greater(0, (runs < 4 ? runs : 4) - i)    # of a run that others are drawn over
+wide(i) = 1 + greater(0, (runs < 4 ? runs : 4) - i)    # width of a run over which others are drawn
 short(text, most) = strlen(text) > most ? text[:most - 1]."…" : text
 
-# One key for all panels, in rows under the title, where it hides no curve. Lengths here and below are parts of
-# the picture's width or height, and those of letters are the png's, which has the widest.
+# One key for all panels, in rows under the title, where it hides no curve. Lengths here and below are relative
+# to the picture's width or height; widths of letters are those of png, the widest.
 letter = 0.01; longest_name = 36; most_rows = 8
 longest = strlen("clearance")
 if (runs > 1) { do for [i = 1:runs] { longest = greater(longest, strlen(short(name(i), longest_name))) } }
@@ -30,8 +30,8 @@ do for [k = 0:entries - 1] {
 top = 0.92 - 0.034*rows; bottom = 0.1; between = 0.13
 height = 0.5*(top - bottom - between)
 
-# Axes end at tics, 1, 2 or 5 times a power of ten apart. Their labels have enough digits to differ, and
-# there are n steps, or fewer if labels would not find room. What does not change is shown with some space around it.
+# Axes end at tics, which are 1, 2 or 5 times a power of ten apart. Their labels have enough digits to differ. There
+# are n steps, or fewer if labels would not fit. A constant curve has some space around it.
 nice(x) = (power = 10.0**floor(log10(x)), (x < 1.001*power ? 1 : x < 2.001*power ? 2 : x < 5.001*power ? 5 : 10)*power)
 between_tics(a, b) = (low = step*floor(a/step + 1e-6), high = step*ceil(b/step - 1e-6), \
   letters = greater(strlen(sprintf(form, low)), strlen(sprintf(form, high))))
@@ -41,7 +41,7 @@ changes(a, b) = b - a > 1e-12*greater(abs(a), abs(b))
 around(a) = a == 0 ? 1 : 0.01*abs(a)
 show(a, b, room) = changes(a, b) ? fit(a, b, 5, room) : fit(a - around(a), b + around(a), 5, room)
 axis(c, from, to) = sprintf("set %srange [%.17g:%.17g]; set %stics %.17g; set format %s '%s'", \
-  c, from - 1e-5*(to - from), to + 1e-5*(to - from), c, step, c, form)    # rounding cuts nothing off
+  c, from - 1e-5*(to - from), to + 1e-5*(to - from), c, step, c, form)    # rounding must cut nothing off
 
 # The limits of all runs' data and clearances.
 less(a, b) = a < b ? a : b

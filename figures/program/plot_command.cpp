@@ -22,7 +22,7 @@ void plot_motion(const Scene& scene, const Drawing& drawing) {
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
     const SceneRun& run = scene.runs[n - 1];
     const Parameters& p = run.scenario.parameters;
-    drawing.write(  // a file a run, so that each is read for its own curves alone
+    drawing.write(  // one file per run, so that each is read only for its own curves
         fmt::format("run{}.csv", n),
         to_csv(provenance(scene.title, scene), headings("run", scene.columns), {tables[n - 1]}));
     settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, numbered(run.name),
@@ -41,7 +41,7 @@ bool is_sweep(const std::filesystem::path& file) {
 
 void plot(const PlotOptions& options) {
   if (is_sweep(options.file)) return plot_sweep(options);
-  if (!options.column.empty()) throw InputError("--column: is of a sweep; this is a scene");
+  if (!options.column.empty()) throw InputError("--column: needs a sweep; this is a scene");
   Scene scene = read_scene(options.file, {options.equations_and_method, {}});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});

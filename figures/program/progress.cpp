@@ -33,7 +33,7 @@ ProgressLine::~ProgressLine() {
 }
 
 bool RunProgress::goes_on(const Progress& now) {
-  constexpr long seldom = 256;  // a clock takes as long as a small part of a step
+  constexpr long seldom = 256;  // reading a clock is not free
   if (++steps_ % seldom == 0)
     line_.update([&](double elapsed_s) {
       return fmt::format("at {:.6g} s of {:.6g} s after {} steps in {}; about {} to go", now.time_s,
@@ -57,7 +57,7 @@ void SweepProgress::update(long done) {
   line_.update([&](double elapsed_s) {
     const auto now = static_cast<double>(done - begun_with_),
                then = static_cast<double>(all_ - begun_with_);
-    return fmt::format("{} of {} points in {}, {:.3g} a second; about {} to go", done, all_,
+    return fmt::format("{} of {} points in {}, {:.3g} per second; about {} to go", done, all_,
                        duration(elapsed_s), now / elapsed_s,
                        duration(time_to_go_s(elapsed_s, now, then)));
   });

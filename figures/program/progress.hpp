@@ -1,4 +1,4 @@
-/// Long work: says how far it is, and can be interrupted.
+/// Progress of long work, which can be interrupted.
 #pragma once
 
 #include <chrono>
@@ -9,8 +9,8 @@
 
 namespace rotor {
 
-/// What long work says on standard error of how far it is: after a few seconds, then again and
-/// again in one line of a terminal, and seldom elsewhere.
+/// Reports progress on standard error: first after a few seconds, then every second in one line of
+/// a terminal, and rarely elsewhere.
 class ProgressLine {
  public:
   ProgressLine();
@@ -18,16 +18,16 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows the text, which is asked for if it is due, with the seconds since the start.
+  /// Shows a text when one is due; only then is it computed, from the seconds since the start.
   void update(const std::function<std::string(double elapsed_s)>& text);
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double next_s_;  ///< when a text is due, since the start
+  double next_s_;  ///< next time a text is due, since the start
   bool on_terminal_, is_shown_ = false;
 };
 
-/// Interruptible, for one run.
+/// Interruptible, with the progress of one run.
 class RunProgress : public Interruptible {
  public:
   explicit RunProgress(double until_s) : until_s_(until_s) {}
@@ -40,7 +40,7 @@ class RunProgress : public Interruptible {
   long steps_ = 0;
 };
 
-/// The same for the computations of a run to a number of digits, one after the other.
+/// Progress of the successive computations of a run with guaranteed digits.
 class DigitsProgress {
  public:
   DigitsProgress(int digits, double until_s) : digits_(digits), until_s_(until_s) {}
@@ -55,7 +55,7 @@ class DigitsProgress {
   int computation_ = 1;
 };
 
-/// The same for a sweep.
+/// Progress of a sweep.
 class SweepProgress {
  public:
   SweepProgress(long done, long all) : begun_with_(done), all_(all) {}

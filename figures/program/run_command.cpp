@@ -27,7 +27,7 @@
 namespace rotor {
 namespace {
 
-/// What is asked for must go with the digits that are asked for.
+/// Refuses options that have no meaning with guaranteed digits.
 void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) {
   const auto refuse = [](bool is_asked, std::string_view what) {
     if (is_asked) throw InputError(fmt::format("digits: {}", what));
@@ -36,27 +36,26 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
   if (options.budget_s && !(*options.budget_s > 0 && std::isfinite(*options.budget_s)))
     throw InputError(
         fmt::format("--budget {}: must be a finite number greater than 0 s", *options.budget_s));
-  refuse(options.stop_on.has_value(), "--stop-on ends with a step, which depends on the tolerance");
-  refuse(!options.trace.empty(), "those of a --trace are not known");
-  refuse(!options.events.empty(), "the events stand in --json, not in --events");
-  refuse(options.energy, "those of --energy are not known");
-  refuse(options.keep_partial, "--keep-partial: what was cut short has none");
-  refuse(options.estimate_error, "--estimate-error is of runs to a tolerance");
+  refuse(options.stop_on.has_value(), "excludes --stop-on: where a run stops depends on its steps");
+  refuse(!options.trace.empty(), "cannot be guaranteed in a --trace");
+  refuse(!options.events.empty(), "excludes --events; --json has the events");
+  refuse(options.energy, "cannot be guaranteed for --energy");
+  refuse(options.keep_partial, "excludes --keep-partial");
+  refuse(options.estimate_error, "excludes --estimate-error");
 }
 
-/// The same, with what the options state beside it.
+/// The scene, with everything that the options state.
 Scene requested_scene(const RunOptions& options) {
   Scene result = scene_of(options);
   if (result.runs.size() > 1 && !(options.trace.empty() && options.events.empty()))
-    throw InputError(fmt::format("{}: --trace and --events are of one run; choose it with --run",
+    throw InputError(fmt::format("{}: --trace and --events need a single run; choose it with --run",
                                  options.scene));
   if (result.runs.size() > 1 && !options.json && (options.energy || options.estimate_error))
-    throw InputError(
-        fmt::format("{}: of several runs --energy and --estimate-error are shown by --json alone",
-                    options.scene));
+    throw InputError(fmt::format("{}: with several runs, --energy and --estimate-error need --json",
+                                 options.scene));
   if (options.budget_s && std::none_of(result.runs.begin(), result.runs.end(),
                                        [](const SceneRun& run) { return run.digits; }))
-    throw InputError("digits: --budget is how long to look for them; state how many");
+    throw InputError("digits: --budget needs a number of --digits");
   for (const SceneRun& run : result.runs) {
     if (!options.events.empty() && run.scenario.method == Method::rk4)
       throw InputError("--events: only --method event locates events");
@@ -64,7 +63,7 @@ Scene requested_scene(const RunOptions& options) {
       throw InputError("--energy: only --method event knows the motion between its steps");
     require_digits_to_be_known(options, run);
     if (options.estimate_error && (run.scenario.method == Method::rk4 || options.stop_on))
-      throw InputError("--estimate-error: is of whole runs by --method event");
+      throw InputError("--estimate-error: needs a whole run by --method event");
   }
   result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
@@ -78,10 +77,10 @@ double end_of(const Scene& scene) {
 
 [[noreturn]] void refuse_empty_trace(const RunOptions& options) {
   throw InputError(
-      fmt::format("--trace {}: nothing of the run lies in the window", shown(options.trace)));
+      fmt::format("--trace {}: no part of the run lies in the window", shown(options.trace)));
 }
 
-/// Between the rows of a trace, if it is to be the same everywhere.
+/// The interval between the rows of a trace, if it is to be constant.
 std::optional<double> distance(const RunOptions& options, const Scene& scene) {
   if (!options.every_s && !options.rows) return std::nullopt;
   const char* const option = options.every_s ? "--every" : "--rows";
@@ -89,14 +88,15 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
     throw InputError(
         fmt::format("{}: only --method event knows the motion between its steps", option));
   if (scene.window.from_rolling_onset)
-    throw InputError(fmt::format("{}: needs a window that begins at a stated time", option));
+    throw InputError(fmt::format("{}: needs a window that starts at a stated time", option));
   const double length_s = end_of(scene) - scene.window.from_s;
   constexpr double most_rows = 1e9;
   if (options.every_s) {
     if (!(*options.every_s > 0 && std::isfinite(*options.every_s) &&
           length_s / *options.every_s < most_rows))
-      throw InputError(fmt::format("--every {}: must be above 0 s, and leave less than {} rows",
-                                   *options.every_s, most_rows));
+      throw InputError(
+          fmt::format("--every {}: must be above 0 s, and large enough for less than {} rows",
+                      *options.every_s, most_rows));
     return options.every_s;
   }
   if (!(length_s > 0)) refuse_empty_trace(options);
@@ -105,14 +105,14 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
   return length_s / static_cast<double>(*options.rows - 1);
 }
 
-/// What is printed of a run.
+/// What is printed about a run.
 struct Printed {
   nlohmann::ordered_json summary{};
   std::vector<Remark> remarks{};
-  std::string short_of_digits{};  ///< why, if it is
+  std::string short_of_digits{};  ///< the reason; empty if it has all digits
 };
 
-/// A run whose digits are made sure of.
+/// A run with guaranteed digits.
 Printed certified_run(const RunOptions& options, const SceneRun& run) {
   using Clock = std::chrono::steady_clock;
   const double budget_s = options.budget_s.value_or(RunOptions::usual_budget_s);
@@ -151,7 +151,7 @@ void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows
           : fmt::format(", from {:.6g} s on; --from 0 writes the whole run", scene.window.from_s)));
 }
 
-/// The one run of a scene, with what it writes.
+/// The only run of a scene, and the files that it writes.
 Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) {
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
@@ -164,7 +164,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
       " of a run" +
       (options.stop_on ? fmt::format(" that stops on {}", name_of(*options.stop_on)) : "");
 
-  // What is written goes out as it is computed: a long trace takes no memory.
+  // Rows are written as they are computed, so that a long trace needs no memory.
   FileTransaction files;
   RunProgress progress(scenario.until);
   ObserverGroup observers;
@@ -194,7 +194,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     observers.add(*events);
   }
 
-  // Who writes sees the whole way.
+  // A run that writes files starts at its beginning, so that observers see all of it.
   RunResult result = finish(
       outputs.empty() ? run_ups.checkpoint_before(scenario, progress) : RunUpCheckpoint(scenario),
       scenario, options.stop_on, observers);
@@ -247,11 +247,11 @@ void run_rotor(const RunOptions& options) {
       printed = run.digits ? certified_run(options, run) : run_one(options, alone, run_ups);
     } catch (const Interrupted&) {
       throw;
-    } catch (const std::exception& error) {  // which leaves the other runs what they are
+    } catch (const std::exception& error) {  // the other runs are not affected
       failures.push_back(of_run(error.what()));
       continue;
     }
-    for (const Remark& remark : printed.remarks)  // of which a table has none
+    for (const Remark& remark : printed.remarks)  // a table does not show them
       if (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json))
         messages.push_back(of_run(remark.sentence));
     if (!printed.short_of_digits.empty()) failures.push_back(of_run(printed.short_of_digits));
@@ -262,7 +262,7 @@ void run_rotor(const RunOptions& options) {
     if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
       messages.push_back(of_run(
           fmt::format("cut short at {} s by an interruption{}", cut->get<double>(),
-                      &run == &scene.runs.back() ? "" : "; those behind it have not begun")));
+                      &run == &scene.runs.back() ? "" : "; the later runs have not started")));
       break;
     }
   }

@@ -12,7 +12,7 @@
 namespace rotor {
 namespace {
 
-/// Of all curves together: with more, a picture is black, and takes hundreds of megabytes.
+/// Limit for all curves together: more rows make a black picture of hundreds of megabytes.
 constexpr long most_rows = 2'000'000;
 
 [[noreturn]] void fail_as_too_long() {
@@ -34,9 +34,9 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
       if (run.digits)
-        throw InputError(
-            fmt::format("{}: digits: those of curves are not known; state a tolerance to draw them",
-                        scene.file.string()));
+        throw InputError(fmt::format(
+            "{}: digits: cannot be guaranteed for curves; state a tolerance to draw them",
+            scene.file.string()));
       const Scenario& scenario = run.scenario;
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
       requests.push_back({scenario,
@@ -54,7 +54,7 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
   for (auto& [number, own] : tables.of)
     for (NamedTable& table : own) {
       if (table.table.rows() == 0)
-        throw InputError(fmt::format("{}: nothing of the run \"{}\" lies in the window",
+        throw InputError(fmt::format("{}: no part of the run \"{}\" lies in the window",
                                      scenes.at(number).file.string(), table.name));
       table.table = thinned(table.table, thinning - sampling);
     }

@@ -11,12 +11,12 @@
 namespace rotor {
 
 struct SceneTables {
-  std::map<int, std::vector<NamedTable>> of;  ///< a table a run, by the scenes' numbers
+  std::map<int, std::vector<NamedTable>> of;  ///< one table per run, by the scenes' numbers
   ProductionCost cost;
 };
 
-/// Runs what the scenes ask for, nothing twice, and thins the curves. Throws Interrupted when it is
-/// interrupted, and InputError if a window holds nothing of a run or digits are asked for.
+/// Runs what the scenes need, nothing twice, and thins the curves. Throws Interrupted when it is
+/// interrupted, and InputError if no part of a run lies in a window or digits are requested.
 SceneTables compute_tables(const std::map<int, Scene>& scenes);
 
 }  // namespace rotor

@@ -18,9 +18,9 @@ namespace {
 using Complex = std::complex<double>;
 using Signal = std::vector<Complex>;
 
-/// Amplitude at each frequency n / T, n below half the number of samples first, then the negative
-/// ones: what turns steadily on a circle of that radius. Hann's window lets nothing leak from one
-/// end of the time to the other.
+/// Amplitude at each frequency n / T: first n below half the number of samples, then the negative
+/// ones. A steady rotation on a circle has the circle's radius as its amplitude. Hann's window
+/// suppresses leakage from the ends of the time.
 std::vector<double> amplitudes(Signal signal) {
   const auto count = static_cast<double>(signal.size());
   constexpr double mean_of_window = 0.5;
@@ -34,12 +34,12 @@ std::vector<double> amplitudes(Signal signal) {
   return all;
 }
 
-/// Of O about O_a, and of the contact's force on the rotor, in the stator's frame.
+/// Displacement of O from O_a, and contact force on the rotor, in the stator's frame.
 struct Signals {
   Signal displacement, force;
   double turns = 0;    ///< of O about O_a,
-  long rows = 0;       ///< within so many rows
-  bool rolls = false;  ///< and then while it rolls alone
+  long rows = 0;       ///< within this number of rows
+  bool rolls = false;  ///< if so, only while the rim rolls
   double least_Hz = std::numeric_limits<double>::infinity(), greatest_Hz = 0, sum_Hz = 0;
 
   static std::vector<const Column*> columns() {
@@ -66,8 +66,8 @@ struct Signals {
   }
 };
 
-/// The largest amplitudes in steps of frequency that a logarithmic axis can show, backward whirl at
-/// negative frequencies.
+/// The largest amplitude in each step of frequency that a logarithmic axis can show, backward whirl
+/// at negative frequencies.
 std::string spectrum(const Signals& signals, double length_s) {
   constexpr double step = 1.004;
   const std::vector<double> displacement = amplitudes(signals.displacement),
@@ -93,7 +93,7 @@ std::string spectrum(const Signals& signals, double length_s) {
 
 void plot_spectrum(const Scene& scene, const Drawing& drawing) {
   if (scene.window.from_rolling_onset)
-    throw InputError("--spectrum: needs a window that begins at a stated time; state --from");
+    throw InputError("--spectrum: needs a window that starts at a stated time; state --from");
   constexpr double samples_a_period = 16, most_samples = 1 << 22;
   std::string settings = fmt::format("heading = {}; runs = {}\n",
                                      numbered(drawing.heading(scene.title)), scene.runs.size());
@@ -110,7 +110,7 @@ void plot_spectrum(const Scene& scene, const Drawing& drawing) {
     const double samples = std::exp2(std::ceil(std::log2(std::max(wanted, 1024.))));
     if (samples > most_samples)
       throw InputError(fmt::format(
-          "--spectrum: {} s want {:.2g} samples, and {:.2g} are the most; state --from and --until",
+          "--spectrum: {} s need {:.2g} samples, and the limit is {:.2g}; state --from and --until",
           length_s, wanted, most_samples));
     Signals signals;
     Sampler sampler(from_s, from_s + length_s, length_s / samples, Signals::columns(), scenario,

@@ -1,6 +1,6 @@
-# Spectra of displacement and force in the stator's frame. `rotor plot --spectrum` sets, beside what style.gp wants:
-#   heading, runs, and of each run, by its number: name, from_s, until_s, samples, f and its range, f_n, whirl
-# Each run has a file of data where gnuplot works: amplitudes at frequencies, negative ones of backward whirl.
+# Spectra of displacement and force in the stator's frame. `rotor plot --spectrum` sets, besides what style.gp needs:
+#   heading, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, whirl
+# Each run has a data file in gnuplot's folder: amplitudes by frequency, which is negative for backward whirl.
 
 of(what, i) = value(sprintf("%s%d", what, i))
 data(i) = sprintf("run%d.csv", i)

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Names and values, those of a part under its name.
+/// Names and values; those of a part follow its name.
 void print_values(const Json& object, int digits, const std::string& indent, std::FILE* to) {
   for (const auto& [key, value] : object.items()) {
     const std::string name = indent + key;
@@ -26,7 +26,7 @@ void print_values(const Json& object, int digits, const std::string& indent, std
   }
 }
 
-/// Several runs, a row each.
+/// Several runs, one row each.
 void print_table(const Json& runs, std::FILE* to) {
   const auto keys = {"run",
                      "outcome",
@@ -39,7 +39,7 @@ void print_table(const Json& runs, std::FILE* to) {
     const Json& value = run.at(key);
     return value.is_string() ? value.get<std::string>() : text_of(value, asked_digits(run));
   };
-  std::size_t width = 20;  // that of names may be more
+  std::size_t width = 20;  // names may need more
   for (const Json& run : runs) width = std::max(width, cell(run, "run").size());
   const auto print = [&](const char* key, const std::string& text) {
     fmt::print(to, "{:<{}} ", text, key == *keys.begin() ? width : 20);
@@ -71,8 +71,8 @@ void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
 void say_which_equations(bool left_open) {
   if (left_open)
     print_message(
-        "rotor: no equations were stated, so the published ones were used, in which the velocity "
-        "jump of the mass loss counts twice and the moment of gravity in full; the consistent ones "
+        "rotor: no equations were stated, so the published ones were used: the velocity jump of "
+        "the mass loss counts twice, and the moment of gravity in full; the consistent equations "
         "correct both");
 }
 

@@ -9,13 +9,13 @@
 
 namespace rotor {
 
-/// Each name and value in a line of their own, or as JSON.
+/// Each name and value on its own line, or as JSON.
 void print_summary(const nlohmann::ordered_json& run, bool as_json, std::FILE* to);
 
-/// Of several runs the most important values in a row for each, or all of them as JSON.
+/// Several runs: one row each with the most important values, or all values as JSON.
 void print_summaries(const nlohmann::ordered_json& runs, bool as_json, std::FILE* to);
 
-/// Says on standard error which equations were used where it was left open.
+/// Says on standard error which equations were used if none were stated.
 void say_which_equations(bool left_open);
 void say_which_equations(const std::vector<SceneRun>& runs);
 

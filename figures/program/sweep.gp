@@ -1,7 +1,7 @@
-# A sweep: curves over one axis, maps over two, distributions of a sample. `rotor plot` sets, beside what style.gp wants:
-#   data, the sweep's results, of which result is drawn if has_value, and the outcome if has_outcome; heading
-#   dimensions, the number of axes, and draws, those at each of their points
-#   of each axis its column x_key, x_name, x_points, x_stride in rows, x_log, and x_tics if its values are listed; the same of y
+# A sweep: curves over one axis, maps over two, distributions of a sample. `rotor plot` sets, besides what style.gp needs:
+#   data, the sweep's results, with the column result to draw if has_value, and the outcome if has_outcome; heading
+#   dimensions, the number of axes, and draws, the number at each of their points
+#   for each axis its column x_key, x_name, x_points, x_stride in rows, x_log, and x_tics if its values are listed; likewise for y
 #   panels, the column of_panel that distinguishes them, and its values panel0, panel1, ...
 
 spaced(text) = (at = strstrt(text, "_")) == 0 ? text : text[:at - 1]." ".spaced(text[at + 1:])
@@ -28,10 +28,10 @@ if (has_value) {
   if (its_records > 0) { greatest = its_max; least = its_records < all_records ? 0 : its_min }
 }
 
-# Where a row is along an axis of a map: its value, the power of ten, or its place in a list.
+# The position of a row along an axis of a map: its value, power of ten, or place in a list.
 place(c, n, stride, is_log, tics) = strlen(tics) ? int(column(0))/stride % n : is_log ? log10(column(c)) : column(c)
 powers(is_log) = is_log ? "10^{%g}" : "%g"
-# The draws of a point stand together; the mean of one is itself.
+# The draws of a point are adjacent; the mean of a single draw is the draw.
 sum = 0; count = 0
 last_draw(unused) = int(column(0)) % draws == draws - 1
 mean(v) = (first = int(column(0)) % draws == 0, sum = (first ? 0 : sum) + (v == v ? v : 0), \
@@ -82,20 +82,20 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   }
   if (dimensions == 1) {
     if (x_log) { set logscale x }
-    if (of_outcome) {    # shares on top of each other: of this outcome and of those with greater codes
+    if (of_outcome) {    # stacked shares: of this outcome and of those with greater codes
       set yrange [0:1]
       plot for [c = 0:6] data using (in_panel(p, column(x_key))):(code(0) >= c ? 1.0/draws : 0) smooth frequency \
         with filledcurves x1 fillcolor rgb tint(c)
     } else {
       set yrange [least < 0 ? 1.05*least : 0:greatest > 0 ? 1.05*greatest : 1]
-      at_zero(v) = v == v ? v : 0    # where nothing happens there is no force
+      at_zero(v) = v == v ? v : 0    # no force without contact
       plot data using (in_panel(p, column(x_key))):(draws > 1 ? NaN : at_zero(its(0))) with lines linecolor rgb grey linewidth 0.8, \
         for [c = 0:6] data using (in_panel(p, column(x_key))):((has_outcome ? code(0) : 6) != c ? NaN : at_zero(its(0))) \
         with points pointtype 7 pointsize (draws > 1 ? 0.25 : 0.5) linecolor rgb tint(c)
     }
     continue
   }
-  # One distribution: the share in each of equal bins, outcomes on top of each other.
+  # One distribution: the share in each of equal bins, with stacked outcomes.
   bin = greatest > least ? (greatest - least)/50 : 1
   binned(v) = v == v ? least + bin*(floor((v - least)/bin*0.999999) + 0.5) : 0
   set yrange [0:*]; set xrange [least - bin:greatest + bin]

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Says how long some points take that are spread over the sweep, out of step with its axes.
+/// Measures some points that are spread over the sweep irregularly, and prints how long it takes.
 void estimate(const Sweep& sweep, int jobs) {
   constexpr long most = 64;
   constexpr double patience_s = 3;
@@ -49,17 +49,16 @@ void estimate(const Sweep& sweep, int jobs) {
              tried, 1000 * each_s, each_s * static_cast<double>(points) / jobs, jobs);
 }
 
-/// What the first rank, or the only one, does: it deals out the points and writes their rows.
+/// The work of the first or only rank: to distribute the points and write their rows.
 class Writer {
  public:
   Writer(const Sweep& sweep, const std::string& out)
       : points_(sweep.points()), journal_(out, sweep_head(sweep)), written_(journal_.rows()) {
     if (journal_.dropped() > 0)
-      print_message(fmt::format(
-          "rotor: {}: the {} bytes behind its row {} are not as they were written, and are dropped",
-          journal_.path().string(), journal_.dropped(), journal_.rows()));
+      print_message(fmt::format("rotor: {}: the {} bytes after row {} are damaged and were dropped",
+                                journal_.path().string(), journal_.dropped(), journal_.rows()));
     if (written_ > 0)
-      print_message(fmt::format("rotor: {} of {} points are there already, in {}", written_.load(),
+      print_message(fmt::format("rotor: {} of {} points are already in {}", written_.load(),
                                 points_, journal_.path().string()));
   }
 
@@ -81,10 +80,10 @@ class Writer {
     ranks.shut_down_workers(scheduler);
     if (is_interrupted())
       throw Interrupted(
-          fmt::format("interrupted; {} of {} points are in {}, and the same command resumes there",
+          fmt::format("interrupted; {} of {} points are in {}; the same command resumes from there",
                       written_.load(), points_, journal_.path().string()));
     if (reason) std::rethrow_exception(reason);
-    long remarked = 0, refused = 0;  // as the last two fields of their rows say
+    long remarked = 0, refused = 0;  // from the last two fields of their rows
     journal_.finish([&](std::string_view row) {
       if (!row.ends_with(','))
         ++refused;
@@ -93,8 +92,8 @@ class Writer {
     });
     if (remarked + refused > 0)
       print_message(
-          fmt::format("rotor: of {} points {} exceed a limit, see the column remarks, and {} have "
-                      "no result or too few digits, see the column refusal",
+          fmt::format("rotor: of {} points {} exceed a limit (column remarks), and {} have no "
+                      "result or too few digits (column refusal)",
                       points_, remarked, refused));
   }
 
@@ -116,7 +115,7 @@ void require_sense(const SweepOptions& options, const Ranks& ranks) {
   if (options.out.empty()) throw InputError("--out is required, or --dry-run");
   if (options.out == "-" || (fs::exists(options.out) && !fs::is_regular_file(options.out)))
     throw InputError(
-        fmt::format("--out {}: must be a file: a sweep resumes from the journal next to it",
+        fmt::format("--out {}: must be a regular file: a sweep resumes from the journal next to it",
                     shown(options.out)));
   if (ranks.count() > 1 && options.jobs > 1)
     throw InputError("--jobs: under mpirun each rank works on one core");
@@ -127,7 +126,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   try {
     require_sense(options, ranks);
     FileTransaction::require_distinct({options.out}, options.file);
-    FileTransaction().open(options.out);  // what cannot take its place is said before any work
+    FileTransaction().open(options.out);  // errors of the output file are reported before any work
     writer.emplace(sweep, options.out);
   } catch (...) {
     ranks.broadcast(false);
@@ -154,7 +153,7 @@ void run_sweep(const SweepOptions& options) {
       return read_sweep(options.file);
     } catch (const std::exception&) {
       if (ranks.is_first()) throw;
-      return std::nullopt;  // the first one says why, for all
+      return std::nullopt;  // the first rank reports the error
     }
   }();
   if (!sweep) return;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The sweep file that is repeated above results, as sweep_head writes it.
+/// The sweep file that sweep_head repeats above the results.
 std::string sweep_above(const fs::path& results) {
   std::ifstream file(results);
   std::string text;
@@ -24,7 +24,7 @@ std::string sweep_above(const fs::path& results) {
     if (line.starts_with("#   ")) text += line.substr(4) + '\n';
   if (text.empty())
     throw InputError(fmt::format(
-        "{}: must be the results of rotor sweep, which begin with the sweep", results.string()));
+        "{}: must be results of rotor sweep, with the sweep file above them", results.string()));
   return text;
 }
 
@@ -33,7 +33,7 @@ std::string with_spaces(std::string text) {
   return text;
 }
 
-/// What gnuplot has to know of an axis of numbers: its column, its values, and how to show them.
+/// What gnuplot needs about an axis of numbers: its column, its values, and how to show them.
 std::string settings_of(const char* letter, const Axis& axis, long stride) {
   const std::string_view unit = find_input_quantity(axis.quantity)->quantity.unit;
   std::string text = with_spaces(axis.quantity), listed;
@@ -52,7 +52,7 @@ std::string settings_of(const char* letter, const Axis& axis, long stride) {
       listed);
 }
 
-/// Axes of numbers, the last one along x, and of names, which has a panel for each.
+/// Axes of numbers, the last one along x, and an axis of names with a panel for each.
 std::string settings_of(const Sweep& sweep) {
   std::string text, panels = "panels = 1; of_panel = ''; panel0 = ''\n";
   int numbers = 0, names = 0;
@@ -74,9 +74,9 @@ std::string settings_of(const Sweep& sweep) {
     stride *= axis.points();
   }
   if (numbers > 2 || names > 1)
-    throw InputError("two axes of numbers and one of names are the most that a picture shows");
+    throw InputError("a picture can show at most two axes of numbers and one of names");
   if (numbers == 0 && sweep.sample.over.empty())
-    throw InputError("the sweep has neither an axis of numbers nor a sample, which could be drawn");
+    throw InputError("the sweep has neither an axis of numbers nor a sample to draw");
   return text + panels + fmt::format("dimensions = {}; draws = {}\n", numbers, sweep.sample.count);
 }
 
@@ -103,7 +103,7 @@ void plot_sweep(const PlotOptions& options) {
   const ScenarioSpec& stated = options.equations_and_method;
   if (options.from_s || options.until_s || options.spectrum || stated.states_equations() ||
       stated.method)
-    throw InputError(fmt::format("{}: is a sweep; of options only --out and --column are for that",
+    throw InputError(fmt::format("{}: is a sweep; the only options for it are --out and --column",
                                  shown(options.file)));
   const Drawing drawing(options.file, options.out);
   const bool has_results = fs::path(options.file).extension() == ".csv";
@@ -123,8 +123,7 @@ void plot_sweep(const PlotOptions& options) {
     } catch (const Interrupted&) {
       throw Interrupted(
           "interrupted; no picture has been drawn. rotor sweep --out NAME.csv can resume, and "
-          "rotor "
-          "plot NAME.csv draws its results");
+          "rotor plot NAME.csv draws its results");
     }
   }
   drawing.finish(settings + numbered(results.string()) + '\n', "sweep.gp");

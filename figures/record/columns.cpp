@@ -9,7 +9,7 @@ namespace rotor {
 namespace {
 
 double slip_velocity(View& view) {
-  const bool centred = view.motion().displacement.squaredNorm() == 0;  // no point K is nearest
+  const bool centred = view.motion().displacement.squaredNorm() == 0;  // K is undefined
   return centred ? std::numeric_limits<double>::quiet_NaN() : view.rim_point().slip_velocity;
 }
 
@@ -21,7 +21,7 @@ double whirl_frequency(View& view) {
 }
 
 constexpr std::array table = {
-    Column{"time_s", "time; two rows of one time are before and after an event's jump",
+    Column{"time_s", "time; two rows with the same time are before and after an event",
            [](View& v) { return v.at().time_s; }},
     Column{"q1_m", "O along x of the rotating axes", [](View& v) { return v.at().state[0]; }},
     Column{"q2_m", "O along y of the rotating axes", [](View& v) { return v.at().state[1]; }},
@@ -46,7 +46,8 @@ constexpr std::array table = {
            [](View& v) { return kinetic_energy(v.at().body, v.motion()); }},
     Column{"bearing_force_N", "magnitude of k r_O + d v_O of the supports",
            [](View& v) { return v.bearing_force().norm(); }, Extreme::bearing_force},
-    Column{"whirl_frequency_Hz", "of O about O_a, negative against the rotation", whirl_frequency},
+    Column{"whirl_frequency_Hz", "whirl frequency of O about O_a, negative against the rotation",
+           whirl_frequency},
     Column{"contact_angle_rad", "direction of O from O_a in the stator's frame, from x_a",
            [](View& v) {
              const Vector<double> at = v.displacement_in_stator_frame();
@@ -59,9 +60,9 @@ constexpr std::array table = {
     Column{"friction_power_W", "power of F_tau at the rim, negative",
            [](View& v) { return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0; }},
     Column{"contact_damping_power_W",
-           "power of the contact's damper, negative; also while the ring comes back",
+           "power of the contact's damper, negative; also while the ring springs back",
            [](View& v) {
-             const bool is_clear = v.at().contact == ContactState::free;  // where K may not exist
+             const bool is_clear = v.at().contact == ContactState::free;  // K may be undefined
              return is_clear ? 0 : v.ring().damping_power(v.rim_point(), v.at().contact);
            }},
     Column{"support_energy_J", "potential energy of the supports' springs",

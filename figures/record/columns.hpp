@@ -1,4 +1,4 @@
-/// The quantities that a scene may ask for, by the names that stand in the header of its CSV.
+/// The columns of traces and scenes, by their names in the header of a CSV file.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace rotor {
 
-/// What columns need to know beside the instant.
+/// What columns need besides the instant.
 struct ColumnContext {
   explicit ColumnContext(const Scenario& scenario)
       : ring(scenario.parameters),
@@ -24,8 +24,7 @@ struct ColumnContext {
   bool rolls;  ///< whether the method has a state of rolling, in which friction is a constraint
 };
 
-/// One instant, looked at by columns. What several columns need is worked out once, and only if one
-/// of them asks for it.
+/// One instant, as columns see it. What several columns need is computed once, and only on demand.
 class View {
  public:
   View(const Instant& at, const ColumnContext& context) : at_(at), context_(context) {}
@@ -36,7 +35,7 @@ class View {
   bool in_contact() const;
   double normal_force();           ///< F_n, N
   double friction();               ///< F_tau, N
-  Vector<double> bearing_force();  ///< of the supports on their foundation, N
+  Vector<double> bearing_force();  ///< on the foundation, N
   Vector<double> displacement_in_stator_frame();
   const Ring<double>& ring() const { return context_.ring; }
   const Supports<double>& supports() const { return context_.supports; }

@@ -94,7 +94,7 @@ void Recorder::sample(const DenseOutput& motion, double from_s, const Row& from,
 
 void Recorder::refine(const DenseOutput& motion, double from_s, const Row& from, double until_s,
                       const Row& until, int depth) {
-  constexpr int least_depth = 1, greatest_depth = 6;  // an arc may bend both ways
+  constexpr int least_depth = 1, greatest_depth = 6;  // an arc may have an inflection
   if (depth == greatest_depth) return;
   const double middle_s = (from_s + until_s) / 2;
   const Row middle = row(motion.at(middle_s));
@@ -132,7 +132,7 @@ void Recorder::add(const Row& row) {
     return a == b || (std::isnan(a) && std::isnan(b));
   };
   if (std::equal(row.begin(), row.end(), last_.begin(), last_.end(), is_same))
-    return;  // where one step ends and the next begins
+    return;  // the end of one step is the start of the next
   last_ = row;
   for (std::size_t i = 0; i < row.size(); ++i) {
     least_[i] = std::min(least_[i], row[i]);
@@ -146,7 +146,7 @@ Sampler::Sampler(double from_s, double until_s, double every_s, std::vector<cons
                  const Scenario& scenario, RowSink sink)
     : from_s_(from_s),
       end_s_(until_s),
-      until_s_(until_s + every_s / 1e6),  // which rounding may miss
+      until_s_(until_s + every_s / 1e6),  // allows for rounding
       every_s_(every_s),
       columns_(std::move(columns)),
       context_(scenario),

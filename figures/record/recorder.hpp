@@ -1,4 +1,4 @@
-/// Records the columns that are asked for, inside the window that is asked for, as they come.
+/// Records columns of a run within a window, row by row.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@
 
 namespace rotor {
 
-/// As close as a recorded curve is to the motion before it is thinned by the rest, relative to the
-/// same.
+/// Largest distance of a recorded curve from the motion, relative to its range. Thinning may add
+/// the rest of its tolerance.
 inline constexpr double sampling = thinning / 2;
 
 /// The part of a run that is recorded: from a given time on, or from the onset of rolling on.
 struct Window {
   double from_s = 0;
-  bool from_rolling_onset = false;  ///< if so, from_s does not count
+  bool from_rolling_onset = false;  ///< instead of from_s
   double length_s = std::numeric_limits<double>::infinity();
 };
 
-/// Who takes the rows.
+/// Receives the rows.
 using RowSink = std::function<void(std::span<const double>)>;
 
 class Recorder : public Observer {
  public:
-  /// Where the motion is known, rows lie so close that halfway between two of them each column is
-  /// within `tolerance` of a straight line, relative to its range so far; a 64th of an arc is the
-  /// closest.
+  /// Where the motion between steps is known, rows are so close that halfway between two of them
+  /// each column is within `tolerance` of a straight line, relative to its range so far; the least
+  /// distance is a 64th of an arc.
   Recorder(const Window& window, std::vector<const Column*> columns, const Scenario& scenario,
            double tolerance, RowSink sink);
 
@@ -51,32 +51,32 @@ class Recorder : public Observer {
   Row row(const Instant& at) const;
   void add(const Row& row);
   void note_extremes(const Instant& at);
-  /// Rows of a part of a step, after the first and with the last one.
+  /// Adds rows of a part of a step, without its first and with its last one.
   void sample(const DenseOutput& motion, double from_s, const Row& from, double until_s,
               const Row& until);
-  /// Rows between two that are known, where a straight line would miss the motion.
+  /// Adds rows between two others where a straight line would be too far from the motion.
   void refine(const DenseOutput& motion, double from_s, const Row& from, double until_s,
               const Row& until, int depth);
   bool is_straight(const Row& from, const Row& middle, const Row& until) const;
 
   Window window_;
-  bool open_;  ///< whether it is known where the window begins
+  bool open_;  ///< whether the start of the window is known
   std::vector<const Column*> columns_;
   double tolerance_;
   ColumnContext context_;
   RowSink sink_;
   long rows_ = 0;
-  std::vector<Instant> maxima_;  ///< in the step that comes next
+  std::vector<Instant> maxima_;  ///< of the next step
   Row last_;
   Row least_, greatest_;                         ///< of each column so far
   std::array<double, extreme_count> largest_{};  ///< of each Extreme so far
 };
 
-/// Records columns at equal distances in time, as spectra want it.
+/// Records columns at equal intervals of time, as spectra need them.
 class Sampler : public Observer {
  public:
-  /// A row every `every_s` seconds from `from_s` on, and at `until_s` if the distance meets it. The
-  /// run has to have a dense output.
+  /// A row every `every_s` seconds from `from_s` to `until_s`, which is included if it is reached.
+  /// The run must have a dense output.
   Sampler(double from_s, double until_s, double every_s, std::vector<const Column*> columns,
           const Scenario& scenario, RowSink sink);
 
@@ -92,7 +92,7 @@ class Sampler : public Observer {
   std::vector<const Column*> columns_;
   ColumnContext context_;
   RowSink sink_;
-  long next_ = 0;  ///< row
+  long next_ = 0;  ///< number of the next row
 };
 
 }  // namespace rotor

@@ -50,19 +50,20 @@ std::string complaint(const Comparison& comparison, int digits) {
   std::string text;
   if (!comparison.same_course) {
     text = fmt::format(
-        "counts and outcome hang on digits that are not there: computations agree on the first {} "
-        "events",
+        "counts and outcome cannot be determined at this precision: computations agree only on the "
+        "first {} events",
         comparison.events.size() - 1);
   } else if (!comparison.is_course_sure()) {
     text =
-        "counts and outcome hang on digits that are not there: a glancing contact, or what comes "
-        "next at the mass loss or in the end, is closer than its error";
+        "counts and outcome cannot be determined at this precision: a glancing contact, or an "
+        "event "
+        "near the mass loss or the end, is closer than its error";
   } else if (const auto all = short_of_digits(comparison, digits); !all.empty()) {
     text = fmt::format("{} has {} of {} digits", all.front().value, all.front().digits, digits);
-    if (all.size() > 1) text += fmt::format(", and {} more have too few", all.size() - 1);
+    if (all.size() > 1) text += fmt::format(", and {} others have too few", all.size() - 1);
   }
   if (comparison.amplification)
-    text += fmt::format("; a disturbance is multiplied by {:.1e} from the first contact on",
+    text += fmt::format("; a disturbance grows by a factor of {:.1e} from the first contact on",
                         *comparison.amplification);
   return text;
 }
@@ -104,7 +105,7 @@ Json to_json(const Comparison& comparison, const Scenario& scenario, int digits)
 
 std::string rounded_to(double value, int digits) {
   std::string text = fmt::format("{:#.{}g}", value, digits);
-  const std::size_t nothing = text.size() - 2;  // behind a number that has no digits there
+  const std::size_t nothing = text.size() - 2;  // no digits follow the point
   if (text.ends_with(".0") && std::abs(value) >= 1 &&
       static_cast<int>(nothing) - (value < 0 ? 1 : 0) == digits)
     text.resize(nothing);

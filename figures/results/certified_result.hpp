@@ -1,4 +1,4 @@
-/// What a run says of itself whose digits are sure.
+/// The results of a run with guaranteed digits.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,36 +13,36 @@ namespace rotor {
 /// double, extended or quadruple.
 std::string_view name_of(Precision precision);
 
-/// A value of which fewer digits are sure than were asked for.
+/// A value with fewer certain digits than were asked for.
 struct ShortOfDigits {
   std::string value;
   int digits;
 };
 std::vector<ShortOfDigits> short_of_digits(const Comparison& comparison, int digits);
 
-/// Why digits that were asked for are not sure; empty if all are.
+/// Why digits that were asked for are not certain; empty if all are.
 std::string complaint(const Comparison& comparison, int digits);
 
-/// The finest computation's, as if it were the only one.
+/// The result of the finest computation.
 RunResult result_of(const Comparison& comparison, const Scenario& scenario);
 
-/// As of an RunResult, but each number of the run with its error, and the events.
+/// Like that of a RunResult, but with the error of each number and with the events.
 nlohmann::ordered_json to_json(const Comparison& comparison, const Scenario& scenario, int digits);
 
-/// So many significant digits of a number, zeros among them.
+/// A number with so many significant digits, including trailing zeros.
 std::string rounded_to(double value, int digits);
 
-/// What is printed for a number of which no digit is sure.
+/// Printed for a number without a certain digit.
 inline constexpr std::string_view no_sure_digit = "?";
 
-/// So many digits of a number at most as it has whatever it is within its error.
+/// At most so many digits of a number, and only those that do not change within its error.
 std::string certified_text(double value, double error, int digits);
 
-/// A value of a summary as text, "-" if there is none: if it has an error, its sure digits; other
-/// numbers have six.
+/// A value of a summary as text: its certain digits if it has an error, otherwise six digits; "-"
+/// if there is none.
 std::string text_of(const nlohmann::ordered_json& value, int digits);
 
-/// How many digits were asked for in a summary; 0 if none were.
+/// The number of digits that a summary was asked for; 0 if none.
 int asked_digits(const nlohmann::ordered_json& summary);
 
 }  // namespace rotor

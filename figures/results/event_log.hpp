@@ -1,4 +1,4 @@
-/// Lists what happens in a run.
+/// Lists the events of a run.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace rotor {
 
 class EventLog : public Observer {
  public:
-  /// Who takes the events: what has happened, and the values of columns().
+  /// Receives events: the name, and the values of columns().
   using Sink = std::function<void(std::string_view event, std::span<const double>)>;
 
   EventLog(const Scenario& scenario, Sink sink) : context_(scenario), sink_(std::move(sink)) {}

@@ -13,13 +13,13 @@ double speed_at_loss(const Scenario& scenario) {
   return std::max(start, std::min(off, start + p.torque / p.inertia * p.mass_loss_time));
 }
 
-/// Up to this share of the unbalance nine of ten rotors roll as (3) and (4) say, to 10 %.
+/// Below this share of the unbalance (3) and (4) hold to 10 % for about nine of ten rotors.
 constexpr double trusted_share = 0.1;
 
 }  // namespace
 
 nlohmann::ordered_json laws(const Scenario& scenario) {
-  if (!scenario.parameters.loses_mass) throw InputError("the laws are of runs with a mass loss");
+  if (!scenario.parameters.loses_mass) throw InputError("the closed forms need a mass loss");
   const double speed = speed_at_loss(scenario);
   const Accident law(scenario.parameters, scenario.equations, speed);
   nlohmann::ordered_json json;

@@ -27,7 +27,7 @@ std::string parameters(const Scenario& scenario) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-/// What closed forms predict, if they know the rotor.
+/// What closed forms predict, if they apply to the rotor.
 std::string prediction(const Scenario& scenario) {
   std::vector<std::string> all;
   try {

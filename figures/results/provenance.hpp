@@ -1,4 +1,4 @@
-/// The header above the data that are written.
+/// The header of data files.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace rotor {
 
-/// Lines for the top of a CSV: what it is, and all that it was computed from.
+/// Lines for the top of a CSV file: its contents, and everything it was computed from.
 std::vector<std::string> provenance(const std::string& title, const Scene& scene);
 
-/// The headings of a CSV, the first one being that of its tables' names.
+/// The headings of a CSV file; the first is for the tables' names.
 std::vector<std::string_view> headings(std::string_view names,
                                        const std::vector<const Column*>& columns);
 

@@ -23,10 +23,10 @@ Json json_of(Outcome outcome) { return name_of(outcome); }
 Json json_of(long count) { return count; }
 Json json_of(bool whether) { return whether; }
 
-/// What is said of a run beside its results.
+/// What a summary has besides the results.
 struct Circumstance {
   std::string_view key, meaning;
-  Json allowed;  ///< as a schema says it
+  Json allowed;  ///< in JSON schema
   Json (*value)(const RunResult&);
 };
 
@@ -59,22 +59,22 @@ const std::vector<Circumstance>& circumstances() {
   };
   static const std::vector<Circumstance> all = {
       {"stop_on",
-       "At what the run was to stop early",
+       "Where the run was to stop early",
        {{"enum", with(all_names<StopOn>(), nullptr)}},
        [](const A& a) { return a.early.stop_on ? Json(name_of(*a.early.stop_on)) : Json(); }},
-      {"stop_reached", "Whether it did", type("boolean"),
+      {"stop_reached", "Whether the run stopped there", type("boolean"),
        [](const A& a) { return Json(a.early.stop_reached); }},
       {"remarks",
-       "What a reader has to know beside the numbers",
+       "What a reader should know besides the numbers",
        {{"type", "array"}, {"items", type("string")}},
        remarks_of},
       {"right_hand_sides", "Cost: evaluations of the equations of motion", type("integer"),
        [](const A& a) { return Json(a.end.counters.right_hand_sides); }},
-      {"contact_evaluations", "Cost: of these, and of guards, those of the loads in contact",
+      {"contact_evaluations", "Cost: evaluations of the loads in contact, in equations and guards",
        type("integer"), [](const A& a) { return Json(a.end.counters.contact_evaluations); }},
-      {"steps", "Cost: steps that were kept", type("integer"),
+      {"steps", "Cost: accepted steps", type("integer"),
        [](const A& a) { return Json(a.end.counters.steps); }},
-      {"located_events", "Events", type("integer"),
+      {"located_events", "Number of located events", type("integer"),
        [](const A& a) { return Json(a.end.counters.located_events); }},
       {"equations",
        "published (velocity jump twice, gravity moment whole), consistent (once, balanced) or "
@@ -84,36 +84,38 @@ const std::vector<Circumstance>& circumstances() {
       {"velocity_jump", "How often the mass loss adds Delta_vy to the velocity of C",
        one_of(all_names<VelocityJump>()),
        [](const A& a) { return Json(name_of(a.scenario.equations.velocity_jump)); }},
-      {"gravity_moment", "balanced by the springs but for the part of the eccentricity, or whole",
+      {"gravity_moment",
+       "balanced by the springs except for the part due to the eccentricity, or whole",
        one_of(all_names<GravityMoment>()),
        [](const A& a) { return Json(name_of(a.scenario.equations.gravity_moment)); }},
       {"method", "How the run was computed", one_of(all_names<Method>()),
        [](const A& a) { return Json(name_of(a.scenario.method)); }},
-      {"tolerance", "Of event: error allowed in a step; null for rk4", number_or_null(),
+      {"tolerance", "Error allowed in a step by method event; null for rk4", number_or_null(),
        [](const A& a) {
          return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
        }},
       {"estimated_relative_error",
        "With --estimate-error: the largest relative error of the real results, estimated by "
-       "another run; 1 if that takes another course. With --digits: the largest of all errors",
+       "another run; 1 if its events differ. With --digits: the largest of all errors",
        number_or_null(), [](const A& a) { return json_of(a.estimated_relative_error); }},
-      {"inputs", "All numbers of the scenario, in SI units but for speeds in Hz", type("object"),
+      {"inputs", "All numbers of the scenario, in SI units; speeds in Hz", type("object"),
        inputs_of},
-      {"version", "Of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
+      {"version", "Version of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
       {"schema",
-       "Of this summary; 2 spoke of separation and collisions, 1 had neither outcome nor inputs",
+       "Version of this schema; 2 had the keys of separation and collisions, 1 no outcome or "
+       "inputs",
        {{"const", schema}},
        [](const A&) { return Json(schema); }}};
   return all;
 }
 
-/// What the schema says of a result by its type.
+/// The schema of a result of this type.
 template <class T>
 Json allowed(T Summary::* /*of*/) {
   if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
   if constexpr (std::is_same_v<T, long>) return type("integer");
   if constexpr (std::is_same_v<T, bool>) return type("boolean");
-  Json types = {"number", "object"};  // with digits
+  Json types = {"number", "object"};  // object: with --digits
   if constexpr (std::is_same_v<T, std::optional<double>>) types.push_back("null");
   return {{"type", types}, {"$ref", "#/$defs/estimate"}};
 }
@@ -129,7 +131,7 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
   std::optional<StopObserver> stop;
   if (stop_on) observers.add(stop.emplace(*stop_on, scenario));
   observers.on_instant(simulation.instant());
-  observers.add(summary);  // which has seen it
+  observers.add(summary);  // the summary has seen the start
   if (!simulation.stopped())
     simulation.finish(observers);
   else
@@ -165,37 +167,38 @@ Json summary_schema() {
     describe(said.key, said.meaning, said.allowed);
     required.push_back(said.key);
   }
-  describe("cut_short_at_s", "When the run was interrupted; only then", type("number"));
+  describe("cut_short_at_s", "Time at which the run was interrupted; otherwise absent",
+           type("number"));
   describe("digits",
            "Only with --digits: how many were asked for; which values have fewer, and how many; "
-           "whether counts and outcome are those of exact arithmetic (if not, nothing is known of "
-           "values that hang on them); the precision of the numbers in the end; and by how much a "
-           "disturbance is multiplied from the first contact to the end, or as far as computations "
-           "agree",
+           "whether counts and outcome are those of exact arithmetic (if not, nothing is known "
+           "about values that depend on them); the precision of the last computation; and how much "
+           "a disturbance grows from the first contact to the end, or as far as computations agree",
            type("object"));
   describe("events", "Only with --digits: name, time and state of each event, and of the end",
            type("array"));
-  describe("energy_J",
-           "Only with --energy, from just before the mass loss on: works of all causes, negative "
-           "where the rotor loses, and what is there at the end of each span; residual is what "
-           "does not add up",
-           type("object"));
+  describe(
+      "energy_J",
+      "Only with --energy, from just before the mass loss on: work of each cause, negative where "
+      "the rotor loses energy, and the energies stored at the end of each span; residual is "
+      "the error of the balance",
+      type("object"));
   const Json estimate = {
       {"description",
-       "With --digits, instead of a number: how far it may be from the truth, null if nothing is "
-       "known of it"},
+       "With --digits, instead of a number: its value and error bound, null if nothing is known "
+       "about the error"},
       {"required", {"value", "error"}},
       {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
       {"additionalProperties", false}};
-  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-          {"title", "Summary of a run, as `rotor run --json` prints it"},
-          {"description",
-           "Of a scene with several runs it prints {\"runs\": [...]}, each of them like this"},
-          {"type", "object"},
-          {"properties", properties},
-          {"required", required},
-          {"additionalProperties", false},
-          {"$defs", {{"estimate", estimate}}}};
+  return {
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", "Summary of a run, as `rotor run --json` prints it"},
+      {"description", "Of a scene with several runs: {\"runs\": [...]}, with a summary of each"},
+      {"type", "object"},
+      {"properties", properties},
+      {"required", required},
+      {"additionalProperties", false},
+      {"$defs", {{"estimate", estimate}}}};
 }
 
 Json to_json(const EnergyObserver& energy) {
@@ -228,7 +231,7 @@ std::vector<Remark> remarks(const RunResult& result) {
   std::vector<Remark> all;
   if (summary.lost_mass_kg == 0.)
     all.push_back({fmt::format("no mass is lost: unbalance_factor = {} times eccentricity = {} m "
-                               "leaves the unbalance as it is",
+                               "does not change the unbalance",
                                p.unbalance_factor, p.eccentricity),
                    Of::missed_goal});
   else if (p.loses_mass && !summary.mass_loss_reached)
@@ -238,33 +241,33 @@ std::vector<Remark> remarks(const RunResult& result) {
   if (early.stop_on && !early.stop_reached) {
     const bool spins_freely = early.stop_on == StopOn::rest && !result.end.last.touches();
     all.push_back(
-        {fmt::format("{}, at which the run was to stop, was not reached until {:.6g} s{}",
+        {fmt::format("the run was to stop at {}, which was not reached by {:.6g} s{}",
                      name_of(*early.stop_on), summary.final_time_s,
                      !spins_freely              ? ""
                      : result.end.last.motor_on ? "; the motor still drives"
-                                                : "; out of contact nothing but the "
+                                                : "; without contact only the "
                                                   "damping of its whirl brakes the rotor"),
          Of::missed_goal});
   }
   if (const double start = result.scenario.start_speed_Hz;
       start > 0 && start < p.motor_off_Hz && p.torque > 0)
     all.push_back(
-        {fmt::format("the motor still drives at start_speed_hz = {} Hz, until "
+        {fmt::format("the motor still drives at start_speed_hz = {} Hz, up to "
                      "motor_off_hz = {} Hz; torque = 0 turns it off",
                      start, p.motor_off_Hz)});
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back({fmt::format("the rotor touched the ring {} times before the mass loss",
                                summary.touch_downs_before_loss)});
-  // In half a period of the contact; with ten of them the largest force errs by about 1 %.
+  // Steps per half period of the contact; with ten, the error of the largest force is about 1 %.
   constexpr double few_steps = 10;
   const double steps =
       std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness) / result.scenario.step_rub;
   if (result.scenario.method == Method::rk4 && summary.touch_downs > 0 && steps < few_steps)
     all.push_back({fmt::format("a contact lasts about {:.2g} steps of step_rub = {} s: the "
-                               "published method needs {} or more",
+                               "published method needs at least {}",
                                steps, result.scenario.step_rub, few_steps),
                    Of::limit});
-  // The contact is linear and the ring round: both want indentations that are small.
+  // A linear contact and a round ring are valid only for small indentations.
   constexpr double large = 0.1;
   const double clearance = p.stator_radius - p.rotor_radius;
   const double displacement =
@@ -274,7 +277,7 @@ std::vector<Remark> remarks(const RunResult& result) {
     if (displacement - clearance > large * length)
       all.push_back(
           {fmt::format("the ring is indented by {:.2g} of the {}: the model's linear contact is "
-                       "meant for less than {}",
+                       "valid only below {}",
                        (displacement - clearance) / length, name, large),
            Of::limit});
   return all;

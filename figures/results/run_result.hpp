@@ -1,4 +1,4 @@
-/// What a run says of itself.
+/// The result of a run.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,9 +14,9 @@
 
 namespace rotor {
 
-/// Why a run has ended before its time, if it has.
+/// Why a run ended early, if it did.
 struct EarlyEnd {
-  std::optional<StopOn> stop_on;  ///< as asked for
+  std::optional<StopOn> stop_on;  ///< as requested
   bool stop_reached = false;
   bool interrupted = false;
 };
@@ -26,23 +26,23 @@ struct RunResult {
   Summary summary;
   RunEnd end;
   EarlyEnd early;
-  std::optional<double> estimated_relative_error{};  ///< of the summary, if that was asked for
+  std::optional<double> estimated_relative_error{};  ///< of the summary, if requested
 };
 
-/// A run from where it has got to its end, or to where it is to stop. Others watch, who have seen
-/// nothing yet.
+/// Continues a run from a checkpoint to its end, or to where it is to stop. `others` are shown
+/// everything from the checkpoint on.
 RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<StopOn> stop_on,
                  Observer& others);
 
-/// What has not happened is null.
+/// Null: has not happened.
 nlohmann::ordered_json to_json(const RunResult& result);
 nlohmann::ordered_json to_json(const EnergyObserver& energy);
 
-/// The JSON schema of what `rotor run --json` prints: each key, what it means, and its values.
+/// The JSON schema of what `rotor run --json` prints: each key, its meaning and its values.
 nlohmann::ordered_json summary_schema();
 
-/// What a reader has to know of a run beside its numbers: of its circumstances, of something stated
-/// that was not reached, or of a limit of model or method that it exceeds.
+/// What a reader should know about a run besides its numbers: its circumstances, a stated goal that
+/// was not reached, or a limit of model or method that it exceeds.
 struct Remark {
   std::string sentence;
   enum class Of { circumstances, missed_goal, limit } of = Of::circumstances;

@@ -1,4 +1,4 @@
-/// Work that an interruption ends.
+/// Runs that an interruption ends.
 #pragma once
 
 #include "figures/data/interruption.hpp"
@@ -6,7 +6,7 @@
 
 namespace rotor {
 
-/// Ends runs at an interruption.
+/// Ends a run at an interruption.
 class Interruptible : public Observer {
  public:
   bool goes_on(const Progress& /*now*/) override { return !is_interrupted(); }

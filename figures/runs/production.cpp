@@ -10,7 +10,7 @@
 namespace rotor {
 namespace {
 
-/// A run, and all who watch it.
+/// A run, and all its observers.
 struct Branch {
   Scenario scenario;
   ObserverGroup observers;
@@ -24,7 +24,7 @@ bool differ_in_their_end_alone(Scenario a, const Scenario& b) {
   return a == b;
 }
 
-/// In the order in which they leave their run-up, then in that of their ends.
+/// In the order in which they leave their run-up, then in the order of their ends.
 Branches branches(const std::vector<Request>& requests, Observer* monitor) {
   Branches all;
   for (const Request& request : requests) {
@@ -45,7 +45,7 @@ Branches branches(const std::vector<Request>& requests, Observer* monitor) {
   return all;
 }
 
-/// Takes those out of the branches that are like the first one.
+/// Removes from the branches those that equal the first one.
 template <class Alike>
 Branches take(Branches& all, const Alike& alike) {
   const Scenario first = all.front().scenario;

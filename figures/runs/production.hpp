@@ -1,5 +1,5 @@
-/// Runs what several scenes ask for, and nothing twice: equal runs are one, and runs that differ
-/// only later share the way there.
+/// Runs what several scenes need, and nothing twice: equal runs become one, and runs that differ
+/// only later share their beginning.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace rotor {
 
-/// A run and who observes it.
+/// A run and its observer.
 struct Request {
   Scenario scenario;
   Observer& observer;
-  std::string name{};  ///< precedes the message of what it throws
+  std::string name{};  ///< precedes its error messages
 };
 
 struct ProductionCost {
@@ -22,9 +22,8 @@ struct ProductionCost {
   Counters counters;
 };
 
-/// Runs all requests. Every observer is shown the same, to the bit, as by a separate run. Throws
-/// as `run` does. A monitor, if there is one, watches all runs: if it stops one,
-/// all stop.
+/// Runs all requests. Every observer sees the same, to the bit, as in a separate run. Throws as
+/// `run` does. A monitor, if there is one, watches all runs; if it stops one, all stop.
 ProductionCost produce(const std::vector<Request>& requests, Observer* monitor = nullptr);
 
 }  // namespace rotor

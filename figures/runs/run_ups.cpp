@@ -8,15 +8,15 @@
 namespace rotor {
 namespace {
 
-/// So many checkpoints are kept, some kB each,
+/// The number of checkpoints that are kept, some kB each,
 constexpr std::size_t most_checkpoints = 2048;
-/// that are so many steps apart, and so large a part of the way there.
+/// and their distance, in steps and relative to the time of the checkpoint.
 constexpr long least_steps = 4, parts_of_way = 64;
 
 double time_s(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.instant().time_s; }
 long steps(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.counters().steps; }
 
-/// A run-up that nothing ends.
+/// A run-up without an end.
 Scenario endless(Scenario run_up) {
   run_up.until = std::numeric_limits<double>::max();
   return run_up;
@@ -51,7 +51,7 @@ RunUps::Family& RunUps::family(const Scenario& scenario) {
   return families_.front();
 }
 
-/// From the last of the checkpoints before a time to that time. What is far from them is kept.
+/// Runs from the last checkpoint before a time to that time. Keeps checkpoints far from the others.
 RunUpCheckpoint RunUps::follow(std::vector<RunUpCheckpoint>& checkpoints, double until_s,
                                Observer& monitor) {
   const auto later = std::upper_bound(checkpoints.begin() + 1, checkpoints.end(), until_s,
@@ -92,7 +92,7 @@ RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& mo
 SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
                                    std::optional<double> until_s, Observer& monitor) {
   const std::vector<RunUpCheckpoint>& checkpoints = family(run_up_to_speed(scenario)).checkpoints;
-  constexpr double ripple = 0.01;  // the speed rises, but for this
+  constexpr double ripple = 0.01;  // the speed rises, apart from this
   const auto faster = std::find_if(
       checkpoints.begin() + 1, checkpoints.end(), [&](const RunUpCheckpoint& checkpoint) {
         return in_Hz(checkpoint.simulation.instant().state[5]) > (1 - ripple) * speed_Hz;
@@ -100,7 +100,7 @@ SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
   const SpeedReached found =
       rotor::time_at_speed((faster - 1)->simulation, scenario, speed_Hz, until_s, monitor);
   if (found.time_s || faster - 1 == checkpoints.begin()) return found;
-  // The greatest speed may have been on the way there.
+  // The greatest speed may have occurred earlier.
   return rotor::time_at_speed(checkpoints.front().simulation, scenario, speed_Hz, until_s, monitor);
 }
 

@@ -1,4 +1,4 @@
-/// Run-ups that are shared by runs of which only the summary, or a late part, is observed.
+/// Run-ups that are shared by runs if only the summary, or a late part, is observed.
 #pragma once
 
 #include <limits>
@@ -11,7 +11,7 @@
 
 namespace rotor {
 
-/// A run and its summary, as far as they have got.
+/// A run and its summary up to the present instant.
 struct RunUpCheckpoint {
   Simulation simulation;
   SummaryObserver summary;
@@ -20,26 +20,25 @@ struct RunUpCheckpoint {
   explicit RunUpCheckpoint(const Scenario& scenario);
 };
 
-/// Keeps checkpoints of the run-ups that were used last. Their memory does not depend on the number
-/// of runs.
+/// Keeps checkpoints of the most recent run-ups. The memory does not depend on the number of runs.
 class RunUps {
  public:
   /// A run before its mass loss and before `latest_s`, clear of the ring, in the same state to the
-  /// bit as without sharing. A run without mass loss is at its start. Throws as `run` does. If the
+  /// bit as without sharing; a run without mass loss is at its start. Throws as `run` does. If the
   /// monitor stops the run-up, the checkpoint must not be used.
   RunUpCheckpoint checkpoint_before(const Scenario& scenario, Observer& monitor,
                                     double latest_s = std::numeric_limits<double>::infinity());
 
-  /// As the function of the same name in model/run.
+  /// Like the function of the same name in model/run.
   SpeedReached time_at_speed(const Scenario& scenario, double speed_Hz,
                              std::optional<double> until_s, Observer& monitor);
 
  private:
-  /// The runs of one run-up part, in the order of their times.
+  /// Checkpoints of one run-up, in the order of their times.
   struct Family {
     Scenario run_up;
     std::vector<RunUpCheckpoint> checkpoints;
-    /// Of those whose summary looks at the speed when the last one's did, from that time on.
+    /// Only those whose summary needs the speed at the same time as the last one's, from then on.
     std::vector<RunUpCheckpoint> later{};
   };
   Family& family(const Scenario& scenario);

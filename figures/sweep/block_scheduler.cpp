@@ -77,7 +77,7 @@ void work(BlockScheduler& scheduler, int threads, const std::function<Work()>& m
   std::vector<std::thread> all;
   try {
     while (static_cast<int>(all.size()) < threads) all.emplace_back(body);
-  } catch (const std::system_error&) {  // there are no more
+  } catch (const std::system_error&) {  // no more threads
     if (all.empty()) scheduler.stop(std::current_exception());
   }
   try {

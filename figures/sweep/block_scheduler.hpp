@@ -1,5 +1,5 @@
-/// Deals out the points of a sweep in blocks. Their rows come back from anywhere in any order, and
-/// go on in the order of the points.
+/// Distributes the points of a sweep in blocks. Their rows may return in any order, and are passed
+/// on in the order of the points.
 #pragma once
 
 #include <condition_variable>
@@ -15,31 +15,31 @@
 namespace rotor {
 
 struct Block {
-  long from, until;  ///< points from the first one up to, but without, the last one
+  long from, until;  ///< points from the first one up to, but without, `until`
 };
 
 class BlockScheduler {
  public:
-  /// Takes rows as they become due: those of points up to, but without, that one.
+  /// Receives rows in order: those of points up to, but without, `until`.
   using Sink = std::function<void(std::string_view rows, long until)>;
 
   BlockScheduler(long from, long until, Sink sink)
       : next_(from), due_(from), until_(until), sink_(std::move(sink)) {}
 
-  /// The next block, or none if all have been dealt out or it was stopped. Waits while so many are
-  /// out that their rows would take too much memory.
+  /// The next block, or none if all have been distributed or it was stopped. Waits while the rows
+  /// of unfinished blocks would take too much memory.
   std::optional<Block> next();
-  /// The same, but none also where `next` would wait.
+  /// The same, but returns none instead of waiting.
   std::optional<Block> next_if_due();
 
   void take(const Block& block, std::string rows);
 
-  /// Nothing is dealt out any more. The first reason is kept.
+  /// Distributes no further blocks. Keeps the first reason.
   void stop(std::exception_ptr reason);
   void rethrow_if_stopped();
 
-  bool is_dealt_out();  ///< there is no next block, and there will be none
-  bool is_finished();   ///< all rows have gone on, or it was stopped
+  bool is_dealt_out();  ///< no block is left
+  bool is_finished();   ///< all rows have been passed on, or it was stopped
 
  private:
   static constexpr long block_size = 4, most_out = 16384;
@@ -51,15 +51,15 @@ class BlockScheduler {
   std::condition_variable changed_;
   long next_, due_, until_;
   Sink sink_;
-  std::map<long, std::pair<Block, std::string>> early_;  ///< rows that are not due yet
+  std::map<long, std::pair<Block, std::string>> early_;  ///< rows that must wait for earlier ones
   std::exception_ptr reason_;
 };
 
-/// Computes a point's row. Each worker has its own.
+/// Computes the row of a point. Each worker has its own.
 using Work = std::function<std::string(long point)>;
 
-/// Lets so many threads work on what is dealt out, until all rows have gone on. `meanwhile` is
-/// called again and again by this thread as long as they do. Throws what the work has thrown.
+/// Lets threads work on the blocks until all rows have been passed on. This thread calls
+/// `meanwhile` repeatedly until then. Throws what the work has thrown.
 void work(BlockScheduler& scheduler, int threads, const std::function<Work()>& make_worker,
           const std::function<void()>& meanwhile);
 

@@ -17,7 +17,7 @@
 namespace rotor {
 namespace {
 
-/// The check sum of what has this one, and of a text behind it (FNV-1a, from Fowler, Noll and Vo).
+/// The check sum after a further text (FNV-1a, from Fowler, Noll and Vo).
 constexpr std::uint64_t first_sum = 0xcbf29ce484222325U;
 std::uint64_t sum_with(std::uint64_t sum, std::string_view text) {
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
@@ -48,8 +48,7 @@ Journal::Journal(const std::filesystem::path& file, std::string head)
 
 Journal::~Journal() { ::close(descriptor_); }
 
-/// Takes the rows that are as they were written, up to the first that is not. Returns where they
-/// end.
+/// Reads the rows up to the first damaged one. Returns where they end.
 template <class Take>
 off_t Journal::read_rows(const Take& take) {
   std::ifstream file(path_, std::ios::binary);
@@ -69,8 +68,7 @@ off_t Journal::read_rows(const Take& take) {
   return end;
 }
 
-/// What is no row as it was written is cut off, with all that follows; in a head that was cut
-/// short, everything is.
+/// Cuts off the first damaged row and all that follows; everything, if the head is incomplete.
 void Journal::take_up() {
   std::string beginning(head_.size(), '\0');
   std::ifstream file(path_, std::ios::binary);
@@ -78,7 +76,7 @@ void Journal::take_up() {
   if (file.bad()) fail("cannot be read");
   beginning.resize(static_cast<std::size_t>(file.gcount()));
   if (!head_.starts_with(beginning))
-    fail("is of another sweep file or another version; go on with that one, or remove it");
+    fail("belongs to another sweep file or version of rotor; resume with that, or remove it");
   const bool is_begun = beginning.size() == head_.size();
   const off_t end = is_begun ? read_rows([&](const std::string& /*row*/) { ++rows_; }) : 0;
   dropped_ = ::lseek(descriptor_, 0, SEEK_END) - end;
@@ -110,7 +108,7 @@ void Journal::write_all(std::string_view text) {
   }
 }
 
-/// The results are on the disk before the journal goes.
+/// The results are on the disk before the journal is removed.
 void Journal::finish(const std::function<void(std::string_view row)>& see) {
   OutputFile results(file_);
   results.write(head_);
@@ -120,7 +118,7 @@ void Journal::finish(const std::function<void(std::string_view row)>& see) {
     if (see) see(row);
     ++rows;
   });
-  if (rows != rows_) fail("has been changed by another program");
+  if (rows != rows_) fail("was changed by another program");
   results.sync();
   results.commit();
   std::filesystem::remove(path_);

@@ -1,5 +1,5 @@
-/// The results of a sweep as far as they have got, in a file beside their place. A sweep that was
-/// killed resumes from it.
+/// The results of a sweep up to now, in a file next to the output. A sweep that was killed resumes
+/// from it.
 #pragma once
 
 #include <sys/types.h>
@@ -12,26 +12,26 @@
 
 namespace rotor {
 
-/// The journal of FILE is FILE.journal: its head, and its rows, each behind a check sum of all that
-/// comes before it and of itself. All throw std::runtime_error.
+/// The journal of FILE is FILE.journal: the head, and the rows, each after a check sum of
+/// everything up to and including the row. All functions throw std::runtime_error.
 class Journal {
  public:
-  /// Takes up the journal that is there as far as it is as it was written, or begins one. Refuses
-  /// one that another sweep is writing, and one that does not begin with this head.
+  /// Resumes from the undamaged part of the journal that exists, or starts one. Refuses a journal
+  /// that another sweep is writing, and one with another head.
   Journal(const std::filesystem::path& file, std::string head);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
-  long rows() const { return rows_; }         ///< that are there
-  off_t dropped() const { return dropped_; }  ///< bytes behind them that were no such rows
+  long rows() const { return rows_; }         ///< in the journal
+  off_t dropped() const { return dropped_; }  ///< damaged bytes after them
   const std::filesystem::path& path() const { return path_; }
 
-  /// Whole rows, a line each. What was written survives the program's death; after a power cut the
-  /// check sums show how much did.
+  /// Adds whole rows, one line each. They survive the end of the program; after a power cut the
+  /// check sums show how many did.
   void write(std::string_view rows);
 
-  /// Puts the results in their place, whole, and removes the journal. Shows each row to `see`.
+  /// Writes FILE, whole or not at all, and removes the journal. Passes each row to `see`.
   void finish(const std::function<void(std::string_view row)>& see = {});
 
  private:
@@ -47,7 +47,7 @@ class Journal {
   int descriptor_ = -1;
   long rows_ = 0;
   off_t dropped_ = 0;
-  std::uint64_t sum_ = 0;  ///< of the head and the rows up to here
+  std::uint64_t sum_ = 0;  ///< of the head and all rows
 };
 
 }  // namespace rotor

@@ -19,11 +19,11 @@ namespace rotor {
 
 namespace {
 
-/// What others send: rows of a block, behind the two numbers of it, or why they cannot go on. A
-/// block without points is but a question for more.
+/// What other ranks send: the two numbers of a block and its rows, or why they cannot continue. A
+/// block without points only asks for more.
 enum Tag : int { rows_of_block = 1, failure = 2, dealt_block = 3 };
 
-/// So many blocks are dealt to a rank ahead of its work, so that it never waits for an answer.
+/// The number of blocks sent to a rank in advance, so that it never waits for an answer.
 constexpr int ahead = 4;
 
 bool is_launched() {
@@ -34,7 +34,7 @@ bool is_launched() {
 
 void pause() { std::this_thread::sleep_for(std::chrono::microseconds(100)); }
 
-/// A message that has come, if one has. Asking, not waiting: MPI's waiting keeps a core busy.
+/// A message that has arrived, if any. Polls, because MPI keeps a core busy while it waits.
 std::optional<MPI_Status> next_message() {
   int is_there = 0;
   MPI_Status status;

@@ -1,5 +1,5 @@
-/// The processes that mpirun has started together, if it has: the first one deals out the points,
-/// and writes; all work.
+/// The processes that mpirun has started together, if any: the first one distributes the points and
+/// writes; all compute.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace rotor {
 
-/// Without MPI, or not under mpirun, there is one rank. One object a program.
+/// Without MPI, or not under mpirun, there is one rank. One object per program.
 class Ranks {
  public:
   Ranks();
@@ -19,25 +19,25 @@ class Ranks {
   int count() const { return count_; }
   bool is_first() const { return rank_ == 0; }
 
-  /// What the first one says to all.
+  /// Sends a value from the first rank to all.
   bool broadcast(bool word) const;
 
-  /// For the first one: takes rows from the others and deals to them what they ask for, as far as
-  /// there is something to do now.
+  /// For the first rank: receives rows from the others and sends them blocks, as far as is possible
+  /// without waiting.
   void serve(BlockScheduler& scheduler);
-  /// And until all others know that there is nothing more.
+  /// The same, until all others know that nothing is left.
   void shut_down_workers(BlockScheduler& scheduler);
 
  private:
   void answer(BlockScheduler& scheduler, int rank);
 
   int rank_ = 0, count_ = 1;
-  std::vector<int> waiting_;  ///< that have asked when nothing was due
-  int shutdowns_ = 0;         ///< that the others still have to get
+  std::vector<int> waiting_;  ///< ranks that asked when no block was due
+  int shutdowns_ = 0;         ///< still to be sent to the others
 };
 
-/// For ranks that are not the first: works on what the first one deals out, until there is no more.
-/// Throws what the work throws, when the first one knows of it.
+/// For all ranks but the first: works on blocks from the first one until none is left. Throws what
+/// the work throws, after reporting it to the first one.
 void work_for_first(const Work& work);
 
 }  // namespace rotor

@@ -1,4 +1,4 @@
-/// A sweep: a scenario of which some quantities vary, over axes, at random, or both.
+/// A sweep: a scenario with some quantities that vary over axes, at random, or both.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Range {
 
 /// A quantity and its values, one after the other.
 struct Axis {
-  std::string quantity;  ///< a input_quantity, or a named one
+  std::string quantity;  ///< an input quantity, or a named input
   std::variant<Range, std::vector<double>, std::vector<std::string>> values;
 
   long points() const;
@@ -36,13 +36,13 @@ struct Draw {
   Distribution distribution;
   double a, b;  ///< the ends; or mean and deviation
 
-  /// The number below which a share of all draws lies, which is between 0 and 1.
+  /// The number below which a share, between 0 and 1, of all draws lies.
   double quantile(double share) const;
 };
 
 enum class Sampling { sobol, random };
 
-/// The same draws within each point of the axes.
+/// A sample, with the same draws at each point of the axes.
 struct Sample {
   long count = 1;
   unsigned long seed = 0;
@@ -52,22 +52,22 @@ struct Sample {
 
 struct Sweep {
   std::string title;
-  std::string text;  ///< of the file, which is all that the results depend on
+  std::string text;  ///< of the file, which determines the results
   ScenarioSpec base;
-  std::vector<Axis> axes;  ///< the last one varies fastest, but for the sample
+  std::vector<Axis> axes;  ///< the last one varies fastest, after the sample
   Sample sample;
   std::optional<StopOn> stop_on = StopOn::outcome;
   std::vector<std::string> columns = {};  ///< of the results; all if empty
 
   long points() const;
-  std::vector<std::string> quantities() const;  ///< that vary
-  bool leaves_equations_open() const;           ///< neither states nor varies them
+  std::vector<std::string> quantities() const;  ///< the ones that vary
+  bool leaves_equations_open() const;           ///< whether they are neither stated nor varied
 };
 
-/// Reads a TOML sweep file. Throws InputError, also for corners that are not physical.
+/// Reads a TOML sweep file. Throws InputError, also if a corner of the axes is not physical.
 Sweep read_sweep(const std::filesystem::path& file);
 
-/// What a point states.
+/// A point of a sweep.
 struct SweepPoint {
   ScenarioSpec spec;
   std::vector<std::string> values;  ///< of what varies, as texts

@@ -11,9 +11,9 @@
 namespace rotor {
 namespace {
 
-/// Rows of some 600 bytes each: more would be a file that nothing reads.
+/// Rows have some 600 bytes each; more of them would make a useless file.
 constexpr double most_points = 1e8, bytes_a_row = 600;
-/// Corners of more dimensions are too many to look at.
+/// Limit of the number of corners to check.
 constexpr std::size_t most_dimensions = 12;
 
 class SweepReader : TomlFile {
@@ -31,7 +31,7 @@ class SweepReader : TomlFile {
     sweep.base = stated_in(*this, table(root(), "parameters"), {});
     if (sweep.base.digits && sweep.stop_on)
       fail(*table(root(), "parameters").get("digits"), "digits",
-           "needs stop_on = \"end\": where a run stops before depends on its steps");
+           "needs stop_on = \"end\": where a run stops early depends on its steps");
     for (const toml::table* in : tables(root(), "axis")) sweep.axes.push_back(axis(*in));
     if (root().contains("sample")) sweep.sample = sample(table(root(), "sample"));
     require_points(sweep);
@@ -46,14 +46,14 @@ class SweepReader : TomlFile {
     try {
       return parse_stop_on(name);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}; or \"end\", which is that of the run", error.what()));
+      throw InputError(fmt::format("{}; or \"end\", the end of the run", error.what()));
     }
   }
 
   std::vector<std::string> columns() const {
     const toml::node& node = *root().get("columns");
     const toml::array* const array = node.as_array();
-    if (!array || array->empty()) fail(node, "columns", "must be a list with something in it");
+    if (!array || array->empty()) fail(node, "columns", "must be a list that is not empty");
     const std::vector<std::string>& allowed = columns_on_request();
     std::vector<std::string> all;
     for (const toml::node& item : *array) {
@@ -76,7 +76,7 @@ class SweepReader : TomlFile {
 
   std::string quantity(const toml::table& in) const {
     const auto name = text(in, "quantity");
-    if (!name) fail(in, "quantity", "must be stated: what varies");
+    if (!name) fail(in, "quantity", "must be stated: it varies");
     if (is_named(*name) || find_input_quantity(*name)) return *name;
     std::vector<std::string> allowed(named_inputs().begin(), named_inputs().end());
     for (const InputQuantity& input_quantity : input_quantities())
@@ -104,9 +104,9 @@ class SweepReader : TomlFile {
     expect_keys(in, {"quantity", "from", "to", "points", "spacing", "values"});
     Axis axis{quantity(in), {}};
     if (const toml::node* values = in.get("values")) {
-      if (in.size() != 2) fail(*values, "values", "stand instead of from, to, points and spacing");
+      if (in.size() != 2) fail(*values, "values", "exclude from, to, points and spacing");
       const toml::array* array = values->as_array();
-      if (!array || array->empty()) fail(*values, "values", "must be a list with something in it");
+      if (!array || array->empty()) fail(*values, "values", "must be a list that is not empty");
       if (is_named(axis.quantity)) {
         axis.values = names(*array, axis.quantity);
       } else {
@@ -156,15 +156,14 @@ class SweepReader : TomlFile {
       fail(*in.get("from"), "from", "must be greater than 0 for equal ratios");
     range.points = count(in, "points", 2);
     if (!std::isfinite(range.at(1)))
-      fail(*in.get("to"), "to",
-           fmt::format("is too far from {} to divide the way there", range.from));
+      fail(*in.get("to"), "to", fmt::format("is too far from {} for equal steps", range.from));
     return range;
   }
 
   long count(const toml::table& in, std::string_view key, long least) const {
     const auto found = value<std::int64_t>(in, key, "a whole number");
     if (!found) fail(in, key, "must be stated");
-    if (*found < least) fail(*in.get(key), key, fmt::format("must be {} at least", least));
+    if (*found < least) fail(*in.get(key), key, fmt::format("must be at least {}", least));
     return static_cast<long>(*found);
   }
 
@@ -179,7 +178,7 @@ class SweepReader : TomlFile {
     sample.method = method == "sobol" ? Sampling::sobol : Sampling::random;
     for (const toml::table* over : tables(in, "over")) sample.over.push_back(draw(*over));
     if (sample.over.empty())
-      fail(in, "sample", "needs a [[sample.over]], which says what is drawn");
+      fail(in, "sample", "needs a [[sample.over]] for each quantity that is drawn");
     return sample;
   }
 
@@ -207,13 +206,13 @@ class SweepReader : TomlFile {
         fail(node, key, "the deviation must be greater than 0");
     } else {
       require_allowed(node, key, draw.b, of);
-      if (!(draw.a < draw.b)) fail(node, key, "must go from a number to a greater one");
+      if (!(draw.a < draw.b)) fail(node, key, "must be two numbers, the greater one last");
     }
     if (key == "log_uniform") {
       draw.distribution = Distribution::log_uniform;
-      if (!(draw.a > 0)) fail(node, key, "must begin above 0");
+      if (!(draw.a > 0)) fail(node, key, "must start above 0");
     }
-    constexpr double least_share = 1e-16;  // as that of a draw
+    constexpr double least_share = 1e-16;  // the least of a draw
     if (!std::isfinite(draw.quantile(least_share)) ||
         !std::isfinite(draw.quantile(1 - least_share)))
       fail(node, key, "is too wide: numbers in it cannot be computed");
@@ -222,7 +221,7 @@ class SweepReader : TomlFile {
 
   void require_points(const Sweep& sweep) const {
     if (sweep.axes.empty() && sweep.sample.over.empty())
-      fail(root(), "axis", "there must be an [[axis]] or a [sample]: nothing varies");
+      fail(root(), "axis", "nothing varies: there must be an [[axis]] or a [sample]");
     auto all = static_cast<double>(sweep.sample.count);
     for (const Axis& axis : sweep.axes) all *= static_cast<double>(axis.points());
     if (all > most_points)
@@ -231,7 +230,7 @@ class SweepReader : TomlFile {
                        all, most_points, all * bytes_a_row / 1e9));
   }
 
-  /// Nothing that is stated may go unheard.
+  /// A quantity must not be stated or varied twice, or one would be ignored.
   void require_one_statement_each(const Sweep& sweep) const {
     std::vector<std::string> varied;
     for (const std::string& quantity : sweep.quantities()) {
@@ -242,9 +241,9 @@ class SweepReader : TomlFile {
       for (const auto& [stated, number] : sweep.base.numbers)
         if (determined_by(stated) == determined_by(quantity))
           fail(root(), quantity,
-               fmt::format("varies, and [parameters] states {}, which determines it", stated));
+               fmt::format("varies, but [parameters] states {}, which determines it", stated));
       if (is_named(quantity) && table(root(), "parameters").contains(quantity))
-        fail(root(), quantity, "varies, and [parameters] states it");
+        fail(root(), quantity, "varies, but [parameters] states it");
     }
     const auto is_stated = [&](const char* correction) {
       return table(root(), "parameters").contains(correction) ||
@@ -253,10 +252,10 @@ class SweepReader : TomlFile {
     if (std::find(varied.begin(), varied.end(), "equations") != varied.end() &&
         is_stated("velocity_jump") && is_stated("gravity_moment"))
       fail(root(), "equations",
-           "varies, and velocity_jump and gravity_moment are stated, which it is");
+           "varies, but is determined by velocity_jump and gravity_moment, which are stated");
   }
 
-  /// The corners of the axes and of the draws, a normal one being at its mean.
+  /// Checks the corners of the axes and draws; of a normal draw only the mean.
   void require_physical_corners(const Sweep& sweep) const {
     std::vector<Axis> ends;
     for (const Axis& axis : sweep.axes) {

@@ -11,13 +11,13 @@
 namespace rotor {
 namespace {
 
-/// A number between 0 and 1, neither of them, from 64 bits.
+/// A number between 0 and 1, without the ends, from 64 bits.
 double share_of(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12U) + 0.5) * std::ldexp(1., -52);
 }
 
-/// 64 bits that look random, from a counter (SplitMix64; Steele, Lea and Flood 2014): the draws of
-/// any point are known without those of the others.
+/// 64 pseudo-random bits from a counter (SplitMix64; Steele, Lea and Flood 2014): the draws of a
+/// point do not need those of other points.
 std::uint64_t mixed(std::uint64_t counter) {
   counter = (counter + 1) * 0x9e3779b97f4a7c15U;
   counter = (counter ^ (counter >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -88,7 +88,7 @@ std::vector<double> SweepPoints::shares(long draw) const {
       all.push_back(share_of(mixed(shifts_[i] + number)));
     return all;
   }
-  // The first point of the sequence is the origin; it is there with its shift as any other.
+  // The first point of the sequence is the origin; with its shift it is a point like any other.
   boost::random::sobol sequence(dimensions);
   if (number > 0) sequence.seed(number - 1);
   for (std::size_t i = 0; i < dimensions; ++i)

@@ -15,8 +15,7 @@
 namespace rotor {
 namespace {
 
-/// The keys of a summary that are rows' columns: each of its plain values, but not what the
-/// rows share.
+/// The keys of a summary that become columns: its plain values, without those that all rows share.
 std::vector<std::string> keys_of(const nlohmann::ordered_json& summary) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : summary.items())
@@ -47,7 +46,7 @@ std::string cells(nlohmann::ordered_json summary, const Scenario& scenario,
   return row;
 }
 
-/// Those of the remarks that are no columns themselves, as one field.
+/// The remarks about exceeded limits, as one field.
 std::string limits(const RunResult& result) {
   std::vector<std::string> all;
   for (const Remark& remark : remarks(result))
@@ -82,7 +81,7 @@ std::string sweep_head(const Sweep& sweep) {
     provenance.push_back("  " + line);
   }
   std::vector<std::string> names = sweep.quantities();
-  for (std::string& name : names)  // beside a result of the same name, such as the method's
+  for (std::string& name : names)  // unlike a result of the same name, such as method
     if (std::find(result_columns().begin(), result_columns().end(), name) != result_columns().end())
       name += "_varied";
   const std::vector<std::string>& columns = columns_of(sweep);

@@ -7,20 +7,20 @@
 
 namespace rotor {
 
-/// The columns that results have: the plain keys of a summary.
+/// The default columns of results: the plain keys of a summary.
 const std::vector<std::string>& result_columns();
-/// The columns that can be asked for: what the laws say of a point, too.
+/// All columns that can be selected: also the closed forms for a point.
 const std::vector<std::string>& columns_on_request();
 
-/// The header above the rows: where they come from, and the names of their columns.
+/// The header above the rows: provenance, and the names of the columns.
 std::string sweep_head(const Sweep& sweep);
 
-/// Works out the rows of points, in any order. Run-ups are shared between them.
+/// Computes the rows of points, in any order. The points share their run-ups.
 class SweepRows {
  public:
   explicit SweepRows(const Sweep& sweep) : sweep_(sweep), points_(sweep) {}
 
-  /// What varies, what `rotor run` says of the run, which limits it exceeds, and why the run is
+  /// The values that vary, the summary of the run, the limits that it exceeds, and why the run was
   /// refused. Throws Interrupted.
   std::string operator()(long n);
 

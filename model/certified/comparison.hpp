@@ -12,22 +12,22 @@
 
 namespace rotor {
 
-/// What numbers are computed with. Not every processor has the second.
+/// The arithmetic of a computation. Not every processor has the extended one.
 enum class Precision { double_, extended, quadruple };
 
-/// A number, and how far it may be from the truth: infinitely far if nothing is known of it.
+/// A number, and how far it may be from the truth: infinitely far if nothing is known about it.
 struct Estimate {
   double value = 0;
   double error = 0;
 };
 
-/// A value with its error, and where that comes from.
+/// A value with its error and the sources of the error.
 struct NamedEstimate {
   std::string_view name;
   std::optional<Estimate> estimate{};  ///< empty if the value does not exist
-  double size = 0;          ///< of which its digits are counted: its own, or that of its vector
-  double of_tolerance = 0;  ///< the part of the error that a finer tolerance makes smaller
-  double of_rounding = 0;   ///< that which more digits of the numbers make smaller
+  double size = 0;          ///< reference of its digits: its own magnitude, or that of its vector
+  double of_tolerance = 0;  ///< the part of the error that a finer tolerance reduces
+  double of_rounding = 0;   ///< the part that a higher precision reduces
 };
 
 /// The rotor at an event, or at the end.
@@ -36,8 +36,9 @@ struct EventEstimate {
   std::vector<NamedEstimate> values;  ///< time and state
 };
 
+/// The course of a run is the sequence of its events, and its outcome.
 struct Comparison {
-  /// By how much the tolerances of two computations are less than that of the others.
+  /// The tolerances of two computations are smaller by these factors.
   static constexpr int finest = 100, other = 4;
 
   Precision precision = Precision::double_;
@@ -45,35 +46,33 @@ struct Comparison {
   std::vector<NamedEstimate> summary;
   std::vector<EventEstimate> events;  ///< as far as the computations agree on them; then the end
   bool same_course = false;           ///< whether they agree on all of them, and on the outcome
-  /// What is positive, and would change its sign with the course: by how much near misses miss and
-  /// touch-downs hit.
+  /// Positive quantities, of which one would change sign if the course changed: see margins_of().
   std::vector<NamedEstimate> margins;
-  /// Of a disturbance, from the first contact to the end, or as far as computations agree.
+  /// Growth of a disturbance from the first contact to the end, or as far as computations agree.
   std::optional<double> amplification;
   Summary values;  ///< of the finest computation
   RunEnd end;
 
   /// Whether counts and outcome are those of exact arithmetic.
   bool is_course_sure() const;
-  /// Of what is not exact nobody knows by how much another course would change it.
+  /// Makes the errors of all but exact values infinite, as another course may change them at will.
   void invalidate_path_dependent_values();
 };
 
-/// Asked after every step whether to go on, at that time of the run.
+/// Called after every step with the time of the run; the run ends if it returns false.
 using GoesOn = std::function<bool(double time_s)>;
 
-/// The finest computation, with a hundredth of the tolerance, and those that show its errors: one
-/// with the tolerance; the same one disturbed, every number being changed by more than rounding (in
-/// the last precision it is left out); and one disturbed otherwise, with a quarter of the tolerance
-/// and by another stepper, as short flights are one step at any tolerance. Their first steps
-/// differ, too: nothing is the same in all of them. Empty if it was not to go on. Throws as `run`
-/// does.
+/// Runs the finest computation, at a hundredth of the tolerance, and those that show its errors:
+/// one at the tolerance; the same with every number disturbed by more than rounding (left out in
+/// the highest precision); and one with another disturbance, at a quarter of the tolerance and by
+/// another stepper, because short flights are one step at any tolerance. Two also have shorter
+/// first steps. Returns nothing if `goes_on` ended a run. Throws as `run` does.
 template <class S>
 std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
                                   const GoesOn& goes_on);
 
-/// The largest relative error of the values of a summary, as shown by another run, with a hundredth
-/// of the tolerance, and disturbed by more than rounding. 1 if it takes another course.
+/// The largest relative error of the values of a summary, estimated by another run at a hundredth
+/// of the tolerance, disturbed by more than rounding. 1 if that run takes another course.
 double estimated_relative_error(const Scenario& scenario, const Summary& summary,
                                 const GoesOn& goes_on);
 

@@ -1,4 +1,4 @@
-/// Definitions of comparison.hpp, for those who instantiate it.
+/// Definitions of comparison.hpp, for instantiation.
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,20 @@
 
 namespace rotor {
 
-/// The coarser computations err more than the finest; how much more than their distance from it
-/// that one may err, where they happen to agree with it.
+/// The coarser computations err more than the finest, but may agree with it by chance. Its error is
+/// taken as this multiple of their distance from it.
 constexpr double safety = 20;
-/// Rounding is less than the disturbance by some ten times, but errors in other directions than the
-/// disturbance's may be multiplied more on the way.
+/// Rounding is about a tenth of the disturbance, but errors in other directions may grow more than
+/// the disturbance does.
 constexpr double safety_of_disturbance = 10;
 
-/// By what share runs are disturbed: more than rounding does.
+/// The relative disturbance of a run: more than rounding.
 template <class S>
 S disturbance() {
   return 8 * std::numeric_limits<S>::epsilon();
 }
 
-/// Two that have nothing in common.
+/// Two independent disturbances.
 template <class S>
 std::array<Disturbance<S>, 2> disturbances() {
   return {{{disturbance<S>(), 0x135a8f}, {disturbance<S>(), 0x0d31a4}}};
@@ -69,7 +69,7 @@ NamedEstimate estimate(const NamedValue<S>& finest, const NamedValue<S>& coarse,
   return result;
 }
 
-/// The same of many, which `values_of(computation)` gives.
+/// The same for many values, which `values_of(computation)` returns.
 template <class S, class ValuesOf>
 std::vector<NamedEstimate> estimates(const Computations<S>& of, double tolerance,
                                      const ValuesOf& values_of) {
@@ -81,7 +81,7 @@ std::vector<NamedEstimate> estimates(const Computations<S>& of, double tolerance
   return all;
 }
 
-/// The events until the first on which computations do not agree, or all.
+/// The number of events before the first on which the computations disagree.
 template <class S>
 std::size_t common_events(const Computation<S>& a, const Computation<S>& b) {
   const auto differ = std::mismatch(
@@ -90,7 +90,7 @@ std::size_t common_events(const Computation<S>& a, const Computation<S>& b) {
   return static_cast<std::size_t>(differ.first - a.events.begin());
 }
 
-/// Whether two computations have all events in common, end in the same state and come to the same.
+/// Whether two computations have the same events, contact state at the end and outcome.
 template <class S>
 bool agree(const Computation<S>& a, const Computation<S>& b) {
   return a.events.size() == b.events.size() && common_events(a, b) == a.events.size() &&
@@ -107,8 +107,8 @@ double distance(const BasicInstant<S>& a, const BasicInstant<S>& b, const S& cle
                                (m.velocity - n.velocity).norm() / velocity));
 }
 
-/// From the first touch-down among the events that two computations have in common to the last of
-/// these, or to the end if they have all.
+/// Growth of the distance from the first touch-down to the last event that two computations have in
+/// common, or to the end if they have all.
 template <class S>
 std::optional<double> amplification(const Computation<S>& a, const Computation<S>& b,
                                     const S& clearance) {
@@ -127,7 +127,7 @@ std::optional<double> amplification(const Computation<S>& a, const Computation<S
 template <class S>
 std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
                                   const GoesOn& goes_on) {
-  // Beyond the last precision nobody asks what part rounding has in the error.
+  // In the highest precision the part of rounding in the error is not needed.
   constexpr bool is_last = std::numeric_limits<S>::digits > 64;
   const auto [first, second] = disturbances<S>();
   const S usual(tolerance);

@@ -1,4 +1,4 @@
-/// One computation of a run in a precision, disturbed if asked for.
+/// One computation of a run in one precision, with an optional disturbance.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace rotor {
 
-/// Changes every number that is computed with by a share, each up or down as a bit of the signs
-/// says, so that no law of similarity hides it, and no rounding that runs have in common.
+/// Changes every number of the computation by a share, up or down as a bit of `signs` says, so that
+/// neither a law of similarity nor rounding that all runs share hides the change.
 template <class S>
 struct Disturbance {
   S share{0};
@@ -37,7 +37,7 @@ struct Disturbance {
                   &loss.lost_mass,         &loss.piece_distance,     &loss.after.mass,
                   &loss.after.inertia,     &loss.after.eccentricity})
       disturb(of);
-    // The clearance is a difference of radii that are rounded, and by less than this.
+    // The clearance is a difference of radii; their rounding is less than this.
     rotor.ring.clearance += (stator_radius - undisturbed) / 4;
   }
   S at_touch_downs() const { return signs % 2 == 0 ? share : S(-share); }
@@ -47,7 +47,7 @@ struct Disturbance {
 template <class S>
 struct Settings {
   S tolerance;
-  S first_steps{1};  ///< share of what they are otherwise
+  S first_steps{1};  ///< factor on their usual length
   Disturbance<S> disturbance{};
 };
 
@@ -55,15 +55,15 @@ template <class S>
 struct Computation {
   BasicSummary<S> summary;
   std::vector<BasicInstant<S>> events;
-  BasicInstant<S> before_loss;  ///< if that is among the events
+  BasicInstant<S> before_loss;  ///< if mass is lost
   BasicInstant<S> end;
   Counters counters;
-  /// By how much flights missed the ring that came near it, m; by the number of events before.
+  /// By how much flights near the ring missed it, m; the key is the number of events before.
   std::map<std::size_t, S> misses;
-  bool stopped = false;  ///< because it was not to go on
+  bool stopped = false;  ///< by goes_on
 };
 
-/// Sees what a Computation wants of a run.
+/// Gathers what a Computation needs from a run.
 template <class S>
 class CourseObserver : public BasicSummaryObserver<S> {
  public:
@@ -104,8 +104,8 @@ class CourseObserver : public BasicSummaryObserver<S> {
   BasicInstant<S> previous_;
 };
 
-/// When the speed is reached by which the mass loss is stated: by secants, from the time that is
-/// known in double precision.
+/// When the stated speed of the mass loss is reached, by the secant method from the time known in
+/// double precision.
 template <class S, class Stepper>
 S time_at_speed(EventMethod<S, Stepper> way, const Scenario& scenario, const GoesOn& goes_on) {
   using std::abs;

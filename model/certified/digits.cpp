@@ -14,7 +14,7 @@ struct Means {
   double epsilon;
   std::optional<Comparison> (*compare)(const Scenario&, double, const GoesOn&);
 
-  /// A hundredth of it, which is the finest computation's, is still some tens of roundings.
+  /// The finest computation has a hundredth of it, still some tens of roundings.
   double least_tolerance() const { return 4096 * epsilon; }
 };
 
@@ -23,11 +23,11 @@ Means means(Precision precision) {
   return {precision, static_cast<double>(std::numeric_limits<S>::epsilon()), compare<S>};
 }
 
-/// The precisions that there are, the cheapest first.
+/// The available precisions, the cheapest first.
 const std::vector<Means>& all_means() {
   static const std::vector<Means> all = [] {
     std::vector<Means> list = {means<double>(Precision::double_)};
-    if constexpr (std::numeric_limits<long double>::digits == 64)  // or it is one of the others
+    if constexpr (std::numeric_limits<long double>::digits == 64)  // otherwise equal to another
       list.push_back(means<long double>(Precision::extended));
     list.push_back(means<Quad>(Precision::quadruple));
     return list;
@@ -37,7 +37,7 @@ const std::vector<Means>& all_means() {
 
 double allowed_error(double size, int digits) { return 0.5 * std::pow(10, -digits) * size; }
 
-/// How many times too large the errors are: that of the tolerance, that of rounding, and both.
+/// By which factors errors exceed what is allowed: those of tolerance and of rounding, and both.
 struct Excess {
   double of_tolerance = 0, of_rounding = 0, of_both = 0;
 
@@ -67,7 +67,7 @@ Excess excess(const Comparison& comparison, int digits) {
   return largest;
 }
 
-/// A miss that only some computations take for near is not near enough to be one of the margins.
+/// A miss that only some computations count as near is too far to be a margin.
 bool is_known(const NamedEstimate& margin) {
   return margin.estimate && std::isfinite(margin.estimate->error);
 }
@@ -78,10 +78,9 @@ struct Needs {
 };
 
 Needs needs_after(const Comparison& comparison, double epsilon, int digits) {
-  // Of the errors that are allowed, what part of them is aimed at: tolerances are free, precisions
-  // are few.
+  // The target as a share of the allowed error: tolerances are free to choose, precisions are few.
   constexpr double of_tolerance = 0.2, of_rounding = 0.7;
-  constexpr double if_unknown = 1e-4;  // where it is unknown how much is missing
+  constexpr double if_unknown = 1e-4;  // where the missing accuracy is unknown
   constexpr double least = 1e-12;
   const auto factor = [&](double share, double excess) {
     return std::max(least, std::min(1., share / excess));
@@ -130,8 +129,8 @@ bool has_digits(const Comparison& comparison, int digits) {
 std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
                                         const GoesOn& goes_on) {
   const std::vector<Means>& all = all_means();
-  // What the way multiplies errors by is not known yet: a thousand is usual. In double precision
-  // it can be learned from a run that shows both, errors of its steps and of its rounding.
+  // How much the run multiplies errors is not known yet; a thousand is usual. In double precision a
+  // run shows it at a tolerance where errors of steps and of rounding can both be seen.
   constexpr double telling = 1e-10;
   double tolerance = std::max(telling, std::pow(10, -digits - 3));
   auto by = all.begin();
@@ -147,7 +146,7 @@ std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
       return means.least_tolerance() <= needs.tolerance && means.epsilon <= needs.epsilon;
     };
     by = std::find_if(by, all.end(), serves);
-    if (by == all.end()) {  // then as far as the last one goes
+    if (by == all.end()) {  // the highest precision at its least tolerance
       --by;
       if (!(by->least_tolerance() < tolerance)) break;
     }

@@ -1,5 +1,5 @@
-/// A run to a number of significant digits, which the program itself makes sure of. The inputs are
-/// the decimals that were stated; the truth is what exact arithmetic would make of them.
+/// A run to a guaranteed number of significant digits, compared with exact arithmetic for the
+/// decimals that were stated.
 #pragma once
 
 #include <limits>
@@ -8,17 +8,17 @@
 
 namespace rotor {
 
-/// That a double holds.
+/// Decimal digits that a double can hold.
 constexpr int most_digits = std::numeric_limits<double>::digits10;
 
-/// How many significant digits of a value are sure.
+/// How many significant digits of a value are certain.
 int sure_digits(const NamedEstimate& value);
 
-/// Whether a number of digits has been had: each value has them, and the course is sure.
+/// Whether the digits are reached: every value has them, and the course is certain.
 bool has_digits(const Comparison& comparison, int digits);
 
-/// The cheapest comparison that has so many digits: in double precision first, then by what its
-/// errors require. If none has them, the best. Empty if not even one could be finished.
+/// The cheapest comparison that reaches so many digits: the first is in double precision, and its
+/// errors determine the next. If none reaches them, the last one. Empty if none was finished.
 std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
                                         const GoesOn& goes_on);
 

@@ -1,5 +1,5 @@
-/// Quadruple precision: gcc's own where there is libquadmath, the processor's long double where
-/// that has it, and Boost's elsewhere.
+/// Quadruple precision: gcc's where there is libquadmath, long double where that is quadruple, and
+/// Boost's elsewhere.
 #pragma once
 
 #include <boost/multiprecision/eigen.hpp>

@@ -1,5 +1,5 @@
-/// What is asked of a run when its digits are: the values, of what their digits are counted, and
-/// what decides the course.
+/// The values of a run whose digits are guaranteed, the references of their digits, and what
+/// decides the course.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +19,14 @@ template <class S>
 struct NamedValue {
   std::string_view name;
   std::optional<S> value;
-  S size{0};              ///< of which its digits are counted at least
+  S size{0};              ///< least reference of its digits
   bool is_exact = false;  ///< stated, not computed
-  bool follows = false;  ///< from another value or from what is stated: it has no independent error
-  S made_of{0};          ///< of what it is a small difference or component: that is rounded
+  bool follows = false;   ///< from another value or the inputs: it has no independent error
+  S made_of{0};           ///< the larger, rounded quantity of which it is a difference or component
 };
 
-/// What is so many times less than the clearance, or than a radian, is as good as nothing: its own
-/// digits are not asked for.
+/// A value that is less than the clearance, or a radian, by this factor is negligible: digits are
+/// relative to that limit instead.
 constexpr long negligible = 1'000'000;
 
 /// The real numbers of a summary.
@@ -53,8 +53,8 @@ std::vector<NamedValue<S>> values_of(const BasicSummary<S>& summary, const Param
   return all;
 }
 
-/// Time and state. Components of a vector count by its length; for the rates
-/// in the rotating axes, which nearly cancel in synchronous motion, by that of the velocity of O.
+/// Time and state. Digits of a vector's components are relative to its length; those of the rates
+/// in the rotating axes, which nearly cancel in synchronous motion, to that of the velocity of O.
 template <class S>
 std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const Scenario& scenario) {
   using std::abs, std::max;
@@ -76,8 +76,8 @@ std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const Scenario& 
           {"q3_rate_rad_per_s", q[5]}};
 }
 
-/// How far the guards of a phase are from zero at a stated time: after that time an event that has
-/// not come would come too late, and one that has, at that time, might not.
+/// How far the guards of a phase are from zero at a stated time, at which the phase ends: an event
+/// just before that time might come just after it, and the reverse.
 template <class S, class Phase>
 void add_guards(std::vector<NamedValue<S>>& all, const Phase& phase,
                 const typename Phase::Unknowns& x) {
@@ -86,7 +86,7 @@ void add_guards(std::vector<NamedValue<S>>& all, const Phase& phase,
     all.push_back({"reserve", abs(phase.guard(n, x))});
 }
 
-/// Those of the phase that a rotor is in.
+/// The same for the phase that the rotor is in.
 template <class S>
 void add_reserves(std::vector<NamedValue<S>>& all, const BasicInstant<S>& at,
                   const Scenario& scenario) {
@@ -104,15 +104,15 @@ void add_reserves(std::vector<NamedValue<S>>& all, const BasicInstant<S>& at,
       return add_guards(all, IndentedFlight<S>(rotor, chart), x);
     case ContactState::rolling:
       return add_guards(all, Rolling<S>(rotor, chart), x);
-    default:  // in whichever sense: the slip is as far from zero
+    default:  // in either direction the slip is as far from zero
       return add_guards(all, Sliding<S>(rotor, chart, 1), x);
   }
 }
 
-/// What is positive as long as the course is what it is: the normal velocities of touch-downs, by
-/// how much flights miss the ring, how far the next event is just before the mass loss, just after
-/// it and in the end, and how far from the clearance that is what a rotor reaches that is free in
-/// the end.
+/// Quantities that stay positive as long as the course is the same: the normal velocities of
+/// touch-downs; by how much flights miss the ring; how far the guards are from zero just before the
+/// mass loss, just after it and at the end; and, if the rotor is free at the end, how far its reach
+/// is from the clearance.
 template <class S>
 std::vector<NamedValue<S>> margins_of(const Computation<S>& run, const Scenario& scenario) {
   using std::abs;

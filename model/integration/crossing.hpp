@@ -1,6 +1,6 @@
-/// Where a function of time first becomes negative. The search passes over no crossing if it is
-/// given a bound on the function's curvature: a stretch counts as clear only if the function cannot
-/// reach zero there. Without a bound the curvature is estimated, generously.
+/// Where a function of time first becomes negative. With a bound on the function's curvature the
+/// search misses no crossing: an interval counts as clear only if the function cannot reach zero in
+/// it. Without a bound the curvature is estimated, generously.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ struct ValueAndSlope {
   S time{}, value{}, slope{};
 };
 
-/// |f''| between a and b as the cubic through both has it, doubled: what a function may hide that
-/// is as smooth as an integrator's step asks for.
+/// Twice the largest |f''| of the cubic through a and b: an estimate for functions as smooth as
+/// error control makes them within a step.
 template <class S>
 S estimated_curvature(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
   using std::abs, std::max;
@@ -25,20 +25,20 @@ S estimated_curvature(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
 }
 
 /// Whether f is nowhere negative between a and b if |f''| <= curvature. The parabolas of that
-/// curvature through both ends are lower bounds; the least value that both leave possible is where
-/// they meet.
+/// curvature through both ends are lower bounds, and the least value that both allow is where they
+/// meet.
 template <class S>
 bool stays_clear(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b, const S& curvature) {
   if (!(a.value >= 0 && b.value >= 0)) return false;
-  const S h = b.time - a.time, bend = curvature * h;  // by which the parabolas' slopes change
+  const S h = b.time - a.time, bend = curvature * h;  // change of the parabolas' slopes
   if (a.slope >= bend || -b.slope >= bend) return true;
   const S meet = (a.value - b.value + (b.slope + bend / 2) * h) / (bend + b.slope - a.slope);
   if (!(meet > 0 && meet < h)) return true;
   return a.value + meet * (a.slope - curvature * meet / 2) > 0;
 }
 
-/// The last zero of a function that falls from a to b, as Newton's method finds it from b on the
-/// cubic through both; anything where that has none.
+/// The last zero of a function that falls from a to b: Newton's method from b on the cubic through
+/// both. Arbitrary if the cubic has none.
 template <class S>
 S estimated_zero(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
   const S h = b.time - a.time, rise = b.value - a.value, from = a.slope * h, to = b.slope * h;
@@ -50,11 +50,10 @@ S estimated_zero(const ValueAndSlope<S>& a, const ValueAndSlope<S>& b) {
   return a.time + h * u;
 }
 
-/// The first time between a and b after which f < 0, to within `resolution` and on that side. A
-/// function that is zero at a already, or beyond by rounding, has crossed there if it is negative
-/// from then on; if it is positive for a while, it has left zero, and may cross later. `f(time)`
-/// gives a ValueAndSlope; `curvature` bounds |f''|, if there is a bound. Nothing is searched where
-/// f is not finite.
+/// The first time between a and b after which f < 0, to within `resolution` and on the negative
+/// side. A function that is zero at a, to rounding, has crossed there if it is negative right
+/// after; if it is positive for a while, it may cross later. `f(time)` returns a ValueAndSlope;
+/// `curvature` bounds |f''|, if there is a bound. Where f is not finite, nothing is searched.
 template <class S, class Function>
 std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S& resolution,
                                 const std::optional<S>& curvature, const Function& f) {
@@ -68,7 +67,7 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
     }
     a = left;
   }
-  // Zero is left at once, where that is by rounding: it must not be looked at ever more closely.
+  // What is negative only by rounding at the start counts as zero, not as a crossing.
   if (a.value < 0 && a.value + a.slope * resolution > 0) a.value = 0;
   for (int slow = 0;;) {
     const S h = b.time - a.time;

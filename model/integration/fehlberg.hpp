@@ -1,5 +1,5 @@
-/// Fehlberg's Runge-Kutta pair of orders 7(8), as an Odeint error stepper, for those who want a
-/// second opinion on what Verner's says.
+/// Fehlberg's Runge-Kutta pair of orders 7(8), as an Odeint error stepper: an independent check of
+/// Verner's.
 #pragma once
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>

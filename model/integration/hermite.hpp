@@ -11,7 +11,7 @@ namespace rotor {
 template <class S, class Unknowns, std::size_t N>
 class HermitePolynomial {
  public:
-  /// Of points with time, x and rates.
+  /// Through points with time, x and rates.
   template <class Node>
   explicit HermitePolynomial(const std::array<Node, N>& nodes) {
     for (std::size_t i = 0; i < terms; ++i) {

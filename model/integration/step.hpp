@@ -1,9 +1,9 @@
 /// Steps of an Odeint error stepper over a smooth autonomous system: their error, their dense
-/// output, and where in them a function of the unknowns becomes negative. Knows nothing of what is
-/// integrated.
+/// output, and where within them a function of the unknowns becomes negative. Independent of the
+/// rotor.
 ///
-/// A system is called as system(x, rates, time), and gives by scale(x) the sizes that the errors of
-/// its unknowns are measured by.
+/// A system is called as system(x, rates, time). Its scale(x) returns the sizes to which the errors
+/// of the unknowns are relative, its bounds(from, to) what is known about a step beforehand.
 #pragma once
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct Point {
   }
 };
 
-/// Takes steps, and estimates their errors in units of what is allowed: the tolerance times the
-/// system's scale, and rounding.
+/// Takes steps and estimates their errors relative to what is allowed: the tolerance times the
+/// system's scale, plus rounding.
 template <class S, class Stepper>
 class ErrorControl {
  public:
@@ -48,8 +48,8 @@ class ErrorControl {
 
   const S& tolerance() const { return tolerance_; }
 
-  /// From a point to the time of another, whose unknowns it sets. Returns the error, infinite if
-  /// the motion is not finite.
+  /// Steps from one point to the time of another and sets its unknowns. Returns the error, infinite
+  /// if the motion is not finite.
   template <class System>
   double step(const System& system, const Point& from, Point& to) {
     using std::abs;
@@ -68,7 +68,7 @@ class ErrorControl {
     return largest;
   }
 
-  /// By how much the next step is to be longer than one of this error.
+  /// The length of the next step, relative to a step with this error.
   static double step_factor(double error) {
     constexpr double safety = 0.9, least = 0.2, most = 4;
     if (!(error < std::numeric_limits<double>::infinity())) return least;
@@ -81,8 +81,8 @@ class ErrorControl {
   Stepper stepper_{};
 };
 
-/// A step that has been taken, to its end or to where an event stops it. Its start and its end have
-/// to stay where they are.
+/// A step that has been taken, to its end or to where an event stops it. Keeps references to its
+/// start and its end.
 template <class S, class Stepper, class System>
 class Step {
  public:
@@ -93,7 +93,7 @@ class Step {
   using Bounds =
       decltype(std::declval<System>().bounds(std::declval<Point>(), std::declval<Point>()));
 
-  /// Times are since the start of the step.
+  /// Times count from the start of the step.
   Step(Control& control, const System& system, const Point& start, const Point& end)
       : control_(control), system_(system), start_(start), end_(end), stop_(end) {}
 
@@ -102,14 +102,14 @@ class Step {
   const Point& stop() const { return stop_; }
   void stop_at(const Point& point) { stop_ = point; }
 
-  /// What the system knows of the step beforehand.
+  /// What the system knows about the step beforehand.
   const Bounds& bounds() {
     if (!bounds_) bounds_.emplace(system_.bounds(start_, end_));
     return *bounds_;
   }
 
-  /// As accurate as the step: of its order, through two points between its ends. Each of them costs
-  /// a step, unless the stop is one.
+  /// The polynomial through both ends and two points between them, as accurate as the step. Each of
+  /// the two costs a step, unless it is the stop.
   const DenseOutput& dense_output() {
     if (dense_output_) return *dense_output_;
     if (is_inside(stop_.time))
@@ -127,7 +127,7 @@ class Step {
     return point;
   }
 
-  /// Over which time a slope is taken as a difference.
+  /// The time over which slopes are taken as differences.
   S look_ahead() const {
     using std::sqrt;
     return end_.time * sqrt(std::numeric_limits<S>::epsilon());
@@ -140,7 +140,7 @@ class Step {
     return {at.time, here, (later - here) / look_ahead()};
   }
 
-  /// The same at a time, on a curve such as the dense output.
+  /// The same at a time on a curve such as the dense output.
   template <class Value, class Curve>
   ValueAndSlope<S> observe(const Value& value, const Curve& curve, const S& time) const {
     const S here = value(curve(time)), later = value(curve(time + look_ahead()));
@@ -148,7 +148,7 @@ class Step {
   }
 
   /// Where value(x) first becomes negative between two times, if it does. `curvature` bounds its
-  /// second derivative, if there is a bound.
+  /// second derivative, if a bound is known.
   template <class Value>
   std::optional<Point> crossing(const Value& value, const ValueAndSlope<S>& from,
                                 const ValueAndSlope<S>& until,
@@ -161,19 +161,19 @@ class Step {
       if (time == 0) return start_;
       return polished(step(start_, time), value, from.time, until.time);
     };
-    // The curve through both ends says nearly where a crossing is that must be there, and the curve
-    // through the point there as well, which is the first.
+    // If there must be a crossing, the curve through both ends shows nearly where; the curve
+    // through a third point there shows which crossing is the first.
     if (until.value < 0)
       if (const auto near = first_on(curve(start_, end_), std::nullopt); near && is_inside(*near))
         if (const auto time = first_on(curve(start_, step(start_, *near), end_), curvature))
           return found(*time);
-    // Any other is looked for on the dense output, which costs two steps.
+    // Otherwise the dense output is searched, which costs two steps.
     const auto time = first_on([this](const S& at) { return dense_output()(at); }, curvature);
     return time ? std::optional(found(*time)) : std::nullopt;
   }
 
-  /// Where value(x) becomes negative between two times at which it is positive and negative. If it
-  /// is noise, somewhere in it.
+  /// Where value(x) becomes negative between two times at which it is positive and negative; within
+  /// noise, any of its zeros.
   template <class Value>
   Point zero(const Value& value, const ValueAndSlope<S>& from, const ValueAndSlope<S>& until) {
     std::uintmax_t most = std::numeric_limits<S>::digits;
@@ -185,13 +185,13 @@ class Step {
   }
 
  private:
-  /// Through points of the step.
+  /// The polynomial through points of the step.
   template <class... Points>
   static auto curve(const Points&... points) {
     return HermitePolynomial<S, Unknowns, sizeof...(points)>(std::array{points...});
   }
 
-  /// Whether a time is far enough from both ends for a curve through all three.
+  /// Whether a time is far enough from both ends for a polynomial through all three.
   bool is_inside(const S& time) const {
     return 64 * time > end_.time && 64 * time < 63 * end_.time;
   }
@@ -203,8 +203,8 @@ class Step {
     return to;
   }
 
-  /// Newton's method from near the zero, between two times: by steps, and by the tangent once that
-  /// is as exact. Ends on the negative side, to rounding.
+  /// Newton's method from near the zero, between two times: with steps, then along the tangent once
+  /// that is as exact. Ends on the negative side, to rounding.
   template <class Value>
   Point polished(Point point, const Value& value, const S& least, const S& greatest) {
     using std::abs;

@@ -14,7 +14,7 @@ namespace verner {
 
 constexpr std::size_t stages = 13;
 
-/// What the slopes of the stages are multiplied by, as it is printed.
+/// The factors of the stages' slopes, as printed.
 using Digits = std::array<const char*, stages>;
 
 inline constexpr Digits nodes = {
@@ -24,7 +24,7 @@ inline constexpr Digits nodes = {
     "0.909",      "0.94",  "1",
     "1"};
 
-/// For the second stage and those after it, then the weights of order 8 and those of order 7.
+/// Rows for the second and later stages, then the weights of order 8 and those of order 7.
 inline constexpr std::array<Digits, stages + 1> rows = {
     {{"0.05"},
      {"-0.0069931640625", "0.1135556640625"},
@@ -75,7 +75,7 @@ inline constexpr std::array<Digits, stages + 1> rows = {
       "-0.3601679437289775162124536737746202409110"}}};
 constexpr std::size_t weights = stages - 1, error_weights = stages;
 
-/// A coefficient to the precision of S, whatever it is.
+/// A coefficient to the precision of any S.
 template <class S>
 S number(const char* digits) {
   if (!digits) return S(0);
@@ -92,7 +92,7 @@ std::array<S, stages> numbers(const Digits& digits) {
   return all;
 }
 
-/// All of them. The last row has the weights of order 8 less those of order 7.
+/// All coefficients. The last row has the weights of order 8 less those of order 7.
 template <class S>
 struct Tableau {
   static const Tableau& read() {  // once
@@ -110,7 +110,7 @@ struct Tableau {
   }
 };
 
-/// Whether a row has that coefficient.
+/// Whether that coefficient of a row is not zero.
 constexpr bool has(std::size_t row, std::size_t j) {
   const char* const digits = rows[row][j];
   const bool is_there = digits && std::string_view(digits) != "0";
@@ -125,7 +125,7 @@ class Verner87 {
   using state_type = State;
   static constexpr unsigned short stepper_order_value = 8;
 
-  /// From x, whose rates are known, to a time h later, with an estimate of the error.
+  /// Steps from x, whose rates are known, to a time h later, with an estimate of the error.
   template <class System>
   void do_step(System system, const State& x, const State& rates, const S& t, State& later,
                const S& h, State& errors) const {
@@ -134,7 +134,7 @@ class Verner87 {
     slopes[0] = rates;
     const auto sum = [&]<std::size_t row>(Index<row>, State start) {
       const auto add = [&]<std::size_t j>(Index<j>) {
-        if constexpr (verner::has(row, j)) {  // what is not there costs nothing
+        if constexpr (verner::has(row, j)) {  // zero coefficients cost nothing
           const S by = tableau.rows[row][j] * h;
           for (std::size_t k = 0; k < start.size(); ++k) start[k] += by * slopes[j][k];
         }

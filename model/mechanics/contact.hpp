@@ -17,7 +17,7 @@ enum class ContactState {
   free,      ///< clear of the ring
   sliding,   ///< in contact, the rim slides along the ring
   rolling,   ///< in contact, the rim does not slide
-  indented,  ///< no force, but the ring's contact spot has not come back yet (Delta > 0)
+  indented,  ///< no force, but the ring's contact spot has not sprung back yet (Delta > 0)
 };
 
 /// Kinematics of the rim point K nearest to the ring. Only meaningful for a displaced rotor
@@ -55,7 +55,7 @@ struct Ring {
         damping(stated<S>(p.contact_damping)),
         friction(stated<S>(p.friction)) {}
 
-  /// A double takes it from r_a, so that its runs are the same whichever of both is stated.
+  /// In double precision always from r_a, so that runs are the same whichever of both is stated.
   static S clearance_of(const Parameters& p) {
     constexpr bool is_double = std::is_same_v<S, double>;
     return !is_double && p.clearance > 0 ? stated<S>(p.clearance)
@@ -79,18 +79,18 @@ struct Ring {
                 tangent.dot(motion.velocity) + rotor_radius * motion.speed};  // Eqs. (15)-(19)
   }
 
-  /// F_n as long as the ring is pressed, N. The ring cannot pull: a positive value is none.
+  /// F_n as long as the ring is pressed, N. The ring cannot pull: a positive value means no force.
   S elastic_force(const RimPoint<S>& k) const {
     return -stiffness * k.indentation - damping * k.normal_velocity;  // Eq. (21)
   }
 
-  /// F_n of a rim that is known to touch: where a contact begins, rounding may still see a gap.
+  /// F_n of a rim that is known to touch: at a touch-down, rounding may still show a gap.
   S touching_force(const RimPoint<S>& k) const {
     using std::min;
     return min<S>(S(0), elastic_force(k));
   }
 
-  /// F_n, clamped at zero while a ring that is still indented would have to pull.
+  /// F_n, zero while a ring that is still indented would have to pull.
   S normal_force(const RimPoint<S>& k) const {
     return k.indentation <= 0 ? S(0) : touching_force(k);
   }
@@ -102,8 +102,7 @@ struct Ring {
     return -damping * k.normal_velocity > stiffness * rounding;
   }
 
-  /// Power of the damper, W: while the rim presses it, and while the ring's own spring pushes it
-  /// back.
+  /// Power of the damper, W, while the rim presses it and while the ring's spring pushes it back.
   S damping_power(const RimPoint<S>& k, ContactState contact) const {
     switch (contact) {
       case ContactState::free:
@@ -128,7 +127,7 @@ struct Ring {
   }
 };
 
-/// What a friction of 1 N adds to the acceleration, which is linear in the friction.
+/// The acceleration per newton of friction, in which it is linear.
 template <class S>
 inline Acceleration<S> friction_mobility(const std::type_identity_t<Mobility<S>>& body,
                                          const Motion<S>& motion, const RimPoint<S>& k,
@@ -154,7 +153,7 @@ inline S slip_mobility(const Motion<S>& motion, const RimPoint<S>& k,
          (radius - motion.eccentricity.dot(k.normal)) * mobility.angular;
 }
 
-/// F_tau in rolling: the friction that keeps v_Ktau as it is. `a` is the acceleration without it.
+/// F_tau in rolling: the friction that keeps v_Ktau constant. `a` is the acceleration without it.
 template <class S>
 inline S friction_without_slip(const Motion<S>& motion, const RimPoint<S>& k,
                                const Acceleration<S>& a, const Acceleration<S>& mobility,

@@ -27,7 +27,7 @@ struct MassLoss {
                     after.mass * (e_1 - e) * (e_1 - e);  // Eqs. (8), (11), (12)
   }
 
-  /// k_u, by Eq. (5) where the lost mass is stated.
+  /// k_u, from Eq. (5) if the lost mass is stated.
   static S unbalance_factor(const Parameters& p) {
     if (p.lost_mass == 0) return stated<S>(p.unbalance_factor);
     const S m = stated<S>(p.mass), e = stated<S>(p.eccentricity), lost = stated<S>(p.lost_mass);

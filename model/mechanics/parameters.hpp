@@ -8,11 +8,10 @@
 
 namespace rotor {
 
-/// The shortest decimal to which a double is the nearest: what was typed, if that has no more than
-/// 15 digits.
+/// The shortest decimal that reads as this double: what was typed, if that has at most 15 digits.
 std::string shortest_decimal(double number);
 
-/// A stated number in the precision that is computed with: the decimal, not the double.
+/// A stated number in the precision of the computation: the decimal, not the double.
 template <class S>
 S stated(double number) {
   if constexpr (std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits)
@@ -28,11 +27,11 @@ S stated(double number) {
 enum class VelocityJump { twice, once };
 
 /// How much of gravity's moment about O_a stays in Q_3. As printed, the whole of it, although Q_1
-/// and Q_2 leave gravity to the springs; these balance all but the part that the eccentricity
-/// makes.
+/// and Q_2 leave gravity to the springs; their preload balances all but the part due to the
+/// eccentricity.
 enum class GravityMoment { whole, balanced };
 
-/// Where the equations can be as printed or corrected.
+/// The choice between printed and corrected equations.
 struct Equations {
   VelocityJump velocity_jump;
   GravityMoment gravity_moment;

@@ -17,7 +17,7 @@ using State = std::array<S, 6>;
 
 template <class S>
 struct RotatingFrame {
-  /// The motion with its vectors written in the axes O_a xy.
+  /// The motion, its vectors in the axes O_a xy.
   static Motion<S> motion(const Body<S>& body, const State<S>& q) {
     using std::cos, std::sin;
     const Vector<S> displacement(q[0], q[1]);
@@ -29,7 +29,7 @@ struct RotatingFrame {
             .speed = q[5]};
   }
 
-  /// Of O about O_a in the stator's frame, q3 with all its turns included, rad.
+  /// Angle of O about O_a in the stator's frame, including all turns of q3, rad.
   static S angle(const State<S>& q) {
     using std::atan2;
     return q[2] + atan2(q[1], q[0]);

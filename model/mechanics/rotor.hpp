@@ -3,9 +3,9 @@
 /// "Overcritical high-speed rotor systems, full annular rub and accident",
 /// Sec. 2.1, Eqs. (1)-(4).
 ///
-/// Everything is written with plane vectors, so that it holds in any orthonormal basis: the paper's
+/// Everything is written with plane vectors, and so holds in any orthonormal basis: the paper's
 /// rotating axes O_a xy, the stator's axes O_a x_a y_a, or the radial and tangential directions of
-/// a contact. A chart such as rotating_frame.hpp says which basis the components belong to.
+/// a contact. A chart such as rotating_frame.hpp defines the basis of the components.
 #pragma once
 
 #include <type_traits>
@@ -26,7 +26,7 @@ struct Body {
   }
 };
 
-/// Position and velocity of the rotor, the vectors with their components in one common basis.
+/// Position and velocity of the rotor, all vectors in one basis.
 template <class S>
 struct Motion {
   Vector<S> displacement;  ///< of O from O_a, m
@@ -83,7 +83,7 @@ struct Supports {
   S damping;                 ///< d, N s/m
   S gravity;                 ///< g, m/s^2
   S torque;                  ///< M_mot while the motor drives, N m
-  bool balanced_by_springs;  ///< whether the springs' preload takes its part of the gravity moment
+  bool balanced_by_springs;  ///< whether the springs' preload takes its share of the gravity moment
 
   Supports(const Parameters& p, Equations equations)
       : springs(p),
@@ -92,7 +92,7 @@ struct Supports {
         torque(stated<S>(p.torque)),
         balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
-  /// What the supports are loaded with by a position and a velocity of O, N.
+  /// Force on the supports at a position and a velocity of O, N.
   Vector<S> bearing_force(const Vector<S>& displacement, const Vector<S>& velocity) const {
     return springs.force(displacement) + damping * velocity;
   }
@@ -101,7 +101,7 @@ struct Supports {
                                const Vector<S>& acceleration) const {
     return springs.force_rate(displacement, velocity) + damping * acceleration;
   }
-  /// Its magnitude, at most, N.
+  /// Upper bound of its magnitude, N.
   S greatest_bearing_force(const S& distance, const S& velocity) const {
     return springs.force(distance) + damping * velocity;
   }
@@ -113,8 +113,8 @@ struct Supports {
   }
 
   /// Moment of gravity about O_a. Q_1 and Q_2 leave gravity out because the springs carry it at
-  /// equilibrium; as printed, Q_3 keeps the whole weight's moment all the same. The springs'
-  /// preload balances all of it but the part that the eccentricity makes.
+  /// equilibrium; as printed, Q_3 nevertheless keeps the moment of the whole weight. The springs'
+  /// preload balances all of it but the part due to the eccentricity.
   S gravity_moment(const Body<S>& body, const Motion<S>& motion) const {
     const Vector<S> arm = balanced_by_springs ? motion.eccentricity : motion.mass_centre();
     return body.mass * gravity * cross(arm, motion.down);  // Eq. (4)
@@ -134,7 +134,7 @@ struct Supports {
   }
 };
 
-/// What a load of 1 N or 1 N m accelerates a body by.
+/// Acceleration of a body per unit of load.
 template <class S>
 struct Mobility {
   S per_mass;     ///< 1/kg
@@ -145,7 +145,7 @@ struct Mobility {
 
 /// Solves the equations of motion for the accelerations. The mass matrix of Eq. (3) needs no
 /// general solver: force and moment balance about C are the same equations, and the moment balance
-/// stands alone.
+/// can be solved by itself.
 template <class S>
 inline Acceleration<S> acceleration(const std::type_identity_t<Mobility<S>>& body,
                                     const Motion<S>& motion, const Loads<S>& loads) {

@@ -1,4 +1,4 @@
-/// The cosines and sines of two angles at once, which are small as a rule.
+/// The cosines and sines of two angles at once, which are usually small.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace rotor {
 
-/// 1/n! - z/(n + 2)! + z^2/(n + 4)! ... z^9/(n + 18)!, in parts that do not wait for each other.
+/// 1/n! - z/(n + 2)! + z^2/(n + 4)! ... z^9/(n + 18)!, in independent parts.
 template <int n, class Numbers>
 Numbers alternating_series(const Numbers& z) {
   constexpr auto terms = [] {
@@ -32,7 +32,7 @@ template <class S>
 Turns<S> turns(const S& a, const S& b) {
   using std::abs, std::cos, std::sin;
   if constexpr (std::is_same_v<S, double>) {
-    constexpr double small = 1.5;  // rad, up to which what the series leave out is rounding
+    constexpr double small = 1.5;  // rad; up to here the series are exact to rounding
     if (abs(a) < small && abs(b) < small) {
       using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
       const Pair x = {a, b}, z = x * x;

@@ -1,6 +1,6 @@
 /// Integration with error control, phase by phase, each ending at a located event: no step
-/// straddles a jump, and every step has the full order of its Odeint stepper. Templated on the
-/// scalar, for runs of higher precision, and on the stepper. Definitions: event_method.ipp.
+/// straddles a jump, and every step has the full order of its Odeint stepper. Scalar (for higher
+/// precision) and stepper are template parameters. Definitions: event_method.ipp.
 #pragma once
 
 #include <array>
@@ -18,38 +18,38 @@
 
 namespace rotor {
 
-/// A run, as far as it has got. It can be copied on its way: runs that differ only later share the
-/// way there. All throw std::runtime_error, saying when and why, if the run cannot go on.
+/// A run up to its present instant. A copy continues independently: runs that differ only later
+/// share their beginning. Throws std::runtime_error, with time and reason, if it cannot continue.
 template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
 class EventMethod {
  public:
-  /// From an instant on. `tolerance` is the error allowed in a step, relative to the phases' scale.
+  /// Starts at an instant. `tolerance`: error allowed in a step, relative to the phases' scale.
   EventMethod(const Scenario& scenario, const S& tolerance, const BasicInstant<S>& from);
 
-  /// The same of a rotor whose numbers need not be doubles.
+  /// The same for a rotor whose numbers need not be doubles.
   EventMethod(const RotorSystem<S>& rotor, const S& tolerance, const BasicInstant<S>& from);
 
-  /// To `until_s`, in contact or not.
+  /// Runs to `until_s`, in contact or not.
   void advance(const S& until_s, BasicObserver<S>& observer);
 
-  /// By as many whole steps as end before `until_s`, so that the steps do not depend on who leaves
-  /// the run when.
+  /// Takes all whole steps that end before `until_s`, so that the steps do not depend on when other
+  /// runs branch off.
   void approach(const S& until_s, BasicObserver<S>& observer);
 
-  /// The same as long as the rotor is clear of the ring.
+  /// The same, and stops before the step that touches the ring.
   void run_up(const S& until_s, BasicObserver<S>& observer);
 
-  /// Goes on from another instant, such as one after a jump.
+  /// Continues from another instant, such as one after a jump.
   void restart(const BasicInstant<S>& from);
 
-  /// The same motion on the way to another contact: of a scenario with the same run-up part.
+  /// The same motion with the ring of another scenario, whose run-up part is the same.
   EventMethod with(const Scenario& scenario) const;
 
-  /// Before the run continues: its first steps in flight and in contact are to be so much of what
-  /// they are otherwise, whatever the tolerance.
+  /// Scales the first steps in flight and in contact, whatever the tolerance. To be called at the
+  /// start.
   void shorten_first_steps(const S& share);
-  /// The same: at each touch-down the slip is to be off by such a share. It is rounded there, and
-  /// the velocity of O is the small difference that the rim's leaves of it.
+  /// Disturbs the slip at each touch-down by a share. It is rounded there, and the velocity of O is
+  /// the small difference between slip and velocity of the rim.
   void disturb_touch_downs(const S& share) { slip_disturbance_ = share; }
 
   const BasicInstant<S>& instant() const { return at_; }
@@ -79,12 +79,12 @@ class EventMethod {
   ErrorControl<S, Stepper> control_;
   RotorSystem<S> rotor_;
   BasicInstant<S> at_;
-  std::variant<std::monostate, FlightChart<S>, ContactChart<S>> chart_;  ///< none at a restart
+  std::variant<std::monostate, FlightChart<S>, ContactChart<S>> chart_;  ///< none after a restart
   Point start_;                         ///< of the next step, in that chart
-  bool phase_is_new_ = true;            ///< whether only the unknowns are known there
+  bool phase_is_new_ = true;            ///< whether the rates are not yet known there
   S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
-  S first_steps_{1};                    ///< share of what they are otherwise
-  S slip_disturbance_{0};               ///< share of the slip at a touch-down
+  S first_steps_{1};                    ///< factor on their usual length
+  S slip_disturbance_{0};               ///< relative, at each touch-down
   Counters counters_;
   SwitchLimit<S> switch_limit_;
   bool stopped_ = false;

@@ -1,4 +1,4 @@
-/// Definitions of event_method.hpp, for those who instantiate it.
+/// Definitions of event_method.hpp, for instantiation.
 #pragma once
 
 #include <fmt/format.h>
@@ -91,7 +91,7 @@ void EventMethod<S, Stepper>::enter(const Transition& next) {
   }
 }
 
-/// The chart of that kind. If the last phase was in another one, it is laid where that phase ended.
+/// The chart of that kind; a new one where the last phase ended, if that had another kind.
 template <class S, class Stepper>
 template <class Chart>
 Chart& EventMethod<S, Stepper>::chart() {
@@ -103,8 +103,8 @@ Chart& EventMethod<S, Stepper>::chart() {
   return std::get<Chart>(chart_);
 }
 
-/// Through the present phase, to its end or that of the extent. Returns what follows the phase, if
-/// it has ended.
+/// Runs through the present phase, to its end or that of the extent. Returns what follows the
+/// phase, if it has ended.
 template <class S, class Stepper>
 std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s,
                                                                 BasicObserver<S>& observer,
@@ -126,7 +126,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
     case ContactState::sliding: {
       auto& chart = this->chart<ContactChart<S>>();
       if (S(at_.direction) * chart.rim_point(start_.x).slip_velocity < 0)
-        start_.x = chart.without_slip(start_.x);  // by rounding alone
+        start_.x = chart.without_slip(start_.x);  // negative only by rounding
       return in(Sliding<S>(rotor_, chart, at_.direction), chart, contact_step_);
     }
     case ContactState::rolling: {
@@ -159,7 +159,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
       at_.state = chart.state(start_.x);
       return std::nullopt;
     }
-    // As long as the time's digits say, so that times add up without rounding.
+    // The step is the difference of rounded times, so that times add up exactly.
     Point end{.time = (last ? until_s : S(at_.time_s + step)) - at_.time_s};
     const double error = control_.step(system, start_, end);
     const S next_step = end.time * static_cast<S>(control_.step_factor(error));
@@ -176,7 +176,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
     std::optional<Transition> next;
     if (event) next = phase.next(*event, stop.x);
     if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
-      counters_ = before;  // the step is another's to take
+      counters_ = before;  // advance() takes this step
       at_.state = chart.state(start_.x);
       return std::nullopt;
     }
@@ -198,7 +198,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow(const Phase& phase, Ch
 
 template <class S, class Stepper>
 void EventMethod<S, Stepper>::count_step() {
-  constexpr long most = 20'000'000;  // that only a run in trouble takes
+  constexpr long most = 20'000'000;  // exceeded only if something is wrong
   if (++counters_.steps > most)
     fail(fmt::format("{} steps have been taken, which is more than any run should need", most));
 }

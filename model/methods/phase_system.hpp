@@ -1,4 +1,4 @@
-/// Phases and the integration library.
+/// Adapts phases to the integration library.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace rotor {
 
-/// A phase as the integration library sees it, its evaluations counted.
+/// A phase as a system of the integration library. Counts its evaluations.
 template <class S, class Phase>
 class PhaseSystem {
  public:

@@ -51,7 +51,7 @@ void require_finite(const State<double>& state, double time_s, double step) {
                       time_s, step));
 }
 
-/// A remainder that differs from a step by rounding alone is a whole step, relative to the step.
+/// A remainder within this share of a step is a whole step, or none.
 constexpr double rounding = 1e-6;
 
 }  // namespace
@@ -66,7 +66,7 @@ PublishedMethod::PublishedMethod(const Scenario& scenario, const Instant& from)
 void PublishedMethod::restart(const Instant& from) {
   at_ = from;
   at_.event = Event::none;  // fixed steps locate none
-  at_.direction = 0;        // and know no phases
+  at_.direction = 0;        // and have no phases
   origin_s_ = at_.time_s;
   steps_ = 0;
   whirl_angle_ = at_.contact == ContactState::free ? 0 : RotatingFrame<double>::angle(at_.state);
@@ -111,7 +111,7 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
   at_.time_s = until_s;
 }
 
-/// Returns whether the step has been taken: one that touches the ring is only if it `may_touch`.
+/// Returns whether the step was taken: one that touches the ring only if it `may_touch`.
 bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Observer& observer) {
   boost::numeric::odeint::runge_kutta4<State<double>> stepper;
   const Counters before = counters_;
@@ -123,7 +123,7 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   const ContactState contact = contact_state(state, length);
   const bool touched = counters_.contact_evaluations > before.contact_evaluations;
   if (touched && !may_touch) {
-    counters_ = before;  // the step is another's to take
+    counters_ = before;  // advance() takes this step
     return false;
   }
 
@@ -145,8 +145,8 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   return true;
 }
 
-/// The method has no state of rolling: friction throws the slip to and fro about zero. The rim
-/// counts as rolling while friction is able to stop it within one step.
+/// The method has no state of rolling: friction makes the slip jump to and fro about zero. The rim
+/// counts as rolling while friction can stop it within one step.
 ContactState PublishedMethod::contact_state(const State<double>& state, double step) {
   const auto motion = RotatingFrame<double>::motion(at_.body, state);
   if (ring_.is_clear_of(motion)) return ContactState::free;

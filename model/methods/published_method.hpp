@@ -1,6 +1,6 @@
 /// The paper's integration: classical Runge-Kutta of fourth order with fixed steps, the friction's
 /// direction decided at every stage by Eq. (23). First order at every contact, and it chatters in
-/// rolling; kept exactly as published to be compared with. Source:
+/// rolling; kept exactly as published, for comparison. Source:
 /// "Overcritical high-speed rotor systems, full annular rub and accident",
 /// Sec. 3.
 #pragma once
@@ -12,19 +12,19 @@
 
 namespace rotor {
 
-/// A run, as far as it has got; it can be copied on its way, as one by the event method.
+/// A run up to its present instant; a copy continues independently, as with the event method.
 class PublishedMethod {
  public:
   PublishedMethod(const Scenario& scenario, const Instant& from);
 
-  /// By steps of `step_rub` to `until_s`, in contact or not; the last one is shortened.
+  /// Runs by steps of `step_rub` to `until_s`, in contact or not; the last one is shortened.
   void advance(double until_s, Observer& observer);
 
-  /// By those of them that are whole and end before `until_s`.
+  /// Takes the whole steps among them that end before `until_s`.
   void approach(double until_s, Observer& observer);
 
-  /// By whole steps of `step_run_up` that end before or at `until_s`, and before the step that
-  /// touches.
+  /// Takes whole steps of `step_run_up` that end by `until_s`, and stops before the step that
+  /// touches the ring.
   void run_up(double until_s, Observer& observer);
 
   void restart(const Instant& from);
@@ -44,8 +44,8 @@ class PublishedMethod {
   Supports<double> supports_;
   Ring<double> ring_;
   Instant at_;
-  // Times are counted from the first step of a length, so that none depends on where others left
-  // the run.
+  // Times count from the first step of a length, so that they do not depend on when other runs
+  // branch off.
   double step_ = 0, origin_s_ = 0;
   long steps_ = 0;          ///< since then
   double whirl_angle_ = 0;  ///< rad

@@ -12,19 +12,19 @@
 
 namespace rotor {
 
-/// Into how many arcs to divide a time in a phase, for each to have one maximum at most.
+/// The number of arcs into which to divide a step, so that each has at most one maximum.
 template <class Phase, class S>
 long arcs(const Phase& phase, const typename Phase::Unknowns& x, const S& duration) {
   return 1 + static_cast<long>(phase.swing(x, duration));
 }
 
-/// A bound of what an arc reaches that is curved to one side.
+/// An upper bound of an arc that is curved to one side.
 template <class S>
 S where_tangents_meet(const ExtremeValue<S>& a, const ExtremeValue<S>& b, const S& h) {
   return a.value + a.rate * (b.value - a.value - b.rate * h) / (a.rate - b.rate);
 }
 
-/// A step as an observer sees it, until a time.
+/// A step up to a time, as an observer sees it.
 template <class S, class Step>
 class DenseOutputOf : public BasicDenseOutput<S> {
  public:
@@ -65,7 +65,7 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
     is_beyond_reach = threshold(kinds[i], S(0), duration) >= reach[i];
   if (is_beyond_reach) return;
   long parts = arcs(phase, step.start().x, duration);
-  // In contact at loose tolerances most steps are long, and each look inside costs an
+  // In contact at loose tolerances most steps are long, and each point inside costs an
   // interpolation.
   if constexpr (requires(Point p) { phase.vibration_reach(p, p); })
     if (parts > 1) {
@@ -105,12 +105,12 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   }
   for (const BasicMaximum<S>& maximum : found) {
     const S& time_s = maximum.at.time_s;
-    if (maximum.bound > observer.threshold(maximum.of, time_s, time_s))  // which the last may raise
+    if (maximum.bound > observer.threshold(maximum.of, time_s, time_s))  // the last may raise it
       observer.on_maximum(maximum);
   }
 }
 
-/// Shows an observer what it wants to see of a step that starts at an instant, until a time.
+/// Shows an observer what it wants to see of a step from an instant to a time.
 template <class S, class Step>
 void show_step(Step& step, const BasicInstant<S>& start, const S& until_s,
                BasicObserver<S>& observer) {

@@ -1,5 +1,5 @@
-/// The stages of a run by any method: run-up, mass loss, rub. The methods are EventMethod, in its
-/// own precision, and PublishedMethod.
+/// The stages of a run by any method: run-up, mass loss, rub. The methods are EventMethod, in any
+/// precision, and PublishedMethod.
 #pragma once
 
 #include "model/mechanics/mass_loss.hpp"
@@ -8,7 +8,7 @@
 
 namespace rotor {
 
-/// Through the mass loss that a scenario states, if it is still to come.
+/// Runs through the scenario's mass loss, if it is still to come.
 template <class Method, class S>
 void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
                     BasicObserver<S>& observer) {
@@ -29,7 +29,7 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
   observer.on_instant(after);
 }
 
-/// To the end of a scenario, through its mass loss and all contacts.
+/// Runs to the end of the scenario, through its mass loss and all contacts.
 template <class Method, class S>
 void finish(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
             BasicObserver<S>& observer) {

@@ -1,13 +1,13 @@
-/// A limit that only a run in trouble exceeds.
+/// A limit that a run exceeds only if something is wrong.
 #pragma once
 
 namespace rotor {
 
-/// Tells a run that gets nowhere: one that switches between phases more often than a motion can.
+/// Detects a run that makes no progress: it switches between phases more often than a motion can.
 template <class S>
 class SwitchLimit {
  public:
-  static constexpr int most = 1000;  ///< within the shortest natural period
+  static constexpr int most = 1000;  ///< per shortest natural period
 
   void restart(const S& time) {
     since_ = time;

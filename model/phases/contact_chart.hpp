@@ -1,5 +1,5 @@
-/// Coordinates of a rotor that touches the ring: polar ones of O in the rotating axes. The basis is
-/// the normal and the tangent at K.
+/// Coordinates of a rotor that touches the ring: polar coordinates of O in the rotating axes. The
+/// basis is the normal and the tangent at K.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@ template <class S>
 class ContactChart {
  public:
   /// Angle of the rotor and direction of O in its axes, both since the chart was centred (rad);
-  /// Delta, which is known more sharply than rho (m); Delta' and the slip velocity v_Ktau (m/s);
-  /// the speed (rad/s). The angles are first, side by side: their rates need no accelerations, so
-  /// that a processor can begin the next stage's sines early. Where the clearance is a very small
-  /// part of the radius, the tangential velocity of O is there instead of the slip as long as it is
-  /// less: it differs from that by the rim's velocity, in whose rounding it would be lost, and rho
-  /// divides it in the whirl. Zeros of the slip want the slip itself.
+  /// Delta, which has a smaller rounding error than rho (m); Delta' and the slip velocity v_Ktau
+  /// (m/s); the speed (rad/s). The angles come first, side by side: their rates need no
+  /// accelerations, so a processor can begin the next stage's sines early. Where the clearance is a
+  /// very small part of the radius, the tangential velocity of O replaces the slip while it is the
+  /// smaller: as slip less the rim's velocity it would be lost in rounding, and the whirl rate
+  /// divides it by rho. To locate zeros of the slip, the slip itself is needed.
   using Unknowns = std::array<S, 6>;
 
   struct Kinematics {
@@ -36,7 +36,7 @@ class ContactChart {
     centre(q[2], atan2(q[1], q[0]));
   }
 
-  Unknowns unknowns(const State<S>& q) const {  // the chart is centred there
+  Unknowns unknowns(const State<S>& q) const {  // of the state at which the chart is centred
     const Vector<S> displacement(q[0], q[1]);
     const S rho = displacement.norm();
     const Vector<S> normal = displacement / rho;
@@ -94,19 +94,19 @@ class ContactChart {
     return {S(1), S(1), length, length * frequency, radius_ * speed, speed};
   }
 
-  /// The same without slip, or, of rates, without a change of the slip.
+  /// The unknowns without slip, or their rates without a change of slip.
   Unknowns without_slip(Unknowns x) const {
     x[4] = knows_slip_ ? S(0) : S(-radius_ * x[5]);
     return x;
   }
 
-  /// Of O; or, of rates, its rate.
+  /// Tangential velocity of O; or, from the rates, its rate.
   S tangential_velocity(const Unknowns& x) const {
     return knows_slip_ ? x[4] - radius_ * x[5] : x[4];
   }
 
-  /// Counts both angles from x: small ones are known more sharply, and cost less. Returns whether
-  /// the rates have become others.
+  /// Counts both angles from x: small ones have smaller rounding errors and cost less. Returns
+  /// whether the rates have changed.
   bool recentre(Unknowns& x) {
     using std::abs;
     centre(q3_ + x[0], alpha_ + x[1]);
@@ -128,8 +128,8 @@ class ContactChart {
     down_ = Vector<S>(cos(beta), -sin(beta));
   }
 
-  /// Whether rounding of the rim's velocity leaves that of O the digits that any tolerance asks for
-  /// but the smallest.
+  /// Whether the velocity of O, less the rounding of the rim's velocity, has enough digits for all
+  /// but the smallest tolerances.
   bool is_wide() const { return radius_ <= 100 * clearance_; }
 
   S displacement(const Unknowns& x) const { return clearance_ + x[2]; }

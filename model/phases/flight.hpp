@@ -10,7 +10,7 @@
 
 namespace rotor {
 
-/// The rim meets the ring with the slip that it has.
+/// The rim meets the ring, with slip or without.
 template <class S>
 Transition meet_ring(const RotorSystem<S>& rotor, const State<S>& q, Event event) {
   const S slip = rotor.ring.rim_point(RotatingFrame<S>::motion(rotor.body, q)).slip_velocity;
@@ -21,8 +21,8 @@ Transition meet_ring(const RotorSystem<S>& rotor, const State<S>& q, Event event
   return next;
 }
 
-/// How a motion continues that resumes in contact with the ring, perhaps after a jump. A rim that
-/// rolls has no slip, whatever rounding makes of it.
+/// How a motion continues in contact with the ring, perhaps after a jump. A rim that rolls has no
+/// slip, whatever its rounded value is.
 template <class S>
 Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, ContactState contact) {
   const auto k = rotor.ring.rim_point(RotatingFrame<S>::motion(rotor.body, q));
@@ -31,7 +31,7 @@ Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, Contac
   return meet_ring(rotor, q, Event::none);
 }
 
-/// What both have in common.
+/// What both phases have in common.
 template <class S, class Chart>
 struct Flight : Phase<S, Chart> {
   using Phase<S, Chart>::Phase;
@@ -49,9 +49,9 @@ struct Flight : Phase<S, Chart> {
                        chart.speed(x), h);
   }
 
-  /// Every contact multiplies the errors that it begins with, and a flight is cheap: its lengths
-  /// are measured by a small part of the clearance. The speed hardly changes, but its ripple must
-  /// not pass unnoticed under long steps.
+  /// Every contact multiplies the errors at its start, and a flight is cheap: errors of length are
+  /// relative to a small part of the clearance. The speed hardly changes, but long steps must not
+  /// miss its ripple.
   Unknowns scale(const Unknowns& x) const {
     const S w = rotor.flight_frequency(chart.speed(x));
     return chart.scale(rotor.ring.clearance / 300, w, w / 100);
@@ -95,8 +95,8 @@ struct FreeFlight : Flight<S, Chart> {
 
   using Point = rotor::Point<S, Unknowns>;
 
-  /// Whether the guards can end the phase within a step, how fast that of touch-down can bend if
-  /// so, and what the extremes reach until then, if that is known.
+  /// Whether the guards can end the phase within a step, the curvature of the touch-down guard if
+  /// so, and upper bounds of the extremes, if these are known.
   StepBounds<S, event_count, 2> bounds(const Point& from, const Point& to) const {
     StepBounds<S, event_count, 2> all;
     const auto motion = motion_bounds(from, to);
@@ -112,7 +112,7 @@ struct FreeFlight : Flight<S, Chart> {
     const auto velocity = [&](const Point& at) {
       return chart.kinematics(at.x).motion.velocity.norm();
     };
-    // It is no more than at the faster end by more than it can change until there.
+    // The larger velocity of both ends, plus what can be gained in half the step.
     const S fastest =
         min(motion->velocity, max(velocity(from), velocity(to)) + of_O * (to.time - from.time) / 2);
     all.events[0].curvature = 2 * (fastest * fastest + clearance * of_O);
@@ -120,7 +120,7 @@ struct FreeFlight : Flight<S, Chart> {
   }
 
  private:
-  /// Of absolute values.
+  /// Bounds of absolute values.
   struct Bounds {
     S displacement;          ///< of O, m
     S velocity;              ///< of O, m/s
@@ -129,10 +129,10 @@ struct FreeFlight : Flight<S, Chart> {
     S angular_acceleration;  ///< rad/s^2
   };
 
-  /// Bounds that hold through a step, contact or not, on linear springs. The deviation from the
-  /// synchronous motion is a damped oscillation that only the little drives which the synchronous
-  /// motion leaves; so its amplitude grows by no more than that. Twice what is seen of it at the
-  /// ends of the step, and a thousandth of the amplitude, are taken for what it is in between.
+  /// Bounds that hold through a step, with contact or not, on linear springs. The deviation from
+  /// the synchronous motion is a damped oscillation, driven only by the residual that the
+  /// synchronous motion leaves, and its amplitude grows by no more than that. Twice the residual at
+  /// the ends of the step, plus a thousandth of the amplitude, is taken as its bound in between.
   std::optional<Bounds> motion_bounds(const Point& from, const Point& to) const {
     using std::abs, std::max, std::min, std::sqrt;
     const Body<S>& body = rotor.body;
@@ -149,7 +149,7 @@ struct FreeFlight : Flight<S, Chart> {
     const S deviation =
         (norm(from.x[0] * frequency, from.x[1] * frequency, from.x[3], from.x[4]) + h * drive) *
         (1 + S(1) / 1000);
-    // It lies no further out than the farther end of the step by more than it can bend there.
+    // The farther end of the step, plus the most that the path can bend outwards in between.
     const S bend = (frequency + supports.damping / body.mass) * deviation + drive;
     const S farther = sqrt(
         max(from.x[0] * from.x[0] + from.x[1] * from.x[1], to.x[0] * to.x[0] + to.x[1] * to.x[1]));
@@ -157,9 +157,9 @@ struct FreeFlight : Flight<S, Chart> {
         min(farther + bend * h * h / 8, deviation / frequency) + synchronous.displacement;
     const S of_O = of_C + e;
 
-    // The angular acceleration and the velocity that damping makes of each other's bounds.
+    // Angular acceleration and velocity bound each other through the damping.
     const S speed = abs(chart.speed(from.x)) + synchronous.speed_ripple;
-    const S velocity = deviation + synchronous.velocity + speed * e;  // but for the change of speed
+    const S velocity = deviation + synchronous.velocity + speed * e;  // without the change of speed
     const S moment = supports.torque + body.mass * supports.gravity * (of_C + e) +
                      e * supports.greatest_bearing_force(of_O, velocity);
     const S relief = 1 - supports.damping * e * e * h / body.inertia;
@@ -171,7 +171,7 @@ struct FreeFlight : Flight<S, Chart> {
                   speed + angular * h, angular};
   }
 
-  /// By what the deviation is not a free damped oscillation, m/s^2.
+  /// How far the deviation is from a free damped oscillation, m/s^2.
   S drive(const Point& at, const S& frequency) const {
     const Supports<S>& supports = rotor.supports;
     const S k = supports.springs.linear_stiffness("the free oscillation") / rotor.body.mass,
@@ -186,8 +186,8 @@ struct FreeFlight : Flight<S, Chart> {
   }
 };
 
-/// Without force, the ring still being indented: by how little, only the coordinates of contact
-/// know.
+/// No force, but the ring is still indented, by so little that only the coordinates of contact
+/// resolve it.
 template <class S, class Chart = ContactChart<S>>
 struct IndentedFlight : Flight<S, Chart> {
   using Flight<S, Chart>::Flight;

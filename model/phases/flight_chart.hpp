@@ -1,7 +1,7 @@
-/// Coordinates of a rotor without contact. In the stator's frame the mass centre hardly feels the
-/// rotation, because the supports are soft; what is left of it well above the critical speed is the
-/// synchronous motion, and the unknowns are the deviation from that. The axes are the stator's,
-/// turned to where the rotor's axes were not long ago, so that the angle stays small.
+/// Coordinates of a rotor without contact. In the stator's frame the rotation hardly moves the mass
+/// centre, because the supports are soft; well above the critical speed only the synchronous motion
+/// is left of it, and the unknowns are the deviation from that. The axes are the stator's, turned
+/// to a recent position of the rotor's axes, so that the angle stays small.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ class FlightChart {
 
  public:
   /// Deviation of C along both axes (m), angle of the rotor from them without ripple (rad), then
-  /// deviation of the velocity of C (m/s), and the speed without ripple less that where the chart
-  /// was laid (rad/s), which is known more sharply.
+  /// deviation of the velocity of C (m/s), and the change of the speed without ripple since the
+  /// chart was made (rad/s), which has a smaller rounding error.
   using Unknowns = std::array<S, 6>;
 
   struct Kinematics {
@@ -36,7 +36,7 @@ class FlightChart {
     if (is_fast(q[5])) synchronous_ = {rotor_, q[5], down_, Synchronous::Terms::steady};
   }
 
-  Unknowns unknowns(const State<S>& q) const {  // the chart is laid there
+  Unknowns unknowns(const State<S>& q) const {  // of the state at which the chart is made
     return without_synchronous(RotatingFrame<S>::motion(rotor_.body, q), S(0));
   }
 
@@ -49,7 +49,7 @@ class FlightChart {
     return {q.x(), q.y(), angle_ + angle(x, at), rate.x(), rate.y(), m.speed};
   }
 
-  /// Without ripple, rad/s.
+  /// The speed without ripple, rad/s.
   S speed(const Unknowns& x) const { return speed_ + x[5]; }
   S whirl_angle(const Unknowns& /*x*/) const { return S(0); }
 
@@ -80,7 +80,7 @@ class FlightChart {
   Unknowns rates(const Unknowns& x, const Kinematics& at, const Acceleration<S>& a) const {
     if (!synchronous_.exists())
       return {x[3], x[4], at.motion.speed, a.mass_centre.x(), a.mass_centre.y(), a.angular};
-    // w and w' are what theta' and W' make of them.
+    // theta' and W' follow from w and w'.
     const auto& value = at.synchronous.value;
     const auto& by_angle = at.synchronous.by_angle;
     const auto& by_speed = at.synchronous.by_speed;
@@ -100,7 +100,7 @@ class FlightChart {
     return {x[3] + drift.x(), x[4] + drift.y(), theta_rate, rate.x(), rate.y(), W_rate};
   }
 
-  /// A speed without ripple is known more sharply at no cost.
+  /// A speed without ripple is integrated more accurately at no cost.
   Unknowns scale(const S& length, const S& frequency, const S& speed) const {
     return {length,
             length,
@@ -110,12 +110,12 @@ class FlightChart {
             synchronous_.is_complete() ? S(speed / 50) : speed};
   }
 
-  /// Turns the axes after the rotor if that has turned far from them, and works the synchronous
-  /// motion out anew if the speed has changed much. Returns whether the rates have to be worked out
+  /// Turns the axes to the rotor's if these have turned far away, and computes the synchronous
+  /// motion again if the speed has changed much. Returns whether the rates have to be computed
   /// again.
   bool recentre(Unknowns& x) {
     using std::cos, std::sin;
-    constexpr double far = 32;  // rad; the angle is known to some 1e-14 rad until there
+    constexpr double far = 32;  // rad; up to here the angle is rounded by some 1e-14 rad
     const bool is_near = x[2] < far && x[2] > -far;
     if (!is_near) {
       const S c = cos(x[2]), s = sin(x[2]);
@@ -138,15 +138,15 @@ class FlightChart {
     renew(x);
   }
 
-  /// Bounds of what is subtracted.
+  /// Bounds of the synchronous motion.
   typename Synchronous::Amplitudes synchronous_amplitudes(const Unknowns& x) const {
     if (!synchronous_.exists()) return {S(0), S(0), S(0)};
     return synchronous_.amplitudes(speed(x));
   }
 
  private:
-  /// Works the synchronous motion out for the present speed. There is none where the rotor is not
-  /// fast, or where its speed ripples too much.
+  /// Computes the synchronous motion for the present speed. There is none if the rotor is not fast,
+  /// or if its speed ripples too much.
   void renew(Unknowns& x) {
     const Kinematics at = kinematics(x);
     const S angle = this->angle(x, at);
@@ -161,20 +161,20 @@ class FlightChart {
     x = without_synchronous(at.motion, angle);
   }
 
-  /// The speed is, but for a ripple, that at which the synchronous motion was worked out.
+  /// Whether the speed is, apart from a ripple, that of the last renewal.
   bool is_near_where_laid(const Unknowns& x) const {
     using std::abs;
     return abs(x[5]) <= Synchronous::range() * abs(speed_);
   }
 
-  /// The unknowns of a motion in these axes, the rotor having turned from them by an angle.
+  /// The unknowns of a motion in these axes, from which the rotor has turned by an angle.
   Unknowns without_synchronous(const Motion<S>& m, const S& angle) const {
     using std::atan, std::cos, std::sin;
     Vector<S> position = m.mass_centre(), velocity = m.mass_centre_velocity();
     S theta = angle, speed = m.speed;
     if (synchronous_.exists()) {
       auto at = synchronous_.at(Vector<S>(cos(theta), sin(theta)), speed);
-      for (int n = 0; n < 100; ++n) {  // each time ten times closer where the ripple is small
+      for (int n = 0; n < 100; ++n) {  // gains a digit each time if the ripple is small
         const S last_theta = theta, last_speed = speed;
         theta = angle - 2 * atan(at.value.real(Synchronous::angle_ripple) / 2);
         speed = m.speed - at.value.real(Synchronous::speed_ripple);
@@ -187,7 +187,7 @@ class FlightChart {
     return {position.x(), position.y(), theta, velocity.x(), velocity.y(), speed - speed_};
   }
 
-  /// Of the rotor from the axes, rad.
+  /// Angle of the rotor from the axes, rad.
   S angle(const Unknowns& x, const Kinematics& at) const {
     using std::atan;
     return synchronous_.exists()
@@ -195,8 +195,8 @@ class FlightChart {
                : x[2];
   }
 
-  /// Above the critical speed by 1.4 times. Nearer to it the response changes too fast with the
-  /// speed to be worth subtracting. On springs that are not linear there is no such response.
+  /// Above 1.4 times the critical speed. Nearer to it the response changes too fast with the speed
+  /// to be worth subtracting. Springs that are not linear have no such response.
   bool is_fast(const S& speed) const {
     const SupportSprings<S>& springs = rotor_.supports.springs;
     const S critical = springs.tangent_stiffness(S(0)) / rotor_.body.mass;  // squared

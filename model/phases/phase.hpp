@@ -4,16 +4,16 @@
 /// A chart has Unknowns for coordinates and says what they mean:
 ///   unknowns(q), state(x)    from and to the paper's coordinates
 ///   kinematics(x)            the motion, in a basis of the chart's own
-///   speed(x)                 of the rotor, ripple aside
+///   speed(x)                 of the rotor, without ripple
 ///   whirl_angle(x)           of O in the stator's frame, continuous; 0 in flight
 ///   rim_point(x)             K, in the same basis
 ///   rates(x, kinematics, a)  of the unknowns, from the accelerations
 ///   scale(...)               of the unknowns, from those of the motion
-///   recentre(x)              moves the chart to x, if that has become worth while
+///   recentre(x)              moves the chart to x, if that is worth while
 ///
 /// A phase is a system of integration/step.hpp. It ends where one of its guards, which are its
-/// event functions, becomes negative; next() says what follows, and resets the unknowns where that
-/// needs it.
+/// event functions, becomes negative; next() returns what follows, and resets the unknowns if
+/// necessary.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ namespace rotor {
 enum class Extreme { displacement, bearing_force, normal_force };
 constexpr std::size_t extreme_count = 3;
 
-/// Such a quantity. It has its maximum where its rate becomes negative.
+/// Such a quantity. It has a maximum where its rate becomes negative.
 template <class S>
 struct ExtremeValue {
   S value;  ///< m or N
@@ -42,7 +42,7 @@ struct ExtremeValue {
   }
 };
 
-/// What a phase knows of a step beforehand: of its guards, and what its extremes reach at most.
+/// What a phase knows about a step beforehand: about its guards, and upper bounds of its extremes.
 template <class S, std::size_t guards, std::size_t extremes>
 struct StepBounds {
   std::array<EventBound<S>, guards> events{};
@@ -55,12 +55,12 @@ template <class S, class Chart>
 struct Phase {
   using Unknowns = typename Chart::Unknowns;
 
-  /// Whether the n-th guard works out all loads of the contact.
+  /// Whether the n-th guard computes all loads of the contact.
   static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
 
   const RotorSystem<S>& rotor;
   const Chart& chart;
-  const Mobility<S> mobility;  ///< of the body, which is the same in all of the phase
+  const Mobility<S> mobility;  ///< of the body, which does not change during the phase
 
   Phase(const RotorSystem<S>& system, const Chart& coordinates)
       : rotor(system), chart(coordinates), mobility(system.body) {}

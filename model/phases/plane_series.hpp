@@ -1,4 +1,4 @@
-/// Plane vectors, taken for complex numbers, as power series of a small real variable.
+/// Power series of a small real variable, with plane vectors as complex coefficients.
 #pragma once
 
 #include <array>

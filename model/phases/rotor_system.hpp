@@ -15,14 +15,14 @@ struct RotorSystem {
   S motor_off;  ///< speed at which the motor is switched off, rad/s
   bool motor_on = true;
 
-  /// Before the mass loss, the motor driving.
+  /// Before the mass loss, with the motor on.
   RotorSystem(const Parameters& p, Equations equations)
       : body(Body<S>::of(p)),
         supports(p, equations),
         ring(p),
         motor_off(radians_per_turn() * stated<S>(p.motor_off_Hz)) {}
 
-  static S radians_per_turn() {  // to the digits of S
+  static S radians_per_turn() {  // to the precision of S
     using std::acos;
     return 2 * acos(S(-1));
   }
@@ -33,13 +33,13 @@ struct RotorSystem {
   /// Becomes negative where the motor is to be switched off.
   S motor_guard(const S& speed) const { return motor_on ? motor_off - speed : S(1); }
 
-  /// Fastest natural frequency on the supports alone, rad/s.
+  /// Highest natural frequency on the supports without contact, rad/s.
   S support_frequency() const {
     using std::sqrt;
     return sqrt(supports.springs.tangent_stiffness(ring.clearance) / body.mass);
   }
 
-  /// Fastest natural rate of change in flight, rad/s.
+  /// Highest natural rate of change in flight, rad/s.
   S flight_frequency(const S& speed) const {
     using std::abs, std::max;
     return max({S(1), abs(speed), support_frequency()});
@@ -51,9 +51,9 @@ struct RotorSystem {
     return max(flight_frequency(speed), sqrt(ring.stiffness / body.mass));
   }
 
-  /// Through what angle a motion may swing in a step of length h, rad, if it vibrates naturally
-  /// with that stiffness and is seen from the stator while the rotor turns. Vibrations that swing
-  /// further in one step are below its tolerance.
+  /// Upper bound of the phase angle through which a motion swings in a step of length h, rad: its
+  /// natural vibration with that stiffness plus the rotation, seen from the stator. Vibrations that
+  /// swing further in one step are below its tolerance.
   S swing(const S& vibrating_stiffness, const S& speed, const S& h) const {
     using std::abs, std::min, std::sqrt;
     const S furthest(16);  // at the loosest tolerance steps reach about a third of it

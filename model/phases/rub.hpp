@@ -10,8 +10,7 @@
 
 namespace rotor {
 
-/// What sliding and rolling have in common. F_n is not clamped: a guard ends the phase where it
-/// changes sign.
+/// What sliding and rolling have in common. F_n may change its sign: a guard ends the phase there.
 template <class S, class Chart>
 struct Rub : Phase<S, Chart> {
   using Phase<S, Chart>::Phase;
@@ -29,7 +28,7 @@ struct Rub : Phase<S, Chart> {
   std::array<ExtremeValue<S>, 3> extremes(const Unknowns& x, const Unknowns& rates) const {
     const Ring<S>& ring = rotor.ring;
     const auto k = chart.rim_point(x);
-    // Along the normal and the tangent, which turn.
+    // Components along the normal and the tangent, which turn.
     const Vector<S> position(k.displacement, 0), drift(x[3], 0);
     const Vector<S> velocity(x[3], chart.tangential_velocity(x)),
         change(rates[3], chart.tangential_velocity(rates));
@@ -39,8 +38,8 @@ struct Rub : Phase<S, Chart> {
              {-ring.elastic_force(k), ring.stiffness * x[3] + ring.damping * rates[3]}}};
   }
 
-  /// What the radial vibration reaches in a step, judged by its ends: about where the acceleration
-  /// says that its rest is, with half its amplitude to spare. The bearing force does not follow it.
+  /// What the radial vibration reaches in a step, judged by its ends: the position of rest that the
+  /// acceleration shows, plus 1.5 times the amplitude. The bearing force hardly follows it.
   std::array<S, 3> vibration_reach(const Point<S, Unknowns>& from,
                                    const Point<S, Unknowns>& to) const {
     using std::max, std::sqrt;
@@ -72,14 +71,14 @@ struct Rub : Phase<S, Chart> {
     RimPoint<S> k;
     S normal_force;
     Acceleration<S> without_friction;
-    Acceleration<S> per_newton;  ///< that friction adds
+    Acceleration<S> per_newton;  ///< of friction
   };
 
   Unknowns rates(const Unknowns& x, const Pressed& p, const S& friction) const {
     return chart.rates(x, p.at, p.without_friction + friction * p.per_newton);
   }
 
-  /// F_tau that keeps the slip as it is.
+  /// F_tau that keeps the slip constant.
   S holding_friction(const Pressed& p) const {
     return friction_without_slip(p.at.motion, p.k, p.without_friction, p.per_newton,
                                  rotor.ring.rotor_radius);
@@ -87,21 +86,21 @@ struct Rub : Phase<S, Chart> {
 
   /// Positive while friction can hold the rim: |F_tau| < mu |F_n|.
   S grip(const Pressed& p, const S& holding_friction) const {
-    // A friction that rounding alone asks for is there even when F_n has vanished.
+    // Friction of the size of rounding errors is available even if F_n has vanished.
     const S rounding =
         64 * std::numeric_limits<S>::epsilon() * rotor.supports.springs.force(p.k.displacement);
     const S limit = rotor.ring.friction * -p.normal_force + rounding;
     return limit * limit - holding_friction * holding_friction;
   }
 
-  /// F_n has vanished.
+  /// What follows when F_n has vanished.
   Transition release(const Unknowns& x) const {
     const bool indented = rotor.ring.is_indented_at_release(chart.rim_point(x));
     return {Event::release, indented ? ContactState::indented : ContactState::free};
   }
 
-  /// A rim at rest on the ring rolls if friction can hold it. If not, it slides to where the
-  /// friction that would be needed does not want it.
+  /// A rim without slip rolls if friction can hold it. If not, it slides against the friction that
+  /// would be needed to hold it.
   Transition leave_zero_slip(const Unknowns& x) const {
     const Pressed p(*this, x);
     const S holding = holding_friction(p);
@@ -110,7 +109,7 @@ struct Rub : Phase<S, Chart> {
   }
 
  private:
-  /// All but friction.
+  /// All loads but friction.
   Loads<S> loads(const Pressed& p) const {
     Loads<S> all = rotor.loads(p.at.motion);
     all += rotor.ring.loads(p.k, {p.normal_force, S(0)});
@@ -163,7 +162,7 @@ struct Sliding : Rub<S, Chart> {
     }
   }
 
-  /// Nearly as small as in flight.
+  /// Lengths nearly as small as in flight.
   Unknowns scale(const Unknowns& x) const {
     return chart.scale(rotor.ring.clearance / 100, rotor.contact_frequency(x[5]),
                        rotor.flight_frequency(x[5]) / 10);
@@ -197,8 +196,8 @@ struct Rolling : Rub<S, Chart> {
     }
   }
 
-  /// Whether friction is too weak to hold the rim, by more than rounding: without the motor, say,
-  /// or after a mass loss.
+  /// Whether friction is too weak to hold the rim, by more than rounding: for example after the
+  /// motor is switched off or mass is lost.
   bool has_no_grip(const Unknowns& x) const {
     const S surely = 1 - 1000 * std::numeric_limits<S>::epsilon();
     const Pressed p(*this, x);
@@ -207,9 +206,9 @@ struct Rolling : Rub<S, Chart> {
 
   using Point = rotor::Point<S, Unknowns>;
 
-  /// In most steps friction stays far from its limit, and the guard that costs most needs no look:
-  /// twice as much as can hold the rim at the ends of the step is less than the limit all through
-  /// it, which is as smooth as estimated_curvature takes it to be.
+  /// In most steps friction stays far from its limit, and the most expensive guard need not be
+  /// evaluated: twice the bound of friction at the ends of the step stays below the limit all
+  /// through it, if that is as smooth as estimated_curvature assumes.
   StepBounds<S, event_count, 3> bounds(const Point& from, const Point& to) const {
     using std::max;
     const S friction = 2 * max(friction_bound(from), friction_bound(to));
@@ -248,8 +247,8 @@ struct Rolling : Rub<S, Chart> {
   }
 
  private:
-  /// A bound of |F_tau|, N, from the moments about C of all other loads. There is none if C may lie
-  /// on the line of friction.
+  /// A bound of |F_tau|, N, from the moments about C of all other loads; infinite if C may lie on
+  /// the line of friction.
   S friction_bound(const Point& at) const {
     using std::abs;
     const Body<S>& body = rotor.body;

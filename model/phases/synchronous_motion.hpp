@@ -1,4 +1,4 @@
-/// The motion that a rotor's unbalance and weight keep up while its speed changes slowly: what is
+/// The motion that a rotor's unbalance and weight maintain while its speed changes slowly: what is
 /// left of a run-up when all vibration has died out.
 ///
 /// Let the angle theta and the speed W of a rotor be free of ripple: theta' = W, W' = alpha(W).
@@ -6,14 +6,13 @@
 ///   phi = theta + 2 atan(kappa / 2),   kappa = Re sum K_n e^(i n theta)
 ///   w = W + eta,                         eta = Re sum H_n e^(i n theta)
 ///   O_a C = sum A_n e^(i n theta),  (O_a C)' = sum B_n e^(i n theta),   n = 1, 2
-/// with complex functions of W. A_1 is the response to the unbalance, which lags behind a speed
-/// that changes; the others come of gravity's moment. They are worked out term by term in the
-/// change of speed per turn, and to the second order of the ripple, as polynomials of W about one
-/// speed.
+/// with complex functions of W. A_1 is the response to the unbalance, which lags behind a changing
+/// speed; the others come from gravity's moment. They are computed term by term in the change of
+/// speed per turn, and to the second order of the ripple, as polynomials of W about one speed.
 ///
 /// To subtract this motion from another is an exact change of unknowns, whatever the functions are,
-/// as long as theta and W follow from phi and w: they only have to leave little that turns with the
-/// rotor.
+/// as long as theta and W follow from phi and w. The functions need only leave little motion that
+/// turns with the rotor.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +36,7 @@ class SynchronousMotion {
   /// None.
   SynchronousMotion() = default;
 
-  /// From a speed on, in axes in which gravity has the direction `down`.
+  /// About a speed, in axes in which gravity has the direction `down`.
   SynchronousMotion(const RotorSystem<S>& rotor, const S& speed, const Vector<S>& down, Terms terms)
       : exists_(true),
         is_complete_(terms == Terms::all),
@@ -47,19 +46,19 @@ class SynchronousMotion {
 
   bool exists() const { return exists_; }
   bool is_complete() const { return is_complete_; }
-  /// Whether the angle ripples by less radians than range().
+  /// Whether the ripple of the angle in radians is less than range().
   bool ripples_little() const { return ripples_little_; }
 
-  /// How far the speed may change, relative to it.
+  /// The relative change of speed for which the polynomials are accurate.
   static S range() { return S(1) / 100; }
 
-  /// Whether the polynomials are good at that speed.
+  /// Whether the polynomials are accurate at that speed.
   bool holds(const S& speed) const {
     using std::abs, std::max;
     return abs(speed - centre_) <= range() * max<S>(abs(speed), abs(centre_));
   }
 
-  /// The same motion in axes that are turned by the angle that has these cosine and sine.
+  /// Turns the axes by the angle with this cosine and sine.
   void turn_axes(const S& cosine, const S& sine) {
     first_.turn(angle_ripple, cosine, sine);
     first_.turn(speed_ripple, cosine, sine);
@@ -69,8 +68,8 @@ class SynchronousMotion {
     second_.turn(speed_ripple, cosine, sine);
   }
 
-  /// Functions of theta and W: O_a C (m), its time derivative (m/s), and those of whose values
-  /// kappa and eta (rad/s) are the real parts.
+  /// Functions of theta and W: O_a C (m), its time derivative (m/s), and those with the real parts
+  /// kappa and eta (rad/s).
   enum Function { displacement, velocity, angle_ripple, speed_ripple, functions };
 
   /// All four of them, in arrays whose loops a compiler packs into registers.
@@ -91,7 +90,7 @@ class SynchronousMotion {
       }
       return a;
     }
-    /// At a speed that is x away, by one more term of a polynomial.
+    /// Adds the next term of a polynomial, for a speed that is x away.
     void add_term(const S& x_away, const Vectors& term) {
       for (std::size_t f = 0; f < functions; ++f) {
         x[f] = term.x[f] + x_away * x[f];
@@ -111,7 +110,7 @@ class SynchronousMotion {
     Vectors value, by_angle, by_speed;
   };
 
-  /// At the angle that has that direction, and a speed W.
+  /// Values at the angle with that direction and a speed W.
   Value at(const Vector<S>& direction, const S& speed) const {
     const auto once = first_.at(speed - centre_, direction);
     if (!has_ripple_) return {once.value, quarter_turn(once.value), once.slope};
@@ -120,7 +119,7 @@ class SynchronousMotion {
             once.slope + twice.slope};
   }
 
-  /// Bounds of it at a speed, whatever the angle.
+  /// Bounds of the motion at a speed, whatever the angle.
   struct Amplitudes {
     S displacement;  ///< of C, m
     S velocity;      ///< of C, m/s
@@ -201,8 +200,8 @@ class SynchronousMotion {
     }
   };
 
-  /// Adds terms as long as the next one is much smaller than the last, for the series is
-  /// asymptotic, until one is too small to count.
+  /// Adds terms until one is negligible, or no longer much smaller than the last: the series is
+  /// asymptotic.
   template <class Next>
   static void add_terms(Series& sum, const S& enough, const Next& next) {
     for (S last = sum[0].norm();;) {
@@ -224,7 +223,7 @@ class SynchronousMotion {
     const S rounding = 100 * std::numeric_limits<S>::epsilon();
     Rate rate{centre_};
 
-    // The response to a force(W) e^(i n theta), and what it lacks because the speed changes.
+    // The response to a force(W) e^(i n theta), and its residual because the speed changes.
     const auto impedance = [&](int n) -> typename Series::Quadratic {
       const S slope = static_cast<S>(n), w = slope * centre_;
       return {Vector<S>(k - m * w * w, d * w), Vector<S>(-2 * m * w * slope, d * slope),
@@ -252,8 +251,8 @@ class SynchronousMotion {
     has_ripple_ = is_complete_ && supports.gravity != 0;
     if (!has_ripple_) return;
 
-    // Gravity's moment is that of an arm p e^(i n theta). As an angular acceleration, it makes the
-    // speed ripple, and that the angle.
+    // Gravity's moment has an arm p e^(i n theta). Its angular acceleration makes the speed ripple,
+    // and the speed the angle.
     const auto integral = [&](int n, const Series& g) {
       const typename Series::Quadratic turn = {Vector<S>(0, S(n) * centre_), Vector<S>(0, S(n)),
                                                Vector<S>(0, 0)};
@@ -265,11 +264,11 @@ class SynchronousMotion {
       const S weight = m * supports.gravity / inertia;
       const Series g = weight * (Vector<S>(down.y(), down.x()) * arm);
       Series H = integral(n, g), K = integral(n, H);
-      // The ripple's own moment: of the damping, and of the springs, to whom C stands still.
+      // The moment of the ripple itself: of the damping, and of the springs while C is at rest.
       const S drag = d * e * e / inertia, pull = k * e * e / (2 * inertia);
       H = integral(n, g + pull * K - drag * H);
       K = integral(n, H);
-      // K is the angle's, in radians; that of the speed, of which it is a share, is n times as
+      // K is the ripple of the angle, in radians; that of the speed, relative to it, is n times as
       // large.
       ripples_little_ = ripples_little_ && K[0].norm() < range();
       if (!ripples_little_) return Series();
@@ -280,7 +279,7 @@ class SynchronousMotion {
     const bool balanced = supports.balanced_by_springs;
     const Series unbalance = Series::linear(Vector<S>(e, 0), Vector<S>(0, 0));
     const Series K = make_ripple(1, first_, balanced ? unbalance : A);
-    // The unbalance at phi, as far as it differs from that at theta, and the response to it.
+    // The difference between the unbalance at phi and at theta, and the response to it.
     const Series shift = Vector<S>(0, e / 2) * K;
     const Series force_of_shift = k * shift + d * rate(2, shift);
     Series A2 = force_of_shift / impedance(2);

@@ -5,7 +5,7 @@
 namespace rotor {
 namespace {
 
-/// The powers of what has no store, W, in the order of EnergyBalance.
+/// The powers of all that stores no energy, W, in the order of EnergyBalance.
 Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<double>& ring,
                                   const Instant& at) {
   const Motion<double> m = at.motion();

@@ -1,5 +1,5 @@
-/// Where a run's energy goes, by cause: quadrature of the powers along the motion, which the run
-/// itself does not need.
+/// Where a run's energy goes, by cause: quadrature of the powers along the motion. The run itself
+/// does not need it.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace rotor {
 
-/// All in J. The works are what the rotor has got since the beginning: negative where it has lost.
+/// All in J. Works count from the start of the balance, negative where the rotor loses energy.
 struct EnergyBalance {
   double initial = 0;  ///< of the rotor, its supports and the ring
   // Work of:
@@ -21,7 +21,7 @@ struct EnergyBalance {
   double friction = 0;
   double mass_loss =
       0;  ///< what left with the piece; as printed, more comes with the velocity jump
-  // What is there now:
+  // Stored now:
   double kinetic = 0;
   double support_springs = 0;
   double contact_spring = 0;
@@ -30,11 +30,11 @@ struct EnergyBalance {
     return motor + gravity + support_damping + contact_damping + friction + mass_loss;
   }
   double content() const { return kinetic + support_springs + contact_spring; }
-  /// What does not add up, which is the error of run and quadrature.
+  /// The error of run and quadrature.
   double residual() const { return content() - initial - work(); }
 };
 
-/// From just before the mass loss on; in a run without one, from its start on.
+/// The balance from just before the mass loss on, or in a run without one from its start on.
 class EnergyObserver : public Observer {
  public:
   explicit EnergyObserver(const Scenario& scenario);
@@ -43,7 +43,7 @@ class EnergyObserver : public Observer {
   bool wants_dense_output(const double& from_s, const double& until_s) const override;
   void on_step(const DenseOutput& motion) override;
 
-  bool has_begun() const { return begun_; }  ///< that the mass loss has been, if there is one
+  bool has_begun() const { return begun_; }  ///< whether the balance has started
   const EnergyBalance& balance() const { return balance_; }
   const std::optional<EnergyBalance>& until_rolling() const { return until_rolling_; }
 

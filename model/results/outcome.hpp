@@ -8,21 +8,21 @@
 
 namespace rotor {
 
-/// Decided at the end of a run by the first of these that holds:
+/// The outcome is the first of these that holds at the end of a run:
 enum class Outcome {
-  rolling,  ///< the onset of rolling has occurred, whatever followed
-  stalled,  ///< the motor drives and hardly raises the speed, which is below 1.5 times the critical
-  sliding,  ///< the contact lasts: longer by now than a natural period of the contact
-  freed,    ///< there were contacts, and the free rotor reaches the ring no more at this speed
-  no_contact,  ///< there were none, and the free rotor does not reach the ring at this speed
-  bouncing,    ///< there were contacts, and there can be more
-  undecided,   ///< there were none, and there can be some
+  rolling,     ///< rolling has set in, whatever followed
+  stalled,     ///< the motor hardly raises the speed, which is below 1.5 times the critical speed
+  sliding,     ///< the last contact has lasted longer than a natural period of the contact
+  freed,       ///< there were contacts, but the free rotor cannot reach the ring at this speed
+  no_contact,  ///< there was no contact, and the free rotor cannot reach the ring at this speed
+  bouncing,    ///< there were contacts, and more are possible
+  undecided,   ///< there was no contact, but one is possible
 };
 
-/// How far O can get from O_a while the rotor stays clear of the ring and its speed what it is, m:
-/// the steady response to the unbalance, and a vibration about it that can but die out. By how much
-/// gravity makes the speed ripple, and that O swing, is left out. Infinite unless the springs of
-/// the supports are linear.
+/// The farthest that O can get from O_a, m, while the rotor stays clear of the ring and keeps its
+/// speed: the steady response to the unbalance plus a vibration about it that can only decay. The
+/// ripple of the speed due to gravity, and its effect on O, are neglected. Infinite unless the
+/// springs of the supports are linear.
 template <class S>
 S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion);
 
@@ -32,19 +32,19 @@ class BasicOutcomeWatch {
  public:
   explicit BasicOutcomeWatch(const Scenario& scenario);
 
-  /// When the speed is to be shown by note_speed, if the motor drives then, s.
+  /// Time whose speed note_speed() needs, if the motor is on then, s.
   const S& time_of_speed_s() const { return time_of_speed_s_; }
   void note_speed(const std::optional<S>& speed) { early_speed_ = speed; }
   const std::optional<S>& early_speed() const { return early_speed_; }
 
-  /// Takes all events, and the end.
+  /// To be called at all events, and at the end.
   void note(const BasicInstant<S>& at);
 
-  /// As of now.
+  /// At the last instant noted.
   Outcome outcome() const;
 
-  /// Whether the free rotor does not reach the ring at any speed either that it can come to until
-  /// the end of the run: driven by its motor, braked by the damping of its supports.
+  /// Whether the free rotor cannot reach the ring at any speed that it can have until the end of
+  /// the run, driven by its motor or braked by the damping of its supports.
   bool stays_clear() const;
 
  private:

@@ -1,4 +1,4 @@
-/// Definitions of outcome.hpp, for those who instantiate it.
+/// Definitions of outcome.hpp, for instantiation.
 #pragma once
 
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace rotor {
 namespace stalling {
 
-/// A rotor that stalls is looked at for so many natural periods of its supports,
+/// A rotor stalls if over this many natural periods of its supports it
 constexpr int periods = 10;
-/// gains less than this share of the speed that its motor would give it without resistance,
+/// gains less than this share of the speed that its motor would add without resistance,
 constexpr double share = 0.1;
 /// and turns at less than this multiple of the critical speed.
 constexpr double speeds = 1.5;
@@ -81,10 +81,10 @@ bool BasicOutcomeWatch<S>::stays_clear() const {
   const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
   const S stiffness = supports_.springs.linear_stiffness("the resonance");
   const S square = stiffness / body.mass, decay = supports_.damping / body.mass;
-  const auto response = [&](const S& w) {  // how far the unbalance alone takes O
+  const auto response = [&](const S& w) {  // steady displacement of O by the unbalance
     return (supports_.unbalance_response(body, w) - Vector<S>(body.eccentricity, S(0))).norm();
   };
-  // What the rotation can get from the vibration and lose to it, and what damping takes.
+  // Energy that rotation and vibration can exchange, and that damping can take.
   const S farthest = reach(body, supports_, motion), vibration = farthest - response(speed);
   const S velocity = vibration * sqrt(square) + response(speed) * speed;
   const S exchanged = body.mass * (velocity * velocity / 2 + 2 * supports_.gravity * farthest) +
@@ -95,7 +95,7 @@ bool BasicOutcomeWatch<S>::stays_clear() const {
   const S most = sqrt(speed * speed + 2 * exchanged / body.inertia) + driven;
   const S clearance = Ring<S>(parameters_).clearance;
   const auto is_clear_at = [&](const S& w) { return vibration + response(w) < clearance; };
-  // In between the response is greatest at the resonance, if that is there.
+  // In between the response is greatest at the resonance, if that lies there.
   const S resonance = square * square / (square - decay * decay / 2);  // squared
   const bool is_passed = resonance > least * least && resonance < most * most;
   return is_clear_at(least) && is_clear_at(most) && !(is_passed && !is_clear_at(sqrt(resonance)));

@@ -1,4 +1,4 @@
-/// Ends a run early.
+/// Early ends of a run.
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,10 @@
 
 namespace rotor {
 
-/// What a run may end at: its outcome, as soon as the mass loss or an event after it decides it,
-/// whatever speeds the rotor can come to; the onset of rolling; rest, which is a second without
-/// more than a tenth of a turn per second, after the loss or, if there is none and a motor drives
-/// the rotor, after more than that. After the onset of rolling it continues to the first maximum of
-/// the force.
+/// Where a run may end. outcome: as soon as the mass loss or a later event decides it, whatever
+/// speeds the rotor can still have. rolling: at the first maximum of the force after the onset of
+/// rolling; so does outcome. rest: after a second below 0.1 Hz, which counts after the mass loss
+/// or, in a run without one, after a motor has driven the rotor faster than that.
 enum class StopOn { outcome, rolling, rest };
 
 class StopObserver : public Observer {
@@ -64,7 +63,7 @@ class StopObserver : public Observer {
   }
 
  private:
-  /// Fixed steps show no maxima, but the ends of all steps: the force has risen and falls.
+  /// For fixed steps, which show no maxima: the force falls after it has risen.
   void note_force(const Instant& at) {
     if (!awaits_maximum()) return;
     const double force = -ring_.normal_force(ring_.rim_point(at.motion()));

@@ -1,4 +1,4 @@
-/// Definitions of summary.hpp, for those who instantiate it.
+/// Definitions of summary.hpp, for instantiation.
 #pragma once
 
 #include <algorithm>
@@ -84,7 +84,7 @@ void BasicSummaryObserver<S>::on_step(const BasicDenseOutput<S>& step) {
 
 template <class S>
 bool BasicSummaryObserver<S>::goes_on(const BasicProgress<S>& now) {
-  // Fixed steps are not shown: the speed at the end of the one before has to do.
+  // Fixed steps have no dense output: the speed at the end of the step before is taken.
   const S& time_s = watch_.time_of_speed_s();
   if (!watch_.early_speed() && last_progress_ && last_progress_->time_s <= time_s &&
       time_s < now.time_s)
@@ -163,7 +163,7 @@ void BasicSummaryObserver<S>::note_contact(const BasicInstant<S>& at, const Moti
   if (!rolls) {
     rolls_since_ = std::nullopt;
   } else if (!rolls_ && whirl_ && whirl_->time_s == at.time_s) {
-    rolls_since_ = whirl_;  // else from the end of the step
+    rolls_since_ = whirl_;  // otherwise from the end of the step
   }
   rolls_ = rolls;
 }

@@ -1,6 +1,6 @@
-/// A whole run: run-up, mass loss, rub. The run-up knows nothing of friction, contact and mass loss
-/// as long as the rotor stays clear of the ring, so that runs which differ only in those can share
-/// it.
+/// A whole run: run-up, mass loss, rub. As long as the rotor stays clear of the ring, the run-up
+/// does not depend on friction, contact stiffness and damping, or the mass loss: runs that differ
+/// only in these can share it.
 #pragma once
 
 #include <memory>
@@ -12,36 +12,36 @@
 
 namespace rotor {
 
-/// An end of a run, and who watches it until there.
+/// An end of a run, and the observer of the run until then.
 struct RunEnding {
   double until_s;
   Observer& observer;
 };
 
-/// A run by the scenario's method, as far as it has got. It can be copied on its way, so that runs
-/// which differ only later share the way there. All throw std::runtime_error, saying when and why,
-/// if the run cannot go on.
+/// A run by the scenario's method, up to its present instant. A copy continues independently, so
+/// that runs which differ only later share their beginning. Throws std::runtime_error, with time
+/// and reason, if the run cannot continue.
 class Simulation {
  public:
-  explicit Simulation(const Scenario& scenario);
+  explicit Simulation(const Scenario& scenario);  ///< from where the scenario starts
   Simulation(const Scenario& scenario, const Instant& from);
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
   Simulation& operator=(const Simulation& other);
   ~Simulation();
 
-  /// By whole steps of the method, for as long as they end before `until_s` and the rotor stays
-  /// clear of the ring.
+  /// Takes whole steps of the method that end by `until_s`, as long as the rotor stays clear of the
+  /// ring.
   void run_up(double until_s, Observer& observer);
 
-  /// To the end of the scenario.
+  /// Runs to the end of the scenario.
   void finish(Observer& observer);
 
-  /// To several ends after the mass loss, in the order of their times. Each observer is shown what
-  /// it would be shown by a run to its end alone. Returns what all of it has cost.
+  /// Runs to several ends after the mass loss, given in the order of their times. Each observer
+  /// sees what it would see in a separate run to its end. Returns the total cost.
   Counters finish(std::span<const RunEnding> endings);
 
-  /// The same run on its way to what another scenario states, which has not differed so far.
+  /// The same run continued by another scenario, which must not have differed so far.
   Simulation with(const Scenario& scenario) const;
 
   const Instant& instant() const;
@@ -49,7 +49,7 @@ class Simulation {
   bool stopped() const;  ///< by an observer
 
  private:
-  struct State;  // which drags the steppers in
+  struct State;  // keeps the steppers out of this header
   std::unique_ptr<State> state_;
 };
 
@@ -63,8 +63,8 @@ struct BasicRunEnd {
 
 using RunEnd = BasicRunEnd<double>;
 
-/// A run from rest at t = 0, or from an instant, which the observer is shown first, to the end of
-/// the scenario. Throws as Simulation does.
+/// A run from where the scenario starts, or from an instant, to the end of the scenario. The
+/// observer is shown the start first. Throws as Simulation and start_of() do.
 RunEnd run(const Scenario& scenario, Observer& observer);
 RunEnd run(const Scenario& scenario, const Instant& from, Observer& observer);
 

@@ -8,7 +8,7 @@
 namespace rotor {
 namespace {
 
-/// Passes the steps to another observer until that ends the run.
+/// Asks another observer after every step until that ends the run.
 class CancellationMonitor : public Observer {
  public:
   explicit CancellationMonitor(Observer& monitor) : monitor_(monitor) {}
@@ -35,7 +35,7 @@ class Watch : public Observer {
     motor_off = motor_off || !at.motor_on;
   }
   bool goes_on(const Progress& now) override {
-    if (motor_off) return false;  // no greater speed comes
+    if (motor_off) return false;  // the speed cannot rise further
     after_s = now.time_s;
     greatest_Hz = std::max(greatest_Hz, in_Hz(now.speed));
     return monitor_.goes_on(now) && in_Hz(now.speed) < speed_Hz_;
@@ -69,7 +69,7 @@ class UntilContact : public Observer {
   CancellationMonitor& monitor_;
 };
 
-/// The moment by which gravity and the springs drive and brake the rotor as it turns, N m.
+/// Bound of the moment with which gravity and springs drive and brake the turning rotor, N m.
 double ripple(const Scenario& scenario, const Instant& at) {
   const Parameters& p = scenario.parameters;
   const Supports<double> supports(p, scenario.equations);
@@ -120,7 +120,7 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
     Simulation there = before.with(run_up);
     there.finish(look.emplace(cancellation));
     const double share = in_Hz(there.instant().state[5]) / speed_Hz - 1;
-    return std::abs(share) < speed_rounding && watch.motor_off ? 0 : share;  // of a motor's limit
+    return std::abs(share) < speed_rounding && watch.motor_off ? 0 : share;  // at the motor's limit
   };
   double before_s = before.instant().time_s, after_s = way.stopped() ? watch.after_s : end_s;
   const auto may_become_faster = [&] { return !watch.motor_off && !look->touches; };
@@ -130,7 +130,7 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
     return {std::nullopt, look->until_s, std::max(watch.greatest_Hz, look->greatest_Hz),
             look->touches};
   // If the ripple brakes the rotor more than the motor drives it, the speed may be reached several
-  // times; if it drives the rotor, before the last step begins.
+  // times; if it drives the rotor, possibly before the last step begins.
   const double moment = ripple(scenario, before.instant());
   const bool may_slow_down = moment > p.torque / 2;
   if (may_slow_down || excess(before_s) >= 0) {

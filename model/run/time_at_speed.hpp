@@ -1,4 +1,4 @@
-/// When a rotor that runs up reaches a speed.
+/// When a rotor reaches a speed during its run-up.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace rotor {
 
 struct SpeedReached {
   std::optional<double> time_s;  ///< the first time, if it is reached clear of the ring
-  double looked_until_s;         ///< how long was looked for it
+  double looked_until_s;         ///< end of the search
   double greatest_Hz;            ///< the greatest speed until then, if it is not reached
   bool touches;                  ///< whether the rotor touches the ring then
 };
@@ -17,9 +17,9 @@ struct SpeedReached {
 /// The run-up that is searched for a speed: by the event method, without mass loss.
 Scenario run_up_to_speed(const Scenario& scenario);
 
-/// Until a time, or twice as long as the motor would take without any resistance. `from` is a run
-/// of that run-up on its way there; the answer does not depend on how far it has got. The monitor
-/// is asked after every step whether to go on; a search that it ends has found nothing.
+/// Searches until a time, or for twice as long as the motor would take without any resistance.
+/// `from` is a run of that run-up before the speed is reached, at any instant: the result does not
+/// depend on it. The monitor can end the search after every step; then nothing is found.
 SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, double speed_Hz,
                            std::optional<double> until_s, Observer& monitor);
 

@@ -4,9 +4,9 @@
 namespace rotor {
 
 struct Counters {
-  long steps = 0;             ///< that have been kept
-  long right_hand_sides = 0;  ///< in these and all other steps
-  /// Of all loads in contact, Eqs. (15)-(25): in right-hand sides and in guards that need them.
+  long steps = 0;             ///< accepted ones
+  long right_hand_sides = 0;  ///< in all steps, accepted or not
+  /// Evaluations of all loads in contact, Eqs. (15)-(25), in right-hand sides and in guards.
   long contact_evaluations = 0;
   long located_events = 0;
 

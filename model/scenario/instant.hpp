@@ -7,7 +7,7 @@
 
 namespace rotor {
 
-/// What a method hands on, and what an observer is shown.
+/// What a method continues from, and what an observer is shown.
 template <class S>
 struct BasicInstant {
   S time_s{0};
@@ -16,7 +16,7 @@ struct BasicInstant {
   bool motor_on = true;
   bool mass_lost = false;  ///< whether the mass has been lost
   ContactState contact = ContactState::free;
-  int direction = 0;          ///< sign of the slip velocity, if a phase of sliding has it
+  int direction = 0;          ///< sign of the slip velocity while the rim slides; 0 by fixed steps
   Event event = Event::none;  ///< what has just happened
 
   Motion<S> motion() const { return RotatingFrame<S>::motion(body, state); }
@@ -35,7 +35,7 @@ S in_Hz(const S& speed) {
   return speed / RotorSystem<S>::radians_per_turn();
 }
 
-/// At t = 0, where every run starts.
+/// At rest at t = 0, where a run starts unless it states a speed.
 template <class S = double>
 BasicInstant<S> at_rest(const Parameters& p) {
   return {.body = Body<S>::of(p)};

@@ -8,11 +8,11 @@
 
 namespace rotor {
 
-/// A smooth part of a run, known at each of its times.
+/// A smooth part of a run, known at any time within it.
 template <class S>
 struct BasicDenseOutput {
   S from_s, until_s;
-  long arcs;  ///< parts of equal length in which its curves swing by a radian at most
+  long arcs;  ///< parts of equal length in which its curves swing by at most a radian
 
   virtual ~BasicDenseOutput() = default;
   virtual BasicInstant<S> at(const S& time_s) const = 0;
@@ -22,11 +22,11 @@ struct BasicDenseOutput {
       : from_s(from), until_s(until), arcs(arcs_in_it) {}
 };
 
-/// A maximum of one of the quantities that have them.
+/// A located maximum.
 template <class S>
 struct BasicMaximum {
   Extreme of;
-  S bound;  ///< of the quantity there, which was known before it was located, m or N
+  S bound;  ///< upper bound of the quantity, known before it was located, m or N
   BasicInstant<S> at;
 };
 
@@ -35,14 +35,14 @@ template <class S>
 struct BasicProgress {
   S time_s;
   S speed;  ///< rad/s
-  /// Of O about O_a, rad; 0 in flight. q3 + atan2(q2, q1) where a contact begins, or the mass is
+  /// Angle of O about O_a, rad; 0 in flight. q3 + atan2(q2, q1) where a contact begins or mass is
   /// lost in contact, and continuous from there on.
   S whirl_angle;
 };
 
 /// Watches a run. It is shown, in order: the start, both sides of every event, the end, and what it
-/// asks for, the maxima in a step before that step. A method with fixed steps shows the end of
-/// every step, and nothing in between.
+/// asks for; the maxima in a step come before the step. A method with fixed steps shows the end of
+/// every step, but nothing in between.
 template <class S>
 class BasicObserver {
  public:
@@ -53,11 +53,11 @@ class BasicObserver {
   /// Called after every step; the run ends there if it returns false.
   virtual bool goes_on(const BasicProgress<S>& /*now*/) { return true; }
 
-  /// Whether to be shown the motion between those times.
+  /// Whether on_step() is to show the motion between those times.
   virtual bool wants_dense_output(const S& /*from_s*/, const S& /*until_s*/) const { return false; }
   virtual void on_step(const BasicDenseOutput<S>& /*step*/) {}
 
-  /// Maxima between those times whose bounds are above it (m or N) are to be shown.
+  /// on_maximum() shows maxima between those times whose bounds are above this (m or N).
   virtual S threshold(Extreme /*of*/, const S& /*from_s*/, const S& /*until_s*/) const {
     return std::numeric_limits<S>::infinity();
   }

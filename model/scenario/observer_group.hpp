@@ -8,7 +8,7 @@
 
 namespace rotor {
 
-/// Several observers as one. Each is shown what it would be shown alone.
+/// Several observers as one. Each is shown what it would be shown on its own.
 class ObserverGroup : public Observer {
  public:
   void add(Observer& observer) { all_.push_back(&observer); }

@@ -49,12 +49,12 @@ constexpr std::array all_quantities = {
              open},
     Quantity{"stator_radius", "r_a", "m", "radius of the stator's contact ring",
              in<&Parameters::stator_radius>, 0, open},
-    Quantity{"unbalance_factor", "k_u", "", "growth of the eccentricity by the mass loss",
+    Quantity{"unbalance_factor", "k_u", "", "factor by which the mass loss raises the eccentricity",
              in<&Parameters::unbalance_factor>, 1, closed},
     Quantity{"mass_loss_time", "t_1", "s", "instant of the mass loss",
              in<&Parameters::mass_loss_time>, 0, closed},
     Quantity{"start_speed_hz", "", "Hz",
-             "speed at the start, in steady response to the unbalance; 0: at rest",
+             "speed at which the run starts, in steady response to the unbalance; 0: at rest",
              in<&Scenario::start_speed_Hz>, 0, closed},
     Quantity{"until", "", "s", "end of the run", in<&Scenario::until>, 0, open},
     Quantity{"tolerance", "", "", "event: error allowed in a step, relative to each phase's scale",
@@ -122,7 +122,7 @@ void check_numbers(const Scenario& scenario) {
     constexpr double most_steps = 1e10;
     const auto require_few = [&](std::string_view name, double step) {
       require(scenario.until / step <= most_steps,
-              "{} = {} s: must be long enough for {} s to be {} steps at most", name, step,
+              "{} = {} s: must be long enough for {} s to take at most {} steps", name, step,
               scenario.until, most_steps);
     };
     require_few("step_run_up", scenario.step_run_up);
@@ -133,7 +133,7 @@ void check_numbers(const Scenario& scenario) {
   }
   const MassLoss<double> loss(p);
   require(!scenario.loses_mass() || loss.after.inertia > 0,
-          "unbalance_factor = {}: the moment of inertia left by the mass loss, {} kg m^2, "
+          "unbalance_factor = {}: the moment of inertia after the mass loss, {} kg m^2, "
           "must be greater than 0; lower the factor or raise inertia",
           p.unbalance_factor, loss.after.inertia);
 }

@@ -18,30 +18,30 @@ struct Scenario {
   Parameters parameters{};
   Equations equations = Equations::published;
   Method method = Method::event;
-  double start_speed_Hz = 0;  // with which the run starts, in steady motion; 0: at rest
+  double start_speed_Hz = 0;  // at which the run starts, in steady response; 0: at rest
   double until = 29.35;       // end of the run, s
   double tolerance = 1e-11;   // of event: error allowed in a step, relative to the phase's scale()
-  double step_run_up = 1e-4;  // step of rk4 until the mass loss or the first contact, s
-  double step_rub = 5e-6;     // and after it, s
-  double mass_loss_speed_Hz = 0;  // by which the mass loss is stated, if it is, instead of its time
+  double step_run_up = 1e-4;  // of rk4: step until the mass loss or the first contact, s
+  double step_rub = 5e-6;     // of rk4: step after that, s
+  double mass_loss_speed_Hz = 0;  // of the mass loss, if stated instead of its time
 
   bool operator==(const Scenario&) const = default;
 
-  /// Whether the mass is lost within this run.
+  /// Whether mass is lost within this run.
   bool loses_mass() const { return parameters.loses_mass && parameters.mass_loss_time <= until; }
 
-  /// Where the run-up ends if the rotor does not touch the ring before, s.
+  /// End of the run-up if the rotor does not touch the ring before, s.
   double run_up_end() const { return loses_mass() ? parameters.mass_loss_time : until; }
 };
 
-/// The part of a scenario on which its run-up depends, all else at its default. Scenarios whose
-/// parts are equal share their run-up.
+/// The part of a scenario on which its run-up depends, everything else at its default. Scenarios
+/// with equal parts share their run-up.
 Scenario run_up_part(const Scenario& scenario);
 
 /// A number of a scenario: its name, its unit and its range.
 struct Quantity {
   std::string_view name;    ///< as in options and scene files, with underscores
-  std::string_view symbol;  ///< the paper's
+  std::string_view symbol;  ///< of the paper
   std::string_view unit;    ///< "" for a pure number
   std::string_view meaning;
   double& (*in)(Scenario&);  ///< the number itself
@@ -51,13 +51,13 @@ struct Quantity {
 
   double of(Scenario scenario) const { return in(scenario); }
   bool allows(double value) const;
-  std::string range() const;  ///< for messages, such as "a number greater than 0 kg"
+  std::string range() const;  ///< for messages: "a finite number greater than 0 kg"
 };
 
 /// All numbers of a scenario, in the order in which they are documented.
 std::span<const Quantity> quantities();
 
-/// Throws std::invalid_argument, naming the quantity and what is allowed, if the numbers are not
+/// Throws std::invalid_argument, with the quantity and what is allowed, if the numbers are not
 /// physical or contradict each other.
 void check_numbers(const Scenario& scenario);
 

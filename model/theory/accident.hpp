@@ -1,6 +1,6 @@
-/// The accident in closed forms: whether the rotor touches the ring after its mass loss, from which
-/// friction on it rolls, at what speed rolling begins, and how large the force becomes. README.md
-/// beside this file derives them and says what they neglect; its equations are numbered as here.
+/// The accident in closed forms: whether the rotor touches the ring after its mass loss, above
+/// which friction it rolls, at what speed rolling begins, and how large the force becomes. The
+/// README.md of this folder derives them and has the same equation numbers.
 #pragma once
 
 #include "model/theory/mass_loss_response.hpp"
@@ -15,14 +15,14 @@ inline double swing(double zeta) {
   return std::exp(-zeta / root * (zeta < 1 ? std::acos(zeta) : std::acosh(zeta)));
 }
 
-/// The largest of spring and dashpot together after that blow, over k v / w_0.
+/// The largest force of spring and dashpot together after that blow, over k v / w_0.
 inline double impact(double zeta) {
   if (zeta >= 0.5) return 2 * zeta;
   return std::exp(-zeta / std::sqrt(1 - zeta * zeta) * (3 * std::acos(zeta) - std::numbers::pi));
 }
 
-/// The friction with which the rebounds of a rotor that hits the ring with a normal velocity drive
-/// O to where backward whirl grows; (2).
+/// The friction above which rebounds, after an impact with a normal velocity, bring O to where
+/// backward whirl grows; (2).
 inline double whirling_friction(const Parameters& p, double mass, double velocity,
                                 double restitution) {
   const double kicks = velocity * (1 + restitution) / (1 - restitution);
@@ -31,20 +31,20 @@ inline double whirling_friction(const Parameters& p, double mass, double velocit
   return std::sqrt(way * (way * k + p.support_damping) / mass);
 }
 
-/// SI units; speeds and rates in rad/s. What does not happen is empty.
+/// SI units; speeds and rates in rad/s. Empty: does not happen.
 struct Accident {
-  double contact_speed;  ///< at the loss, above which the rotor touches, roughly; (1)
-  double reach;          ///< |r_O| at most, were there no ring, m; exact at a constant speed
+  double contact_speed;  ///< at the loss, above which the rotor touches, approximately; (1)
+  double reach;          ///< largest |r_O| without a ring, m; exact at a constant speed
   std::optional<double> contact_s;        ///< first contact after the loss
   std::optional<double> impact_force;     ///< of that contact, N
-  std::optional<double> whirl_friction;   ///< above which rebounds end in backward whirl; (2)
+  std::optional<double> whirl_friction;   ///< above which rebounds lead to backward whirl; (2)
   double forward_friction;                ///< up to which forward rub can last
   std::optional<double> rolling_speed;    ///< of the rotor when rolling begins; (3)
-  std::optional<double> whirl_rate;       ///< of O then
+  std::optional<double> whirl_rate;       ///< of O when rolling begins
   std::optional<double> rolling_force;    ///< largest normal force in rolling, N; (4)
   std::optional<double> unbalance_share;  ///< kappa e_x1/(mu r), which (3) and (4) neglect
 
-  /// Of a rotor that loses its piece in steady response at a speed. Throws as MassLossResponse.
+  /// Of a rotor that loses the piece in steady response at a speed. Throws as MassLossResponse.
   Accident(const Parameters& p, Equations equations, double speed)
       : forward_friction(Whirl(p).synchronous_friction(speed)) {
     const Body<double> body = MassLoss<double>(p).after;
@@ -98,7 +98,7 @@ struct Accident {
     unbalance_share = kappa * e_1 / (ring.friction * r);
   }
 
-  /// The larger of both.
+  /// The larger of impact and rolling force.
   std::optional<double> peak_force() const {
     return rolling_force ? std::optional(std::max(*rolling_force, *impact_force)) : std::nullopt;
   }

@@ -1,14 +1,13 @@
-/// The motion that follows a mass loss as long as the rotor stays clear of the ring, in closed
-/// form.
+/// The motion after a mass loss, as long as the rotor stays clear of the ring, in closed form.
 ///
 /// At a constant speed w, and without gravity's moment, O obeys m z'' + d z' + k z = m e w^2
 /// e^{iwt} in the stator's axes, as a complex number. Before the loss z = s_0 e^{iwt} is the steady
-/// response. The loss changes m and e but neither z nor, as corrected, z'; as printed, z' rises by
-/// Delta_vy across the rotor's axis. After it
+/// response. The loss changes m and e but not z. With the corrected equations z' does not change
+/// either; as printed, z' rises by Delta_vy across the rotor's axis. After the loss
 ///
 ///     z = s e^{iwt} + (a e^{i w_d t} + b e^{-i w_d t}) e^{-delta t},
 ///
-/// so that |z| <= |s| + |a| + |b|: a rotor whose clearance is larger cannot touch.
+/// and so |z| <= |s| + |a| + |b|: a rotor with a larger clearance cannot touch.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +26,8 @@ class MassLossResponse {
  public:
   using Complex = std::complex<double>;
 
-  /// Throws std::domain_error for supports that do not vibrate, as they have no stiffness or as
-  /// much damping as is critical, and for springs that are not linear.
+  /// Throws std::domain_error for supports that do not vibrate, because they have no stiffness or
+  /// at least critical damping, and for springs that are not linear.
   MassLossResponse(const Parameters& p, Equations equations, double speed)
       : speed_(speed), clearance_(p.stator_radius - p.rotor_radius) {
     const MassLoss<double> loss(p);
@@ -52,22 +51,22 @@ class MassLossResponse {
     b_ = free - a_;
   }
 
-  /// O and its velocity at a time after the loss, in the axes in which the rotor's x axis lay at
-  /// the loss.
+  /// O and its velocity at a time after the loss, in stator axes along the rotor's axes at the
+  /// loss.
   Complex position(double t) const { return driven(t) + forward(t) + backward(t); }
   Complex velocity(double t) const {
     return i * speed_ * driven(t) + (i * frequency_ - decay_) * forward(t) -
            (i * frequency_ + decay_) * backward(t);
   }
 
-  double steady() const { return std::abs(steady_); }  ///< what |z| tends to, m
-  double bound() const { return reach_from(0); }       ///< above |z| for ever, m
+  double steady() const { return std::abs(steady_); }  ///< limit of |z|, m
+  double bound() const { return reach_from(0); }       ///< upper bound of |z|, m
 
-  /// The largest |z|, m: of parabolas through three looks each, which miss less than 1e-4 of it up
-  /// to half the critical damping. Of a vibration that damping has not ended by then, that of
-  /// 16,000 periods of the faster motion.
+  /// The largest |z|, m, from parabolas through three samples each, whose error is below 1e-4 of it
+  /// up to half the critical damping. If damping has not ended the vibration by then, the largest
+  /// of 16,000 periods of the faster motion.
   double greatest() const {
-    constexpr double none = std::numeric_limits<double>::infinity();  // before the first look
+    constexpr double none = std::numeric_limits<double>::infinity();  // before the first sample
     double found = steady(), last = none, here = std::abs(position(0)), t = 0;
     for (long n = 0; n < most_looks && reach_from(t) > (1 + 1e-5) * found; ++n) {
       t += look();
@@ -80,8 +79,8 @@ class MassLossResponse {
     return found;
   }
 
-  /// When |z| reaches the clearance for the first time, if it does within so many periods,
-  /// s. A glance that is over between two looks, 64 a period of the faster motion, is missed.
+  /// When |z| reaches the clearance for the first time, if it does within so many periods, s. A
+  /// contact that is over between two samples, 64 per period of the faster motion, is missed.
   std::optional<double> first_contact() const {
     const auto gap = [&](double t) { return clearance_ - std::abs(position(t)); };
     double clear = 0;

@@ -8,15 +8,15 @@
 ///
 ///     N = (m Omega^2 - k) rho,   m rho Omega' = F - d rho Omega,   I w' = -F r.
 ///
-/// The first of these gives rho = c k_t / (k_t + k - m Omega^2): contact needs Omega > w_n, and the
-/// ring yields without bound at sqrt((k + k_t)/m). Sliding, F = mu N: the whirl grows where
-/// mu (m Omega^2 - k) > d Omega, thus above the rate of separatrix_rate(). That lies below the
-/// rate at which the ring yields if mu exceeds whip_friction(); then the whirl feeds itself, which
-/// the literature calls dry whip, until the rim rolls. Rolling, r w = Omega rho: the free rotor
-/// slows down, and rho shrinks with it, by s = Omega/rho drho/dOmega = 2 m Omega^2 / (k + k_t -
-/// m Omega^2). Then m (rho Omega' + 2 rho' Omega) = F - d rho Omega and r w' = (1 + s) rho Omega',
-/// thus F = d rho Omega / (1 + m r^2/I (1 + 2s)/(1 + s)), which friction can give if mu exceeds
-/// rolling_friction().
+/// The first of these gives rho = c k_t / (k_t + k - m Omega^2): contact needs Omega > w_n, and rho
+/// is infinite at sqrt((k + k_t)/m). Sliding, F = mu N: the whirl grows where
+/// mu (m Omega^2 - k) > d Omega, that is above separatrix_rate(). That rate lies below the one at
+/// which rho is infinite if mu exceeds whip_friction(); then the whirl grows by itself, which the
+/// literature calls dry whip, until the rim rolls. Rolling, r w = Omega rho: without a motor the
+/// rotor slows down, and rho shrinks with it, by s = Omega/rho drho/dOmega = 2 m Omega^2 /
+/// (k + k_t - m Omega^2). Then m (rho Omega' + 2 rho' Omega) = F - d rho Omega and
+/// r w' = (1 + s) rho Omega', and so F = d rho Omega / (1 + m r^2/I (1 + 2s)/(1 + s)), which
+/// friction can supply if mu exceeds rolling_friction().
 ///
 /// **Forward**, at the rotor's own speed, pressed on and dragged along by its unbalance. With C
 /// ahead of O by the angle phi, and w' = -mu N r / I slowing O down as well:
@@ -25,11 +25,12 @@
 ///     m w^2 e sin(phi) = d w rho + mu N (1 - m r rho / I).
 ///
 /// Above synchronous_friction() there is no such phi with N > 0, and no forward rub can last. Up to
-/// it there is one, but for rings so wide that m r rho > I: there damping may need some friction.
+/// it there is one, except that rings so wide that m r rho > I may need some friction as well, to
+/// balance the damping.
 ///
 /// All of this is derived here. The literature asks the same questions of a rotor and a stator that
 /// may vibrate (Black 1968), of backward whirl (Jiang 2007) and of the onset of dry whip (Jiang and
-/// Ulbrich 2005); of these papers only the abstracts have been seen, their formulas have not.
+/// Ulbrich 2005); we have seen only the abstracts of these papers, not their formulas.
 #pragma once
 
 #include <cmath>
@@ -83,15 +84,15 @@ class Whirl {
     return body_.inertia / (body_.inertia + rim) * damping_ * rate / pressure;
   }
 
-  /// The friction up to which forward synchronous rub can last at a speed, the indentation
-  /// neglected beside the clearance: 0 if the unbalance cannot overcome the damping and press O
-  /// against the ring at once, infinite if it overcomes any friction.
+  /// The friction up to which forward synchronous rub can last at a speed, with the indentation
+  /// neglected beside the clearance: 0 if the unbalance cannot overcome the damping and also press
+  /// O against the ring, infinite if it overcomes any friction.
   double synchronous_friction(double speed) const {
     const double inertia_force = body_.mass * speed * speed;
     const double unbalance = inertia_force * body_.eccentricity / ring_.clearance;
     const double pressure = inertia_force - stiffness_, drag = damping_ * speed;
     const double slowing = body_.mass * ring_.rotor_radius * ring_.clearance / body_.inertia;
-    // Negative where the unbalance outdoes the damping as N tends to 0: then mu may be any.
+    // Negative where the unbalance exceeds the damping as N tends to 0: then any mu is possible.
     const double excess = pressure * pressure + drag * drag - unbalance * unbalance;
     constexpr double any = std::numeric_limits<double>::infinity();
     if (slowing > 1) {  // mu' is negative, and its greatest size at the least left-hand side

@@ -1,7 +1,7 @@
-/// What people read of the program and of make, as a person has approved it in the .txt files
-/// beside this one: commands behind "$ " (continued behind "> "), and below each what it prints,
-/// with its status if that is not 0. `make approve` writes them anew; the change is read in the
-/// diff. Numbers are not approved: `numbers` blanks those that are computed.
+/// The texts of the program and of make that people read, as approved in the .txt files of this
+/// folder: commands after "$ " (continued after "> "), and below each its output, with the status
+/// if that is not 0. `make approve` rewrites them; a person reads the diff. Numbers are not
+/// approved: `numbers` blanks computed ones.
 #include <fmt/format.h>
 
 #include <fstream>

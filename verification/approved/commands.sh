@@ -1,4 +1,4 @@
-# What the commands of the transcripts have besides the shell's own.
+# Functions for the commands of the transcripts.
 export LC_ALL=C
 
 rotor() { "$rotor" "$@"; }
@@ -6,21 +6,21 @@ rotor() { "$rotor" "$@"; }
 # Blanks numbers, except those within names (q1_m) and after "paper" and "Fig.".
 numbers() { sed -E '/^(paper|Fig\.)/!s/(^|[^A-Za-z0-9_.])[-+−]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?([^A-Za-z0-9_]|$)/\1N\4/g'; }
 
-# A scene, or a sweep, of this text, and what the program says of it.
+# Writes a scene, or a sweep, and runs the program on it.
 scene() { printf '%b\n' "$1" >scene.toml && shift && rotor run --scene scene.toml "$@"; }
 sweep() { printf '%b\n' "$1" >sweep.toml && shift && rotor sweep sweep.toml --dry-run "$@"; }
 
-# The texts of a picture in their order, without tic labels. What the paper states is no number of ours.
+# The texts of a picture in their order, without tic labels. Numbers of the paper are kept.
 texts() {
   sed -n 's/<\/text>/\n/;s/^.*<text>//;s/<[^>]*>//g;s/&#160;/ /g;/\n/s/^\s*\([^\n]*\)\n.*/\1/p' "$1" |
     sed -E '/^[-−+0-9. ]*$/d;' | numbers | sed -E '/^N?$/d' | uniq
 }
 
-# A figure as make draws it.
+# Draws a figure as make does.
 draw() { "$sources"/figures/draw.sh $1 "data = '${1%.svg}.csv'; equations = '$2'; points = ''" "$sources/figures/paper/${1%.svg}.gp"; }
 
-# A checkout with two figures and two maps, on a machine of its own: Debian's base system, and the
-# packages that $packages names.
+# A checkout with two figures and two maps on a simulated machine: Debian's base system with the packages
+# in $packages.
 checkout() {
   mkdir -p bin figures/paper figures/maps
   for program in make bash sh awk sed tail grep mkdir test touch id; do
@@ -40,5 +40,5 @@ make() {
 }
 needed=$(sed -n '/^PACKAGES :=/,/[^\\]$/p' "$sources/Makefile" | sed 's/PACKAGES :=//;s/\\//')
 
-# What make would do once the program is there.
+# What make would do once the program is built.
 plan() { packages=$needed make -n -o build "$@"; }

@@ -1,7 +1,7 @@
 /// Run time against error: each method, over its steps or tolerances, on scenes of the paper.
-/// `benchmark FOLDER` prints tables and writes FOLDER/work-precision.csv. Times are of this
-/// machine; ratios are what counts. The reference is a run in extended precision by another
-/// stepper.
+/// `benchmark FOLDER` prints tables and writes FOLDER/work-precision.csv. Only ratios of
+/// times are comparable between machines. The reference is a run in extended precision by
+/// another stepper.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@
 
 namespace rotor {
 
-/// One method with one setting on one problem. What failed is not a number.
+/// One method with one setting on one problem. NaN: failed.
 struct Row {
   std::string problem, method, setting;
   double error_state{}, error_event_s{}, error_peak{}, time_s{};
@@ -18,13 +18,13 @@ struct Row {
 /// Collects rows, and prints each as it comes.
 class Measurement {
  public:
-  /// Each row is measured for so long, or fifty times.
+  /// Each row is measured for this time, or fifty times.
   explicit Measurement(double seconds_per_row);
 
   /// A row to be measured in the next run().
   void enter(const std::string& method, const std::string& setting, const Solve& solve);
 
-  /// Measures what has been entered, in turns, so that a slow spell of the machine hits all alike.
+  /// Measures all entries in turns, so that a slow period of the machine affects all equally.
   void run(const Problem& problem, const Outcome& exact);
 
   void add(const Row& row);

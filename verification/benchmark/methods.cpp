@@ -29,7 +29,7 @@ using Fehlberg = Fehlberg78<std::array<S, 6>, S>;
 template <class S>
 class Landmarks : public BasicObserver<S> {
  public:
-  /// `touches` at the start, if the rim does: that is no touch-down.
+  /// `touches`: whether the rim touches at the start, which is not a touch-down.
   Landmarks(const Parameters& p, bool touches) : ring_(p), touching_(touches) {}
 
   void on_instant(const BasicInstant<S>& at) override {
@@ -67,7 +67,7 @@ Outcome outcome_of(const State<S>& state, const Landmarks<S>& landmarks, const C
   return outcome;
 }
 
-/// A method that has been set up, to the end of its problem.
+/// Runs a method to the end of its problem.
 template <class S, class Method>
 Outcome finish(const Problem& problem, Method method) {
   Landmarks<S> landmarks(problem.scenario.parameters, problem.touches());
@@ -86,7 +86,7 @@ Outcome by_stepper(const Problem& problem, const S& tolerance) {
                                  PeerSolver& solver) {
   Outcome outcome = finish<double>(
       problem, PeerMethod(problem.scenario, coordinates, solver, rounded<double>(problem.start)));
-  outcome.peak_force = std::numeric_limits<double>::quiet_NaN();  // it is shown events alone
+  outcome.peak_force = std::numeric_limits<double>::quiet_NaN();  // it is shown only events
   return outcome;
 }
 

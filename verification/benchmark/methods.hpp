@@ -17,8 +17,8 @@ Outcome by_events_fehlberg78(const Problem& problem, double tolerance);
 /// The published method with its step.
 Outcome by_fixed_steps(const Problem& problem, double step);
 
-/// What one would try first with Odeint: controlled Dormand-Prince steps on the paper's equations,
-/// the friction against the slip of the moment.
+/// The simplest use of Odeint: controlled Dormand-Prince steps on the paper's equations, with
+/// friction against the present slip.
 Outcome by_odeint_off_the_shelf(const Problem& problem, double tolerance);
 
 /// A packaged solver.
@@ -27,7 +27,7 @@ struct Peer {
   std::function<Outcome(const Problem&, double tolerance)> solve;
 };
 
-/// Those that are installed. What is not is said on standard output.
+/// The solvers that are installed. Missing ones are named on standard output.
 std::vector<Peer> peers();
 
 }  // namespace rotor

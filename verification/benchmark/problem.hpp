@@ -1,4 +1,4 @@
-/// What the benchmark solves: scenes of the paper, from states known in extended precision.
+/// The problems of the benchmark: scenes of the paper, from states known in extended precision.
 #pragma once
 
 #include <functional>
@@ -33,19 +33,19 @@ struct Outcome {
   Counters counters;
 };
 
-/// One way to solve a problem. Throws std::runtime_error if it gives up.
+/// One way to solve a problem. Throws std::runtime_error if it fails.
 using Solve = std::function<Outcome(const Problem&)>;
 
-/// Of the position relative to the clearance, of the velocity relative to itself and clearance
-/// times speed, of the speed relative to itself: the largest.
+/// The largest error of the position relative to the clearance, of the velocity relative to itself
+/// and clearance times speed, and of the speed relative to itself.
 double state_error(const Problem& problem, const Outcome& a, const Outcome& exact);
 
-/// Largest error of a touch-down, s; not a number if their number differs.
+/// Largest error of the time of a touch-down, s; NaN if the counts differ.
 double event_error(const Outcome& a, const Outcome& exact);
 
 double peak_error(const Outcome& a, const Outcome& exact);
 
-/// An instant with its digits cut.
+/// An instant rounded to double precision.
 template <class S, class T>
 BasicInstant<S> rounded(const BasicInstant<T>& at) {
   BasicInstant<S> result{.time_s = static_cast<S>(at.time_s),

@@ -9,8 +9,8 @@
 namespace rotor {
 namespace {
 
-/// The time at which a curve reaches an error, between two of its points in logarithms; not a
-/// number if it never does.
+/// The run time at which a curve reaches an error, interpolated logarithmically; NaN if it never
+/// does.
 double time_at(const std::vector<Row>& rows, const std::string& problem, const std::string& method,
                double error) {
   const Row* above = nullptr;
@@ -23,7 +23,7 @@ double time_at(const std::vector<Row>& rows, const std::string& problem, const s
           std::log(above->error_state / error) / std::log(above->error_state / row.error_state);
       return above->time_s * std::pow(row.time_s / above->time_s, part);
     } else {
-      return row.time_s;  // its coarsest setting is better than that
+      return row.time_s;  // even its coarsest setting is better
     }
   }
   return std::numeric_limits<double>::quiet_NaN();
@@ -54,7 +54,7 @@ void print_ratios(const std::vector<Row>& rows) {
     }
     fmt::print("\n");
   }
-  fmt::print("- : the method has not reached that error with any of its settings.\n");
+  fmt::print("- : the method does not reach that error with any of its settings.\n");
 }
 
 std::string to_csv(const std::vector<Row>& rows) {

@@ -1,4 +1,4 @@
-/// The laws of the accident: at their limits, and against runs in which all that they assume holds.
+/// The laws of the accident: at their limits, and against runs in which all their assumptions hold.
 #include "model/theory/accident.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ Summary summary_of(const Scenario& scenario) {
   return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, null_observer).summary;
 }
 
-// The rotation is so much faster than the swing that O meets its end at the far side of C.
+// The rotation is so fast that at the end of the swing O is on the far side of C.
 TEST(AccidentLaws, BeginsAtItsContactSpeedFarAboveResonance) {
   for (const auto equations : {Equations::published, Equations::consistent})
     for (const double damping_ratio : {0., 0.3}) {
@@ -34,14 +34,14 @@ TEST(AccidentLaws, BeginsAtItsContactSpeedFarAboveResonance) {
       p.stator_radius = p.rotor_radius + 3e-3;
       const double speed = Accident(p, equations, 700).contact_speed;
       const double clearance = p.stator_radius - p.rotor_radius;
-      // 1000 turns a swing and more; the steady response lags by the damping over that.
+      // At least 1000 turns per swing; the steady response lags by the damping over that number.
       Law("reach of a rotor at its contact speed, over the clearance", 1e-5)
           .expect_left(Accident(p, equations, speed).reach / clearance - 1);
     }
 }
 
-// Without unbalance and damping, from a blow along a radius: rebounds smaller and smaller, until
-// the rotor whirls for good or hardly moves along the ring.
+// Without unbalance and damping, after a blow along a radius: ever smaller rebounds, until the
+// rotor whirls permanently or hardly moves along the ring.
 TEST(AccidentLaws, WhirlsAboveItsFrictionAndNotBelow) {
   Scenario scenario = bare();
   Parameters& p = scenario.parameters;
@@ -63,8 +63,8 @@ TEST(AccidentLaws, WhirlsAboveItsFrictionAndNotBelow) {
   }
 }
 
-/// Where all assumptions hold together: unbalance and clearance are tiny beside the rotor, so that
-/// the blows of the unbalance turn it by nothing, and there is neither damping nor gravity.
+/// A case in which all assumptions hold: unbalance and clearance are tiny compared with the rotor,
+/// so that blows due to the unbalance do not turn it, and there is neither damping nor gravity.
 Scenario ideal(double friction, double softness, double kappa) {
   Scenario scenario{.start_speed_Hz = 150, .until = 0.5};
   Parameters& p = scenario.parameters;
@@ -87,7 +87,7 @@ TEST(AccidentLaws, RollsInARigidRingFromTheSpeedThatTheMomentumLeaves) {
   EXPECT_NEAR(law_of(scenario).rolling_speed.value() / (Hz * 150 * rest), 1, 3e-4);
 }
 
-// The slower the growth beside the ring's own vibration, the closer: their ratio is mu * softness.
+// The slower the growth beside the ring's vibration, the better: their ratio is mu * softness.
 TEST(AccidentLaws, RollsInASoftRingAsTheLawsSay) {
   for (const double kappa : {2, 10})
     for (const double softness : {0.2, 0.5})

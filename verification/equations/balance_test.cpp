@@ -15,7 +15,7 @@ namespace {
 class Figure : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(Figure, BalancesEnergyAndAngularMomentumInBothSetsOfEquations) {
-  // Five times the worst seen, 1.8e-12: the sum of 40,000 steps, each good to 1e-14 or so.
+  // Five times the worst seen, 1.8e-12: the sum of 40,000 steps with errors of about 1e-14.
   const double accuracy = 1e-11;
   Law energy("balance of energy along each figure's runs, of the greatest energy", accuracy);
   Law momentum("balance of angular momentum along each figure's runs, of the greatest", accuracy);

@@ -1,4 +1,4 @@
-/// The energy by cause: what it adds up to, and single causes against closed forms.
+/// The energy by cause: its sum, and single causes against closed forms.
 #include "model/results/energy.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(EnergyByCause, AddsUpInEveryRub) {
     }
 }
 
-// That until rolling stops where it sets in, whatever comes later.
+// The balance until rolling ends at the onset of rolling, whatever follows.
 TEST(EnergyByCause, UntilRollingIsThatAtItsOnset) {
   const Scenario scenario;
   EnergyObserver energy(scenario);
@@ -59,8 +59,8 @@ TEST(EnergyByCause, UntilRollingIsThatAtItsOnset) {
   EXPECT_LT(energy.balance().kinetic, 0.5 * energy.until_rolling()->kinetic);
 }
 
-// Once the motor is off steps are of many radians: the quadrature takes parts of them. Three
-// thousand steps, each good to 1e-12 J or so, leave 3e-10 J.
+// Once the motor is off, steps have many radians, and the quadrature divides them. Three thousand
+// steps with errors of about 1e-12 J leave 3e-10 J.
 TEST(EnergyByCause, AddsUpOverLongSteps) {
   Scenario scenario{.until = 40, .tolerance = 1e-12};
   scenario.parameters.loses_mass = false;
@@ -89,7 +89,7 @@ TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {
   }
 }
 
-// In the ring's spring, too, when the rim has left it before it has sprung back.
+// Also in the ring's spring, if the rim has left the ring before it has sprung back.
 TEST(EnergyByCause, AddsUpWhereTheRingIsStillIndented) {
   Scenario scenario = short_run(0.03);
   EventRecorder events;

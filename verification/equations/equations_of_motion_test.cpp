@@ -1,6 +1,6 @@
-/// Eqs. (3), (4) and (15)-(25) against Lagrange's equation, whose derivatives of the kinetic energy
-/// of Eq. (2) come from automatic differentiation instead of anybody's algebra, and against
-/// Newton's laws, written independently of the model.
+/// Eqs. (3), (4) and (15)-(25) against Lagrange's equation, with derivatives of the kinetic energy
+/// of Eq. (2) by automatic differentiation, and against Newton's laws, written independently of the
+/// model.
 #include <gtest/gtest.h>
 
 #include <boost/math/differentiation/autodiff.hpp>

@@ -8,7 +8,7 @@
 namespace rotor {
 namespace {
 
-/// A number between two bounds, evenly in its logarithm.
+/// A number between two bounds, uniform in its logarithm.
 double between(double least, double greatest) {
   const int part = *rc::gen::inRange(0, 1001);
   return least * std::pow(greatest / least, part / 1000.);
@@ -44,8 +44,8 @@ class Inspector : public Observer {
     const Instant at = motion.at(middle_s);
     on_instant(at);
     if (at.contact != ContactState::sliding) return;
-    // All of Coulomb's friction, against the slip. The motion shows it to 1e-4 of what it is in the
-    // piece, and to the rounding of the speed in the difference.
+    // Full Coulomb friction, against the slip. The motion shows it to 1e-4 of its size in the
+    // interval, plus the rounding of the speed in the difference.
     const double h = (motion.until_s - motion.from_s) / 100;
     const double shown = friction_in(motion, middle_s, h),
                  least = std::numeric_limits<double>::min();
@@ -62,7 +62,8 @@ class Inspector : public Observer {
   double worst_friction() const { return worst_friction_; }
 
  private:
-  /// The friction that the motion shows: what turns the rotor beside all other loads.
+  /// The friction that the motion shows: the moment on the rotor that all other loads do not
+  /// explain.
   double friction_in(const DenseOutput& motion, double time_s, double h) const {
     const Instant at = motion.at(time_s);
     const double turning =

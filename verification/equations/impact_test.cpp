@@ -12,7 +12,7 @@ namespace {
 
 class Impact : public testing::TestWithParam<double> {};
 
-// The closed forms of model/theory are those of an overdamped ring as well.
+// The closed forms of model/theory also hold for an overdamped ring.
 TEST_P(Impact, OfSpringAndDashpotHasTheDurationReboundAndForceOfTheClosedForm) {
   const double zeta = GetParam();
   Scenario scenario = bare();
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Damping, Impact, testing::Values(0.01, 0.079, 0.3, 0.6,
                            return "Zeta" + std::to_string(static_cast<int>(1000 * zeta.param));
                          });
 
-/// An oblique impact on a wall that is as straight as a stiff ring is short of contact time.
+/// An oblique impact on a nearly straight wall: the stiffer the ring, the shorter the contact.
 struct Oblique {
   Oblique(double slip, double friction, double stiffness) {
     scenario.parameters.friction = friction;

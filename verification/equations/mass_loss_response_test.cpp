@@ -1,4 +1,4 @@
-/// What follows a mass loss clear of the ring: the closed form against runs.
+/// The motion after a mass loss, clear of the ring: the closed form against runs.
 #include "model/theory/mass_loss_response.hpp"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST_P(MassLossResponseOf, ThePapersRotorTouchesTheRingFromItsSpeedOn) {
   EXPECT_GT(summary_of(lost_at(touching * (1 + 2.5e-4), GetParam())).touch_downs, 0);
 }
 
-// The faster of rotation and vibration decides how densely the motion is searched.
+// The faster of rotation and vibration determines how densely the motion is sampled.
 TEST_P(MassLossResponseOf, ARotorHasItsGreatestDisplacementBelowItsCriticalSpeedToo) {
   for (const double speed_Hz : {1., 2., 6.}) {
     const MassLossResponse response = closed_form(lost_at(speed_Hz, GetParam()));
@@ -103,7 +103,7 @@ TEST_P(MassLossResponseOf, ARotorHasItsGreatestDisplacementBelowItsCriticalSpeed
   }
 }
 
-// A vibration that does not die away may never come as far as its bound: the search ends.
+// A vibration that does not decay may never reach its bound: the search must end.
 TEST_P(MassLossResponseOf, ARotorWithoutDampingHasAnEndToo) {
   Scenario scenario = lost_at(60, GetParam());
   scenario.parameters.support_damping = 0;
@@ -115,7 +115,7 @@ TEST_P(MassLossResponseOf, ARotorWithoutDampingHasAnEndToo) {
   EXPECT_FALSE(closed_form(scenario).first_contact());
 }
 
-// The displacement falls at first, but the first look is no peak: there is none before it.
+// The displacement falls at first, but the first sample is not a peak.
 TEST_P(MassLossResponseOf, ARotorThatLosesLittleHardlyGoesFurther) {
   for (const double speed_Hz : {40., 60., 150.}) {
     Scenario scenario = lost_at(speed_Hz, GetParam());
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Sets, MassLossResponseOf,
                            return set.param == Equations::published ? "Published" : "Consistent";
                          });
 
-// There is no free vibration without stiffness, and none that critical damping leaves.
+// There is no free vibration without stiffness, or with critical damping.
 TEST(MassLossResponse, IsOfSupportsThatVibrate) {
   const auto of = [](double stiffness, double damping) {
     Parameters p;

@@ -1,4 +1,4 @@
-/// The mass loss, Eqs. (5)-(14): of any piece of the rim, and of that opposite to the unbalance.
+/// The mass loss, Eqs. (5)-(14): of any piece of the rim, and of the one opposite to the unbalance.
 #include "model/mechanics/mass_loss.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(MassLoss, RaisesTheMassCentresVelocityByDeltaVyThroughEq1Alone) {
     const auto before = velocity(loss.before, x);
     const auto consistent = velocity(loss.after, loss.lose_mass(x, Equations::consistent));
     const auto published = velocity(loss.after, loss.lose_mass(x, Equations::published));
-    const double jump = loss.velocity_jump(942) * speed / 942;  // that way it turns
+    const double jump = loss.velocity_jump(942) * speed / 942;  // in the sense of rotation
     EXPECT_NEAR((consistent - before).y(), jump, 1e-15);
     EXPECT_NEAR((published - before).y(), 2 * jump, 1e-15);
   }

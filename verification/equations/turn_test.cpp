@@ -9,10 +9,10 @@
 namespace rotor {
 namespace {
 
-// Where the series end they err by less than rounding, which is that of three sums.
+// The truncation error of the series is below rounding, which is that of three sums.
 TEST(Turns, AreThoseOfTheMathematicalLibrary) {
   std::mt19937_64 engine(1);
-  std::uniform_real_distribution<double> any(-2, 2);  // rad; beyond 1.5 they are its own
+  std::uniform_real_distribution<double> any(-2, 2);  // rad; beyond 1.5 the library is used
   constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
   for (int n = 0; n < 100000; ++n) {
     const std::array<double, 2> angle = {any(engine), std::ldexp(any(engine), -n % 30)};

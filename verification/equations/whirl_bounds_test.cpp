@@ -1,4 +1,4 @@
-/// Where whirl can last: closed forms against runs of single rotors and of many.
+/// Where whirl can last: closed forms against runs of single and of many rotors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,21 +69,21 @@ TEST_F(BackwardRolling, GoesOnAtTheClosedFormsRateWithoutDampers) {
 }
 
 TEST_F(BackwardRolling, NeedsTheFrictionOfTheClosedForm) {
-  scenario.parameters.support_damping = 200;  // so that friction has something to do
+  scenario.parameters.support_damping = 200;  // so that friction has work to do
   const double least = Whirl(scenario.parameters).rolling_friction(speed);
   EXPECT_GT(least, 2e-3);
-  // The start is not quite the motion that settles, which swings the force by 2 %.
+  // The start is not exactly the settled motion, and the force oscillates by 2 %.
   scenario.parameters.friction = 1.03 * least;
   EXPECT_EQ(rolled(1e-3).count(Event::break_away), 0);
   scenario.parameters.friction = 0.97 * least;
   EXPECT_GT(rolled(1e-3).count(Event::break_away), 0);
 }
 
-/// Forward rub, with C where friction can be greatest.
+/// Forward rub, with C at the place for the largest possible friction.
 struct SynchronousRub : testing::Test {
   static constexpr double speed = 900, duration_s = 0.1;  // beyond the limit O falls behind in less
 
-  /// Whether O keeps its place beside C, the friction a multiple of the closed form's.
+  /// Whether O keeps its place relative to C at a multiple of the closed form's friction.
   bool lasts(Scenario scenario, double of_limit) const {
     Parameters& p = scenario.parameters;
     p.friction = of_limit * Whirl(p).synchronous_friction(speed);

@@ -27,10 +27,10 @@ TEST(RollingInTheRing, EndsWithTheSpeedThatTheInvariantLeaves) {
   const EventRecorder run =
       follow_from_state(scenario, whirling(p, indentation, speed, slip), 0.05);
   ASSERT_EQ(run.last().contact, ContactState::rolling);
-  // Friction F changes I w by F r and m v_t by F: I w - m r v_t stays as it is until v_t = -r w.
+  // Friction F changes I w by F r and m v_t by F: I w - m r v_t is constant until v_t = -r w.
   const double expected = (p.inertia * speed - p.mass * p.rotor_radius * tangential) /
                           (p.inertia + p.mass * p.rotor_radius * p.rotor_radius);
-  Law("speed that is left when slip ends in the ring", 0.02)  // Delta, and v_t Delta' at first
+  Law("speed left when slip ends in the ring", 0.02)  // Delta, and v_t Delta' at first
       .expect_left(run.last().state[5] / expected - 1);
 }
 
@@ -54,12 +54,12 @@ TEST(RollingInTheRing, SlowsDownWithTheSupportsDampingAtTheClosedFormsRate) {
   const double rate = p.support_damping / (p.mass + p.inertia / (p.rotor_radius * p.rotor_radius));
   // Exact for constant rho; it changes by Delta / rho = 1e-3 over the run, and its rate is 5e-3 /
   // s.
-  Law("rate at which the supports' damping slows rolling down", 5e-3)
+  Law("rate at which the supports' damping slows rolling", 5e-3)
       .expect_left(std::log(speed / last.state[5]) / (rate * duration) - 1);
 }
 
-/// Dry-friction whirl: a rotor without unbalance, too heavy to turn for friction to slow it down,
-/// that slides around the ring backwards at the rate Omega, held up by the supports' damping alone.
+/// Dry-friction whirl: a rotor without unbalance, with too much inertia for friction to slow it
+/// down, slides around the ring backwards at the rate Omega, opposed only by the supports' damping.
 struct SlidingWhirl : testing::Test {
   SlidingWhirl() {
     Parameters& p = scenario.parameters;
@@ -109,7 +109,7 @@ TEST_F(SlidingWhirl, GrowsAboveTheRateOfTheClosedFormAndDiesBelowIt) {
 }
 
 TEST_F(SlidingWhirl, NeedsTheFrictionOfTheClosedFormHoweverDeepItBegins) {
-  const double whirl = w_n() * std::sqrt(1 + beta);  // of a rotor whose clearance does not count
+  const double whirl = w_n() * std::sqrt(1 + beta);  // of a rotor with negligible clearance
   const double least = Whirl(scenario.parameters).whip_friction(), deep = 100 * 3e-3;
   // The clearance, a hundredth of the indentation, moves the limit by about as much.
   scenario.parameters.friction = 1.05 * least;

@@ -1,6 +1,6 @@
-/// What makes the digits of a run certain: computations that share no number and take the same
-/// course, and margins that leave that course no choice. Whether the digits are right is the
-/// subject of digits_test.cpp.
+/// What makes the digits of a run certain: computations that share no number but take the same
+/// course, and margins that exclude any other course. digits_test.cpp tests whether the digits are
+/// right.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace rotor {
 namespace {
 
-// Each computation still touches the ring, but none knows for how long.
+// Each computation still touches the ring, but the duration is uncertain.
 TEST(Margins, TellThatARunEndsTooShortlyBeforeItsNextEvent) {
   Scenario scenario = short_run(0.03);
   EventRecorder recorder;
@@ -43,7 +43,7 @@ TEST(Margins, TellThatARunEndsTooShortlyBeforeItsNextEvent) {
   }
 }
 
-// Of a run that ends between the instants which two computations find for an event.
+// The run ends between the times that two computations find for an event.
 TEST(Comparisons, KnowACourseOnlyIfAllComputationsTakeIt) {
   using Fehlberg = Fehlberg78<std::array<double, 6>, double>;
   const double tolerance = 1e-4;
@@ -73,7 +73,7 @@ TEST(Comparisons, KnowACourseOnlyIfAllComputationsTakeIt) {
   EXPECT_GT(coarse_alone, 5);
 }
 
-// A number that is not disturbed is rounded alike in all computations.
+// A number that is not disturbed is rounded in the same way in all computations.
 TEST(DisturbedComputation, HasEachNumberOffByTheShareAndNotAllInOneDirection) {
   const Scenario scenario = short_run(0.01);
   const double share = 1e-3;

@@ -45,8 +45,8 @@ TEST(Convergence, ThePublishedMethodFallsToFirstOrderAtAContact) {
   const Instant from = after_loss();
   const double until_s = 29.106;  // after the first contact
   const State<double> reference = exact(from, until_s);
-  // Where in a step the contact begins is chance: averages over eight nearby steps, six halvings
-  // apart.
+  // The position of the contact within a step is random: averages over eight nearby steps, six
+  // halvings apart.
   const auto mean_error = [&](double step) {
     double sum = 0;
     for (int i = 0; i < 8; ++i)
@@ -65,7 +65,7 @@ TEST(Convergence, TheEventMethodKeepsAHighOrderAcrossSevenContactsAndTheOnsetOfR
   const RunEnd coarse = by_events(from, until_s, 1e-5), fine = by_events(from, until_s, 1e-10);
   const double error_coarse = distance(coarse.last.state, reference);
   const double error_fine = distance(fine.last.state, reference);
-  // Of steps: what locating the events costs beside them does not depend on the tolerance.
+  // Counts only steps: the cost of locating events does not depend on the tolerance.
   EXPECT_GT(
       std::log(error_coarse / error_fine) / std::log(static_cast<double>(fine.counters.steps) /
                                                      static_cast<double>(coarse.counters.steps)),

@@ -1,4 +1,4 @@
-/// Events that are easily missed, doubled or misplaced, and motions that are easily not finished.
+/// Events that are easily missed, doubled or misplaced, and motions that may not finish.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -77,7 +77,7 @@ TEST_F(Oscillation, ImpactsAtASlipOfRoundingSizeDoNotChatter) {
   scenario_.parameters.friction = 0.3;
   scenario_.until = 2;
   const EventRecorder run = run_from(with_amplitude(2 * clearance()));
-  // A contact every 16.8 ms, of no more events than touch-down, rolling, break-away, release,
+  // A contact every 16.8 ms, with at most the events touch-down, rolling, break-away, release and
   // clear.
   EXPECT_EQ(run.count(Event::touch_down), 119);
   EXPECT_LE(run.events().size(), 5 * 119U);

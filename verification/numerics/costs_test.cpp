@@ -1,4 +1,4 @@
-/// What runs may cost.
+/// Limits of the cost of runs.
 #include <gtest/gtest.h>
 
 #include "model/results/summary.hpp"
@@ -8,7 +8,7 @@
 namespace rotor {
 namespace {
 
-/// What a run may cost. Compilers round differently, which shifts a step here and there.
+/// The limits for a run. Compilers round differently, which shifts some steps.
 struct Cost {
   const char* name;
   double friction, mass_loss_s, until_s;
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 24095, 19381, 121},
                     Cost{"no contact", 0.3, 9.4, 10.4, 5537, 0, 0}));
 
-// 13,600 rad of rotation: steps that followed it took 55,000 and 130,000.
+// 13,600 rad of rotation: with steps that followed it, the numbers were 55,000 and 130,000.
 TEST(Costs, OfARunUpFollowItsSlowMotionAlone) {
   for (const Equations equations : {Equations::published, Equations::consistent})
     for (const auto& [tolerance, most] : {std::pair(1e-8, 20'000), std::pair(1e-11, 40'000)}) {

@@ -1,4 +1,4 @@
-/// That the digits of a run are those of the decimals as they were stated.
+/// The digits of a run are those of the decimals as stated.
 #include <gtest/gtest.h>
 
 #include "figures/input/scenario_spec.hpp"
@@ -20,9 +20,9 @@ TEST(Decimals, AreReadInThePrecisionThatIsUsed) {
   EXPECT_EQ(stated<double>(0.1), 0.1);
 }
 
-// 49280.4052682 N, by a program in quadruple precision that shares nothing with this one. The
-// doubles nearest to the inputs make 49280.4045635 N: contacts multiply what differs by 3e9.
-// Extended precision leaves some 1e-19 times that.
+// 49280.4052682 N by an independent program in quadruple precision. The doubles nearest to the
+// inputs give 49280.4045635 N: contacts multiply the difference by 3e9. In extended precision some
+// 1e-19 times that remains.
 TEST(Decimals, MakeTheForceThatAnotherProgramFinds) {
   ScenarioSpec spec;
   spec.numbers = {{"friction", 0.06}, {"until", 29.25}};

@@ -1,6 +1,6 @@
 /// `digits-reference FILE` writes random runs in quadruple precision: inputs, summaries and ends.
-/// `digits-reference stress COUNT SEED FOLDER` holds so many others against `rotor run --digits`,
-/// and the errors that `--estimate-error` states against the true ones.
+/// `digits-reference stress COUNT SEED FOLDER` compares others with `rotor run --digits`, and the
+/// errors of `--estimate-error` with the true ones.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -47,10 +47,10 @@ Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
   return all;
 }
 
-/// What a table lists: all but the values of single events.
+/// The columns of the table: all but the values of single events.
 bool is_tabled(const std::string& name) { return !name.starts_with("event") || name == "events"; }
 
-/// The largest relative distance of what is tabled.
+/// The largest relative difference of the tabulated values.
 double distance(const Numbers& a, const Numbers& b) {
   if (a.size() != b.size()) return 1;
   double largest = 0;
@@ -60,8 +60,8 @@ double distance(const Numbers& a, const Numbers& b) {
   return largest;
 }
 
-/// Runs of a stress on which rules have failed that were tried before: steps that all computations
-/// share, a touch-down just before the end, a velocity that is what the rim's leaves of it.
+/// Runs of the stress test on which earlier rules failed: steps that all computations share, a
+/// touch-down just before the end, a velocity of O that is a small difference from that of the rim.
 struct HardRun {
   unsigned seed;
   long number;
@@ -75,7 +75,7 @@ struct HardRun {
 constexpr std::array hard_runs = {HardRun{777001, 109}, HardRun{777001, 144}, HardRun{777001, 414},
                                   HardRun{777001, 835}, HardRun{424201, 287}, HardRun{424201, 327}};
 
-/// Thirty runs of which the steppers agree on more than twelve digits, and the hard ones.
+/// Thirty runs on which the steppers agree to more than twelve digits, and the hard ones.
 void write(const std::string& file) {
   constexpr std::size_t count = 30;
   constexpr double enough = 1e-13;
@@ -100,10 +100,10 @@ void write(const std::string& file) {
   while (rows.size() < count) add(runs.scenario());
   for (const HardRun& hard : hard_runs) add(hard.scenario());
   std::string table = fmt::format(
-      "# Random runs, a row each, from `make reference`: what is stated, and what it leads to.\n"
+      "# Random runs, one row each, from `make reference`: inputs and results.\n"
       "# rotor " ROTOR_VERSION
       ", method event in quadruple precision (113 bits), Verner 8(7) at tolerance 1e-24\n"
-      "# No value is further than {:.0e} of itself from what Fehlberg 7(8) gives.\n",
+      "# All values agree with those of Fehlberg 7(8) to {:.0e}, relative.\n",
       enough);
   for (const std::string& name : names) table += name + (name == names.back() ? '\n' : ',');
   for (auto& row : rows)

@@ -1,4 +1,4 @@
-/// Runs to a number of significant digits: not one may be false.
+/// Runs with guaranteed digits: no digit may be false.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -20,7 +20,7 @@
 namespace rotor {
 namespace {
 
-/// For so many steps, of which quadruple precision takes some thousands a second.
+/// A limit of steps: in quadruple precision some thousands take a second.
 GoesOn for_steps(long most) {
   return [most, n = 0L](double /*time_s*/) mutable { return ++n < most; };
 }
@@ -37,7 +37,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-/// Thirty random runs for which the rule was not made, and six that earlier rules got wrong.
+/// Thirty random runs that did not influence the rule, and six on which earlier rules failed.
 std::vector<KnownRun> known_runs() {
   std::ifstream file(ROTOR_REFERENCE_DATA "/random-runs.csv");
   std::vector<std::string> names;
@@ -79,19 +79,19 @@ TEST_P(Digits, OfRandomAndOfHardRunsAreAllTrue) {
   }
   // Some take more steps than a test can wait for.
   EXPECT_GE(had, digits == 12 ? 15 : digits == 9 ? 24 : 28);
-  EXPECT_GT(worst, 1e-4) << "the errors say nothing";
+  EXPECT_GT(worst, 1e-4) << "the errors are uselessly large";
 }
 
 INSTANTIATE_TEST_SUITE_P(Numbers, Digits, testing::Values(3, 6, 9, 12));
 
-// Held against the truth, it is rarely too small, and never says next to nothing.
+// Compared with the true error, the estimate is rarely too small, and never uselessly large.
 TEST(EstimatedError, IsAboveTheLargestTrueErrorOfRandomRuns) {
   int less = 0;
   for (const auto& [scenario, values] : known_runs()) {
     const Summary summary = summary_of(scenario);
     const double estimate = estimated_relative_error(scenario, summary, always);
     less += estimate < true_error(summary, scenario.parameters, values);
-    Summary other = summary;  // a run with another number of touch-downs is another one altogether
+    Summary other = summary;  // a run with another number of touch-downs is not comparable
     ++other.touch_downs;
     EXPECT_EQ(estimated_relative_error(scenario, other, always), 1);
   }
@@ -130,7 +130,7 @@ TEST(ManyDigits, AreThoseOfEveryEventOfThePapersRuns) {
   EXPECT_EQ(compared, names.size());
 }
 
-// The largest displacement of a flight is the clearance, to ten digits: it touches, or it does not.
+// The largest displacement of a flight equals the clearance to ten digits: does it touch or not?
 TEST(ManyDigits, DecideWhetherAGlancingContactOccurs) {
   Scenario wide{.start_speed_Hz = 100, .until = 0.03};
   wide.parameters.mass_loss_time = 0.001;
@@ -151,8 +151,8 @@ TEST(ManyDigits, DecideWhetherAGlancingContactOccurs) {
   }
 }
 
-// As many as are the same for all numbers within the error, or as were asked for; one more would be
-// another one at one end of the error than at the other.
+// As many digits as are the same for all numbers within the error, or as were asked for; one more
+// would differ between the ends of the error.
 RC_GTEST_PROP(ManyDigits, ArePrintedAsFarAsTheyAreSure, ()) {
   const auto share = [] { return (1 + *rc::gen::inRange(0, 999999)) / 1e6; };
   const double value =

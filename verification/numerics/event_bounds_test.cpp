@@ -1,5 +1,5 @@
-/// What a phase says of its event functions and extremes beforehand is true: where it says that one
-/// stays positive over a step, or below what an observer wants to see, nothing is looked for.
+/// The bounds that a phase gives beforehand for its event functions and extremes are true: if one
+/// stays positive over a step, or below what an observer wants to see, it is not searched.
 #include <gtest/gtest.h>
 
 #include <boost/numeric/odeint.hpp>
@@ -21,7 +21,7 @@ FlightPoint point_of(const FreeFlight<double>& phase, double time,
   return at;
 }
 
-/// The same as if nothing had changed some time later.
+/// The same point some time later, as if nothing had changed.
 FlightPoint later(FlightPoint at, double by) {
   at.time += by;
   return at;
@@ -62,14 +62,14 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
       slipping += phase.guard(1, x) < 0;
     }
   }
-  // The bound serves, and there were rims to be wrong about.
+  // The bound is useful, and there were rims for which it could be wrong.
   EXPECT_GT(held, 1000);
   EXPECT_GT(slipping, 1000);
   EXPECT_EQ(held_beyond, 0);
 }
 
-// What friction can hold beyond what it must, which is at most mu |F_n|, is the same at both ends
-// of a step; falling and rising as fast as they say it would be below zero in between.
+// The reserve of friction is the same at both ends of a step; with the slopes there it would be
+// below zero in between.
 TEST(RollingBounds, SayNothingOfAStepInWhichTheReserveMayDip) {
   const double h = 1e-4, indentation = 0.01 * 3e-3, dips = 8 * indentation / h;  // by twice of it
   const auto stays = [&](double damping, double velocity, double acceleration) {
@@ -95,8 +95,8 @@ TEST(RollingBounds, SayNothingOfAStepInWhichTheReserveMayDip) {
   EXPECT_FALSE(stays(damping, 0, dips * Parameters{}.contact_stiffness / damping));
 }
 
-/// Whether a flight's phase knows bounds over a step of so long. None of them is less than what is
-/// reached in between, as many small steps of another method find it.
+/// Whether a flight has bounds over a step of that length. None may be less than what many small
+/// steps of another method reach in between.
 bool has_bounds(RotorSystem<double> rotor, const FlightChart<double>& chart,
                 const FlightChart<double>::Unknowns& x, double h) {
   const FreeFlight<double> phase(rotor, chart);
@@ -133,8 +133,8 @@ bool has_bounds(RotorSystem<double> rotor, const FlightChart<double>& chart,
   return true;
 }
 
-// A strong motor drives a rotor that mostly turns slowly at first, so light at its rim that the
-// damping of O brakes the rotation and takes up to half of its speed in a step.
+// A strong motor drives a rotor that mostly turns slowly at first, with so little inertia that the
+// damping of O takes up to half of its speed in a step.
 TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
   RandomScenarios random(7);
   std::mt19937_64 engine(8);
@@ -146,7 +146,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
     p.eccentricity = 1e-3;
     p.inertia = p.mass * p.eccentricity * p.eccentricity * std::pow(10, 1 + any(engine));
     const double share = std::sqrt(std::abs(any(engine))) / 2;
-    const double h = std::pow(10, -5 + any(engine)), turn = 0.3;  // in a step, as accuracy wants it
+    const double h = std::pow(10, -5 + any(engine)), turn = 0.3;  // per step, for accuracy
     p.support_damping = share * p.inertia / (p.eccentricity * p.eccentricity * h);
     p.torque = turn * std::abs(any(engine)) * p.inertia / (h * h);
     const RotorSystem<double> rotor(p, Equations::consistent);

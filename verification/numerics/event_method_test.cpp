@@ -1,4 +1,4 @@
-/// What the event-located method promises to those who watch it.
+/// What the event-located method promises to its observers.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -70,7 +70,7 @@ TEST(EventMethod, SaysWhereAMotionThatIsNotFiniteEndsIt) {
   at.state[4] = std::numeric_limits<double>::quiet_NaN();
   try {
     follow(scenario, at, 2, null_observer);
-    FAIL() << "went on with a motion that is not finite";
+    FAIL() << "continued with a motion that is not finite";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("t = 1.5"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("the tolerance 1e-11 is"), std::string::npos)
@@ -78,8 +78,8 @@ TEST(EventMethod, SaysWhereAMotionThatIsNotFiniteEndsIt) {
   }
 }
 
-// However long the steps are, an event is where its guard vanishes: to some roundings of what that
-// is the difference of.
+// However long the steps are, the guard vanishes at its event, to some rounding errors of the terms
+// of which it is the difference.
 TEST(EventMethod, LocatesEventsToRoundingAtEveryTolerance) {
   std::map<Event, int> seen;
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9})

@@ -1,6 +1,5 @@
-/// The motor's limit, the mass loss and the end of a run at any instant of a contact, where the
-/// paper's runs do not have them: both balances close, and a much smaller tolerance leads to the
-/// same end.
+/// The motor's limit, the mass loss and the end of a run at any instant of a contact, unlike in the
+/// paper's runs: both balances hold, and a much smaller tolerance leads to the same end.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// A motion that begins at the ring, under a torque that is felt.
+/// A motion that starts at the ring, with a large torque.
 struct Rub {
   Scenario scenario;
   Instant from;
@@ -34,8 +33,8 @@ Scenario driven(double friction, double until_s) {
   return scenario;
 }
 
-/// Rolling; sliding either way, with so little friction that it lasts; and bouncing on a ring whose
-/// damper lets it come back slowly.
+/// Rolling; sliding in either direction, with so little friction that it lasts; and bouncing on a
+/// ring whose damper lets it spring back slowly.
 std::vector<Rub> rubs() {
   const Scenario rolling = driven(0.3, 5e-3), sliding = driven(0.001, 2e-3);
   Scenario bouncing = driven(0, 2e-3);
@@ -67,7 +66,7 @@ struct Recorded : BalanceObserver {
   std::vector<Instant> instants;
 };
 
-/// The middle of each stretch between two events.
+/// The middle of each interval between two events.
 std::vector<double> middles_s(const Recorded& run) {
   std::vector<double> all;
   for (std::size_t n = 1; n < run.instants.size(); ++n)
@@ -83,7 +82,7 @@ Instant at_time(Rub rub, double time_s) {
 }
 
 void expect_sound(const Rub& rub, const Recorded& run) {
-  EXPECT_LT(run.energy_residual(), 1e-9);  // the torque's work is 1e-2 of the energy and more
+  EXPECT_LT(run.energy_residual(), 1e-9);  // the torque's work is at least 1e-2 of the energy
   EXPECT_LT(run.angular_momentum_residual(), 1e-9);
   Scenario finer = rub.scenario;
   finer.tolerance = 1e-14;
@@ -166,8 +165,8 @@ double needed_friction(const Scenario& scenario, const Instant& at) {
   return std::abs(view.friction() / view.normal_force());
 }
 
-// The motor holds the rim for as long as it drives; without it friction is asked for more than it
-// has.
+// While the motor drives, friction can hold the rim; without the motor more friction is needed than
+// is available.
 TEST(MotorOff, EndsRollingWhereFrictionAloneIsTooWeak) {
   Scenario scenario = driven(10, 1e-4);
   Instant from = pressed_by_whirl(scenario, 100, 0);
@@ -189,7 +188,7 @@ TEST(MotorOff, EndsRollingWhereFrictionAloneIsTooWeak) {
   EXPECT_LT(events[1].time_s, 1e-6);
 }
 
-// Where the published jump of the velocity points inwards and presses less than the damper pulls,
+// If the published velocity jump points inwards and takes more from the normal force than there is,
 // the rim leaves the ring at once, and observers are shown that.
 TEST(LossInSliding, MayEndTheContactForceAtOnce) {
   Scenario scenario = driven(0.01, 1e-5);
@@ -211,8 +210,8 @@ TEST(LossInSliding, MayEndTheContactForceAtOnce) {
   EXPECT_GT(pressed_on, 3);
 }
 
-// Its slip stays zero, whatever rounding makes of it, and its whirl is that of the whole rolling,
-// though its angle restarts. The same holds for the published jump, which is zero here.
+// The slip stays exactly zero, and the whirl is the mean over all of the rolling, although its
+// angle restarts. The same holds for the published jump, which is zero here.
 TEST(LossInRolling, OfNothingChangesNothing) {
   for (const Equations& equations : {Equations::consistent, Equations::published})
     for (const Method method : {Method::event, Method::rk4})
@@ -260,7 +259,7 @@ TEST(LossInRolling, IsItsEndWhereFrictionCannotHoldTheRimAnyMore) {
   ASSERT_NE(loss + 1, events.events().end());
   EXPECT_EQ((loss + 1)->event, Event::break_away);
   EXPECT_EQ((loss + 1)->time_s, loss->time_s);
-  scenario.until = p.mass_loss_time + 1e-6;  // its digits are known nevertheless
+  scenario.until = p.mass_loss_time + 1e-6;  // its digits are still guaranteed
   const auto found = compare<double>(scenario, 1e-10, [](double /*time_s*/) { return true; });
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->is_course_sure());

@@ -1,5 +1,5 @@
-/// The integration library without any rotor: the search for zeros, on functions whose zeros are
-/// known; the interpolation it searches on; the stepper; steps and events of toy systems.
+/// The integration library without a rotor: the search for zeros of functions with known zeros; the
+/// interpolation that it uses; the stepper; steps and events of toy systems.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -23,8 +23,8 @@ std::optional<double> crossing(const F& f, const Slope& slope,
   return first_crossing(at(0), at(1), resolution, bend, at);
 }
 
-// Of a polynomial through some zeros, however small it is and however near its last zero is to the
-// end of the step: on the far side of the first.
+// The first zero of a polynomial, on its far side, however small the polynomial is and however near
+// its last zero is to the end of the step.
 RC_GTEST_PROP(Crossing, IsTheFirstOfSeveralInOneStep, ()) {
   std::vector<double> zeros;
   const int count = *rc::gen::inRange(1, 5);
@@ -70,8 +70,7 @@ TEST(Crossing, IsFoundBetweenOscillationsByTheBoundOfTheCurvature) {
   for (double t = 0; t < *zero - 1e-9; t += 1e-5) ASSERT_GE(f(t), 0) << t;
 }
 
-/// Functions that are zero or nearly so at an end of the step, with their slopes, and where they
-/// cross.
+/// Functions that are zero or nearly zero at an end of the step, with their slopes and crossings.
 struct NearAnEnd {
   const char* what;
   double (*f)(double);
@@ -88,7 +87,7 @@ constexpr NearAnEnd near_an_end[] = {
     {"is beyond zero by rounding, leaves it and returns",
      [](double t) { return t * (t - 1e-15) * (0.2 - t); },
      [](double t) { return (2 * t - 1e-15) * (0.2 - t) - t * (t - 1e-15); }, 0.2},
-    {"crosses just behind the step",
+    {"crosses just after the step",
      [](double t) { return 1 + 1e-15 - t; },
      [](double) { return -1.; },
      {}},
@@ -121,7 +120,7 @@ TEST(Crossing, IsNotSearchedWhereAFunctionLeavesZeroFromBeyondItByRounding) {
 
 constexpr double gravity = 9.81;
 
-/// A system of two unknowns of size one, with one event of which nothing is known beforehand.
+/// A system of two unknowns of size one, with one event and no bounds.
 struct Toy {
   using Unknowns = std::array<double, 2>;
   static constexpr std::size_t event_count = 1;
@@ -132,7 +131,7 @@ struct Toy {
   Unknowns scale(const Unknowns&) const { return {1, 1}; }
 };
 
-/// A ball that falls on the floor, x = {height, velocity}. Its event: it meets the floor.
+/// A ball that falls to the floor, x = {height, velocity}. Its event: it meets the floor.
 struct Ball : Toy {
   void operator()(const Unknowns& x, Unknowns& rates, double /*time*/) const {
     rates = {x[1], -gravity};
@@ -140,7 +139,7 @@ struct Ball : Toy {
   double event(std::size_t, const Unknowns& x) const { return x[0]; }
 };
 
-/// A pendulum of unit frequency, x = {angle, rate}. Its event: it leaves the side that it is on.
+/// A pendulum of unit frequency, x = {angle, rate}. Its event: it changes sides.
 struct Pendulum : Toy {
   double side = 1;
 
@@ -155,8 +154,8 @@ using Stepper2 = Verner87<std::array<double, 2>, double>;
 using Control2 = ErrorControl<double, Stepper2>;
 using Point2 = Control2::Point;
 
-/// When events of a toy system happen, and where. Steps have a length, each to its first event,
-/// which is reset by the caller.
+/// Times and states of the events of a toy system. Each step has a given length or ends at its
+/// first event, which the caller resets.
 template <class System, class Reset>
 std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, std::size_t number,
                               const Reset& reset) {
@@ -180,7 +179,7 @@ std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, 
   return all;
 }
 
-/// Of a step of the toy systems: the weights of the pair, up to 123, are rounded.
+/// Rounding error of a step of the toy systems: the weights of the pair, up to 123, are rounded.
 constexpr double rounding_of_a_step = 123 * std::numeric_limits<double>::epsilon();
 
 TEST(BouncingBall, MeetsTheFloorWhenTheClosedFormSaysSo) {
@@ -216,8 +215,8 @@ TEST(Pendulum, KeepsItsEnergyAndItsPeriodThroughEvents) {
   }
 }
 
-// A ball that is thrown a little higher than a ceiling, by more than a step's error of some 1e-13:
-// what is found of the dip is its beginning, on the far side.
+// A ball is thrown a little higher than a ceiling, by more than a step's error of some 1e-13: the
+// search must find the start of the dip, on the far side.
 TEST(Step, FindsTheBeginningOfAShallowDip) {
   for (int n = 0; n < 100; ++n) {
     const double depth = std::exp2(-20 - n / 5.), apex_s = 0.2 + n * 1e-4;

@@ -1,5 +1,5 @@
-/// What observers gather along a run is true of the motion that its steps describe, at every
-/// tolerance and however long the steps are: the located maxima, and the order of what is shown.
+/// What observers gather along a run agrees with the motion of its steps, at every tolerance and
+/// however long the steps are: the located maxima, and the order of what is shown.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,8 +59,8 @@ class DenseMaxima : public Observer {
   double late_s_;
 };
 
-/// No located maximum is less than a sample, but for the little by which the equations' rates miss
-/// those of the curve within a step, and none is more than the samples' spacing lets be missed.
+/// No located maximum is less than a sample, apart from the small difference between the rates of
+/// the equations and of the curve within a step, and none exceeds what can lie between two samples.
 void expect_maxima(const Summary& located, const DenseMaxima& sampled, double in_steps) {
   const auto expect = [&](double of_summary, double of_samples) {
     EXPECT_GE(of_summary, of_samples * (1 - in_steps));
@@ -71,9 +71,9 @@ void expect_maxima(const Summary& located, const DenseMaxima& sampled, double in
   expect(located.peak_bearing_force_N, sampled.bearing_force);
 }
 
-// A ring without damping lets the rotor vibrate several times within one step: up to 8 % of the
-// largest force were missed by looking at the steps' ends alone. A trace has the largest force in
-// its window, though the run may have had a larger one before.
+// On a ring without damping the rotor vibrates several times within one step: the ends of steps
+// alone miss up to 8 % of the largest force. A trace has the largest force in its window, although
+// the run may have had a larger one before.
 TEST(Maxima, AreNotHiddenByLooseTolerances) {
   long longest_arcs = 0;
   for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-11})
@@ -106,7 +106,7 @@ TEST(Maxima, AreNotHiddenByLooseTolerances) {
             EXPECT_GE(recorded, dense.late_normal_force * (1 - in_steps));
             longest_arcs = std::max(longest_arcs, dense.longest_arcs);
           }
-  EXPECT_GT(longest_arcs, 5);  // that steps are long is what makes it hard
+  EXPECT_GT(longest_arcs, 5);  // long steps make it hard
 }
 
 // Of random rotors: rows, events and maxima come in the order of time, and no maximum is missed.

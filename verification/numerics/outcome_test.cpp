@@ -1,4 +1,4 @@
-/// How runs end, in a word; how far a free rotor reaches; and where runs stop or are at a speed.
+/// Outcomes of runs; how far a free rotor reaches; and where runs stop or reach a speed.
 #include "model/results/outcome.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct NearCriticalSpeed {
   bool stalls;
 };
 
-// By either method, and also where runs share their run-up.
+// By either method, and also if runs share their run-up.
 TEST(Outcome, IsAStallWhereTheMotorDoesNotGetTheRotorThroughItsCriticalSpeed) {
   constexpr double never_s = 99;
   for (const auto& [what, start_Hz, torque, motor_off_Hz, mass_loss_s, until_s, stalls] :
@@ -54,8 +54,8 @@ TEST(Outcome, IsAStallWhereTheMotorDoesNotGetTheRotorThroughItsCriticalSpeed) {
     }
 }
 
-// A contact lasts once it is longer than a vibration on the ring; the count starts again with a new
-// contact, though the ring may not be back.
+// A contact counts as lasting once it is longer than a vibration on the ring; the time restarts
+// with a new contact, even if the ring has not sprung back.
 TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
   Scenario scenario;
   const Parameters& p = scenario.parameters;
@@ -77,7 +77,7 @@ TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
   }
 }
 
-// Exactly as far as it says: a free rotor that is let go with a vibration reaches it, and not more.
+// The reach is exact: a free rotor that starts with a vibration reaches it, and no more.
 class Reach : public testing::TestWithParam<double> {};
 
 TEST_P(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
@@ -103,7 +103,7 @@ TEST_P(Reach, IsThatOfAnUndampedVibrationAboutTheSteadyResponse) {
 
 INSTANTIATE_TEST_SUITE_P(BelowAndAboveTheCriticalSpeed, Reach, testing::Values(6.3, 60.));
 
-// At rest where it would be without supports: it moves nowhere.
+// At rest, without supports: it does not move.
 TEST(Outcome, OfARotorWithoutSupportsThatMovesNowhereIsNoContact) {
   Scenario scenario{.start_speed_Hz = 50, .until = 1};
   Parameters& p = scenario.parameters;
@@ -116,7 +116,7 @@ TEST(Outcome, OfARotorWithoutSupportsThatMovesNowhereIsNoContact) {
   EXPECT_EQ(summary_of(scenario).outcome, Outcome::no_contact);
 }
 
-// A step of the published method may touch the ring and end over its indentation.
+// A step of the published method may touch the ring and end above its indentation.
 TEST(Outcome, CountsTheContactsThatTheSummaryCounts) {
   Scenario scenario{.equations = Equations::consistent,
                     .method = Method::rk4,
@@ -132,8 +132,8 @@ TEST(Outcome, CountsTheContactsThatTheSummaryCounts) {
   EXPECT_EQ(summary.outcome, Outcome::freed);
 }
 
-// The speed ripples as the rotor turns; the first time is wanted of several. Gravity may have
-// brought it there before the last step of a run-up without it begins.
+// The speed ripples as the rotor turns, and the first of several times is needed. Due to gravity it
+// may be before the last step of the run-up.
 TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
   Scenario rippling{.equations = Equations::consistent, .start_speed_Hz = 55};
   Parameters& p = rippling.parameters;

@@ -1,5 +1,5 @@
-/// The engine against what is proven: reference-data/proven.csv, which verification/proof/ makes by
-/// ball arithmetic from independent equations.
+/// The engine against the proven values of reference-data/proven.csv, which verification/proof/
+/// computes by ball arithmetic from independent equations.
 #include <fmt/format.h>
 
 #include <cmath>

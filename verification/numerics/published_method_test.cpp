@@ -1,5 +1,5 @@
 /// The published method's steps: where they are short, what they show, and how they end. Its
-/// results are held by convergence_test.cpp and by the paper's claims.
+/// results are tested by convergence_test.cpp and by the paper's claims.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -27,8 +27,8 @@ TEST(PublishedMethod, LosesTheMassOnce) {
   EXPECT_EQ(recorder.first(Event::mass_loss).time_s, 0.29);
 }
 
-// The whirl is counted from the step in which rolling begins, and not from the one before; a rim
-// that slips in between starts to roll again.
+// The whirl counts from the step in which rolling begins, not from the one before; a rim that slips
+// in between starts to roll again.
 TEST(PublishedMethod, CountsTheWhirlOfTheLastTimeThatItRollsAlone) {
   Scenario scenario{.method = Method::rk4};
   scenario.parameters.loses_mass = false;
@@ -69,7 +69,7 @@ TEST(PublishedMethod, CallsTheRimRollingWhereFrictionStopsItInAStepAlone) {
     Instant from = at_rest(scenario.parameters);
     from.state = {3.01e-3, 0, 0, 0, 0, speed};
     from.contact = ContactState::sliding;
-    from.event = Event::touch_down;  // which has been, and is not to be shown again
+    from.event = Event::touch_down;  // has occurred, and must not be shown again
     Steps steps;
     run(scenario, from, steps);
     ASSERT_GT(steps.all.size(), 1U);
@@ -80,8 +80,8 @@ TEST(PublishedMethod, CallsTheRimRollingWhereFrictionStopsItInAStepAlone) {
   }
 }
 
-// The steps are long until one would touch the ring, and short from there on; the last one ends at
-// the end. Each moves the rotor by as much time as it takes.
+// The steps are long until one would touch the ring, and short from there on; the last one stops at
+// the end of the run. Each advances the rotor by exactly its length.
 TEST(PublishedMethod, TakesShortStepsFromTheFirstContactOnAndEndsOnTime) {
   Scenario scenario{.method = Method::rk4, .step_run_up = 1e-4, .step_rub = 5e-6};
   scenario.parameters.loses_mass = false;

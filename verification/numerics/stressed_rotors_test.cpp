@@ -1,4 +1,4 @@
-/// Rotors on which the integration once failed, as the stress test found them.
+/// Rotors from the stress test on which the integration once failed.
 #include <gtest/gtest.h>
 
 #include "figures/data/csv.hpp"

@@ -1,4 +1,4 @@
-/// What is gathered along a run: the quantities of its summary.
+/// The quantities of a summary, which are gathered along the run.
 #include "model/results/summary.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace rotor {
 namespace {
 
-// Nothing holds it: the mass centre stays where it is, and O circles about it.
+// No supports: the mass centre does not move, and O circles about it.
 TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
   Scenario scenario{.until = 1.5};
   Parameters& p = scenario.parameters;
@@ -29,8 +29,8 @@ TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
   EXPECT_GT(summary_until(1.5, scenario).touch_downs, 0);
 }
 
-// A damper that is strong enough presses hardest as the rim arrives: F_n jumps to -d_t v_n,
-// although the indentation there is but rounding, and of either sign.
+// With a strong damper the force is largest at touch-down: F_n jumps to -d_t v_n, although the
+// indentation there is only rounding, of either sign.
 TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
   int gaps = 0;
   for (int n = 0; n < 100; ++n) {
@@ -96,7 +96,7 @@ TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
   EXPECT_EQ(later.outcome, Outcome::rolling);
 }
 
-// If it comes to roll again, it is the end of that rolling, and none yet.
+// If the rim rolls again, the end is that of the new rolling, and there is none yet.
 TEST(Summary, HasTheEndOfTheLastRollingAlone) {
   const Scenario scenario;
   SummaryObserver observer(scenario);

@@ -1,5 +1,5 @@
-/// Whole runs in other units: what is said of them, and where they stop, must not depend on a
-/// number that has a unit without saying so.
+/// Whole runs in other units: neither results nor early ends may depend on a hidden number with a
+/// unit.
 #include <gtest/gtest.h>
 
 #include "figures/results/run_result.hpp"

@@ -30,8 +30,8 @@ Quad dot(const A& a, const B& b) {
   return sum;
 }
 
-// Quadrature of the nodes' powers, by the weights of both orders and by each stage: in quadruple
-// precision, so that no digit of a coefficient is wrong. Rounding is some 1e-34 of terms up to 120.
+// Quadrature of the nodes' powers by the weights of both orders and by each stage, in quadruple
+// precision, which tests every digit of a coefficient. Rounding is some 1e-34 of terms up to 120.
 TEST(Verner, MeetsItsOrderConditionsToTheLastDigit) {
   using std::abs;
   const verner::Tableau<Quad> tableau;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Where on the rim the loss leaves the largest unbalance: degrees from opposite to the first one.
+/// Where on the rim a loss leaves the largest unbalance: degrees from opposite to the initial one.
 double place_of_largest_unbalance(const Parameters& p) {
   int best = 0;
   const auto unbalance = [&](int degrees) {
@@ -89,7 +89,7 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
       {"share_printed", [](In in, P) { return 100 * in.energy_left / in.energy_before; }},
       {"shortest_steps", [](In in, P) { return in.shortest_s / Scenario{}.step_rub; }},
       {"longest_steps", [](In in, P) { return in.longest_s / Scenario{}.step_rub; }},
-      // The free vibration that the loss starts has died down to a tenth, relative to t_1.
+      // Time until the free vibration after the loss has decayed to a tenth, relative to t_1.
       {"transient_50",
        [](In in, P p) {
          return 100 * std::log(10) * 2 * Loss(p).after.mass / p.support_damping / in.t_50;

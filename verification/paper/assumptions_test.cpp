@@ -1,4 +1,4 @@
-/// What the ambiguous choices of the paper amount to.
+/// The effect of the paper's ambiguous choices.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// What a scenario's run comes to, O_a xy being turned by an angle at first.
+/// The result of a scenario's run that starts with O_a xy turned by an angle.
 Summary summary_of(const Scenario& scenario, double angle = 0) {
   SummaryObserver observer(scenario);
   Instant first = at_rest(scenario.parameters);

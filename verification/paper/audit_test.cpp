@@ -133,7 +133,7 @@ TEST(Audit, ThePlaceOfTheLossMovesTheBorderOfContact) {
   }
 }
 
-// A single run at low friction is no result: all three of these round to the printed d_t or nearly.
+// A single run at low friction proves nothing: all three d_t round to the printed one, or nearly.
 TEST(Audit,
      AtLowFrictionTheRubDiesOutOrGoesOverIntoSlidingOrRollingWithinAFifthOfThePrintedDamping) {
   const auto with = [](double damping) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const std::vector<std::string> from_best = {"reproduced", "within rounding", "refuted"};
 
-/// How far a range lies from the middle of what is allowed; infinite if there are too few values.
+/// How far a range is from the middle of what is allowed; infinite if there are too few values.
 double off_range(const Allowed& allowed, const Spread& spread) {
   if (!(spread.valued >= 0.05)) return infinity;
   if (spread.is_in_range(allowed.middle)) return 0;
@@ -216,8 +216,9 @@ std::string claims_table(const std::vector<Number>& numbers) {
                          converged ? fmt::format("{:.5g}", *converged) : "-", n.unit, n.says,
                          n.reason.empty() ? "" : " (" + n.reason + ')');
   }
-  return table + fmt::format("nothing is claimed about Figs. {}, which is no success.\n",
-                             fmt::join(figures_without_claim(numbers), ", "));
+  return table +
+         fmt::format("nothing is claimed about Figs. {}, which does not count as a success.\n",
+                     fmt::join(figures_without_claim(numbers), ", "));
 }
 
 }  // namespace rotor

@@ -12,12 +12,12 @@
 
 namespace rotor {
 
-/// One way to read a number, and what it gives in each of the sets of equations.
+/// One reading of a number, and its value in each set of equations.
 struct Reading {
   struct InSet {
     std::optional<double> converged;  ///< at the inputs as printed
-    std::optional<double> by_rk4;  ///< the same by the paper's method, of the equations as printed
-    Stored a, b;                   ///< over the populations
+    std::optional<double> by_rk4;     ///< by the paper's method, for the equations as printed
+    Stored a, b;                      ///< over the populations
   };
   std::string name;
   std::array<InSet, sets.size()> in{};
@@ -44,22 +44,22 @@ struct Number {
   Allowed allowed(double words = 1) const { return rotor::allowed(printed, rule, words); }
 };
 
-/// In a set of equations, with the widths that words have multiplied.
+/// The verdict in a set of equations, with the widths of words multiplied.
 Verdict verdict_of(const Number& number, std::size_t set, double words = 1);
 
-/// The table alone, readings without values.
+/// Only the table, readings without values.
 std::vector<Number> read_numbers(const std::filesystem::path& table);
 
-/// With what runs at the inputs as printed and the stored ensembles give.
+/// The table with values from runs at the inputs as printed and from the stored ensembles.
 std::vector<Number> judged_numbers(const std::filesystem::path& folder);
-/// Those of reference-data/, computed once.
+/// The same for reference-data/, computed once.
 const std::vector<Number>& judged();
 
 /// The verdict of each claim in a set of equations: the worst one of its numbers.
 std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
                                                       std::size_t set, double words = 1);
 
-/// The same counted, with half, once and twice the widths that words have.
+/// Counts of verdicts with half, once and twice the widths of words.
 struct Counts {
   const char* set;
   double words;
@@ -67,7 +67,7 @@ struct Counts {
 };
 std::vector<Counts> sensitivity(const std::vector<Number>& numbers);
 
-/// What is drawn: all but what is about the paper's method.
+/// The readings to draw: all but those about the paper's method.
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers);
 
 /// Rows of ensembles.csv of draws in a set of equations.

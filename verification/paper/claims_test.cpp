@@ -42,7 +42,7 @@ TEST(Claims, StandOnceAndUseEveryReading) {
   for (const std::string& reading : all_readings()) EXPECT_TRUE(used.contains(reading)) << reading;
 }
 
-// A refutation that would also refute a paper that is right would be none.
+// A correct paper must not be refuted.
 TEST(Claims, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquationsGive) {
   int changed = 0;
   for (Number number : judged()) {

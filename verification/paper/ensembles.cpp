@@ -14,13 +14,13 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Draws need but the digits that are printed.
+/// Draws need only the printed digits.
 constexpr double tolerance_of_draws = 1e-8;
 
 double value_of(const std::string& reading, PaperRuns& runs) {
   try {
     return read_off(reading, runs).value_or(nan);
-  } catch (const std::exception&) {  // a rotor that cannot be
+  } catch (const std::exception&) {  // an impossible rotor
     return nan;
   }
 }

@@ -19,21 +19,21 @@ struct Set {
 inline const std::array<Set, 2> sets = {
     {{"published", Equations::published}, {"consistent", Equations::consistent}}};
 
-/// Draws of each reading: its values in the order of the draws, NaN where there is none.
+/// Draws of each reading: its values in the order of the draws, NaN if there is none.
 using Draws = std::map<std::string, std::vector<double>>;
 
-/// Does so many pieces of work by so many threads. `report` is called with how many are done.
+/// Works on `count` items in threads. `report` is called with the number of finished ones.
 void in_parallel(
     long count, int threads, const std::function<void(long)>& work_on,
     const std::function<void(long)>& report = [](long) {});
 
-/// Readings at so many points. The same whatever the number of threads.
+/// Readings at `count` points. The result does not depend on the number of threads.
 Draws evaluate(
     const std::vector<std::string>& readings, long count,
     const std::function<PaperInputs(long)>& at, int threads,
     const std::function<void(long)>& report = [](long) {});
 
-/// What draws leave of a reading.
+/// The distribution of a reading over draws.
 struct Spread {
   long draws = 0;
   double valued = 0;                     ///< share of the draws that have a value

@@ -18,13 +18,13 @@ int main(const Arguments& arguments) {
   const auto numbers = read_numbers(folder / "claims.csv");
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::string csv = fmt::format(
-      "# What the populations of policy.md leave of each reading, from `make ensembles`; not from "
+      "# Each reading over the populations of policy.md, from `make ensembles`; not from "
       "the paper.\n"
       "# rotor " ROTOR_VERSION
       ", method event at tolerance 1e-8; {} draws, seed 1: (a) of Sobol's sequence, (b) "
       "independent ones.\n"
-      "# valued: share of the draws that have a value; median, p5, p95: of those; holds: share in "
-      "which the claim holds.\n"
+      "# valued: share of the draws with a value; median, p5, p95: of those; holds: share of the "
+      "draws in which the claim holds.\n"
       "equations,population,number,reading,draws,valued,median,p5,p95,holds\n",
       count);
   for (const auto& [name, population] : {std::pair("a", Population::a), {"b", Population::b}}) {

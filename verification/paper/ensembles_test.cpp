@@ -1,4 +1,4 @@
-/// The populations, and that the stored ensembles are what runs give.
+/// The populations, and the stored ensembles compared with runs.
 #include "verification/paper/ensembles.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ TEST(PopulationB, PrintsEveryConditioningNumber) {
   }
 }
 
-// The proposals cut nothing off: the draws keep away from their ends by more than chance would.
+// The proposals cut nothing off: the draws stay further from their ends than chance would explain.
 TEST(PopulationB, LiesWithinItsProposals) {
   constexpr long count = 1000;
   const PopulationDraws draws(Population::b, data, count);
@@ -63,8 +63,8 @@ TEST(PopulationB, LiesWithinItsProposals) {
   EXPECT_EQ(shares.size(), 5U);
 }
 
-// A part of the stored ensembles, drawn anew: shares within three standard errors, and on either
-// side of the stored quantiles as many values as there must be.
+// A part of the stored ensembles, computed again: shares within three standard errors, and the
+// right number of values on either side of the stored quantiles.
 TEST(Ensembles, AreWhatRunsGive) {
   const Ensembles all = read_ensembles(data / "ensembles.csv");
   constexpr long count = 24;

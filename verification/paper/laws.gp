@@ -1,4 +1,4 @@
-# Runs against laws, on a part of the random rotors of laws.toml: speed at which rolling begins, largest force.
+# Runs against laws for part of the random rotors of laws.toml: speed at the onset of rolling, largest force.
 trusted = 0.1
 eval "set terminal ".wide
 set multiplot layout 1,2 margins 0.085,0.985,0.16,0.86 spacing 0.1 \

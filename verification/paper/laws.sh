@@ -1,11 +1,11 @@
 #!/bin/sh
-# What the runs of laws.toml say of the laws, as reference-data/laws.csv: laws.sh SWEEP.csv
+# Compares the runs of laws.toml with the laws: laws.sh SWEEP.csv prints reference-data/laws.csv
 set -e
 export LC_ALL=C
 cat <<'HEAD'
-# How good the laws of model/theory are on the random rotors of verification/paper/laws.toml, from `make laws`; not from the
+# The accuracy of the laws of model/theory on the random rotors of verification/paper/laws.toml, from `make laws`; not from the
 # paper. share: of the unbalance, kappa e_x1/(mu r), from and up to; rolling_speed, peak_force: the run's value over the
-# law's, of runs that roll; other quantities: whether the run ends as the law says; agree: share within 10 %, or that does.
+# law's, of runs that roll; other quantities: whether the run ends as the law predicts; agree: share within 10 %, or that does.
 equations,quantity,share_from,share_to,runs,q05,q25,median,q75,q95,agree
 HEAD
 grep -v '^#' "$1" | awk -F, '

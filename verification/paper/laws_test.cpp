@@ -1,5 +1,5 @@
-/// The laws of model/theory: that random rotors keep them as reference-data/laws.csv says, and that
-/// the program says what they say.
+/// The laws of model/theory: random rotors agree with them as reference-data/laws.csv says, and the
+/// program evaluates them correctly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,8 +21,9 @@ struct LawsOfTheAccident : CommandLine {
   }
 };
 
-// A part of the rotors anew. The shares of quantiles scatter by half over the root of their number:
-// of 60 rotors each lies between its neighbours. Shares that agree: three standard errors.
+// A part of the rotors again. Shares below a quantile scatter by at most half over the root of the
+// number of rotors: with 60, each lies between its neighbours. Shares that agree: three standard
+// errors.
 TEST_F(LawsOfTheAccident, HoldOnRandomRotorsAsTheTableSays) {
   std::ifstream file(paper + "laws.toml");
   const std::string all((std::istreambuf_iterator<char>(file)), {});
@@ -55,7 +56,7 @@ TEST_F(LawsOfTheAccident, HoldOnRandomRotorsAsTheTableSays) {
   EXPECT_GT(compared, 10);
 }
 
-// Where the estimate trusts itself; 10 % is what the table is about.
+// Where the estimate is trusted; the table is about 10 %.
 TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
   for (const char* options : {"--friction 0.3", "--mass-loss-time 19.1", "--mass-loss-time 14.15",
                               "--equations consistent"}) {

@@ -41,8 +41,8 @@ void PaperInputs::set(const std::string& input, double value) {
     spec.numbers.insert_or_assign(input, value);
 }
 
-/// Takes down what a run shows. The method with fixed steps shows no events: they are read off the
-/// changes of its contact.
+/// Records what a run shows. The method with fixed steps shows no events; they follow from the
+/// changes of its contact state.
 class PaperWatch : public Observer {
  public:
   explicit PaperWatch(PaperRun& run) : run_(run), ring_(run.scenario_.parameters) {}

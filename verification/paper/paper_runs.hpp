@@ -1,4 +1,4 @@
-/// The runs that the paper's text speaks of, for inputs as printed or rounded otherwise.
+/// The runs in the paper's text, for inputs as printed or within their rounding.
 #pragma once
 
 #include <deque>
@@ -12,12 +12,12 @@
 
 namespace rotor {
 
-/// What the paper's Nomenclature and text state.
+/// Inputs from the paper's Nomenclature and text.
 struct PaperInputs {
   ScenarioSpec spec;  ///< of the rotor, and of the method
   double mu_high = 0.3, mu_intermediate = 0.2, mu_low = 0.08;
   double t_operating = 29.1, t_100 = 19.1, t_75 = 14.15, t_50 = 9.4, t_critical = 2.2;
-  // Results that the text's own arithmetic takes, SI.
+  // Results from which the text computes others, SI.
   double rolling_Hz = 770, rolling_rho = 3.5e-3, onset_Hz = 45, energy_left = 1050,
          energy_before = 4000, shortest_s = 1e-4, longest_s = 3e-4;
 
@@ -25,7 +25,7 @@ struct PaperInputs {
   void set(const std::string& input, double value);
 };
 
-/// A run with its events, and what is measured along it.
+/// A run with its events and measurements.
 class PaperRun {
  public:
   PaperRun(const Scenario& scenario, RunUps& run_ups);
@@ -35,19 +35,19 @@ class PaperRun {
   const Instant& before_loss() const { return before_loss_; }
   const Instant& after_loss() const { return after_loss_; }
   const Instant& last() const { return last_; }
-  /// Where slip ends for the first time; and where the force is greatest. Empty if it does not
+  /// Where slip ends for the first time, and where the force is largest. Empty if the rim does not
   /// roll.
   const std::optional<Instant>& onset() const { return onset_; }
   std::optional<Instant> at_peak() const { return onset_ ? peak_ : std::nullopt; }
 
-  /// Touch-downs before rolling, of which there are so many; counted from the last one (0)
-  /// backwards; empty if there are fewer.
+  /// The number of touch-downs before rolling; and one of them, counted backwards from the last one
+  /// (0), empty if there are fewer.
   std::size_t touch_downs_before_rolling() const;
   std::optional<Instant> touch_down_before_rolling(std::size_t from_last) const;
   std::optional<Instant> last_touch_down() const {
     return touch_downs_.empty() ? std::nullopt : std::optional(touch_downs_.back());
   }
-  /// The collisions that end by a release.
+  /// The collisions that end with a release.
   struct Collision {
     double duration_s, speed_gain;  ///< the gain in rad/s
   };
@@ -57,14 +57,13 @@ class PaperRun {
   /// Largest normal force until a time, N.
   double peak_until(double time_s) const;
 
-  /// Measured from the onset of rolling on, over the first 5 ms or the first turn of the whirl. All
-  /// are empty if there is no rolling for so long.
+  /// Measured over the first 5 ms of rolling or the first turn of the whirl. Empty if rolling is
+  /// shorter.
   struct Rolling {
     double whirl_Hz;  ///< of O, seen from the stator
     double q1_Hz;     ///< of O, seen from the rotating axes
     double ripple;    ///< of rho, from least to greatest, relative to its mean
-    double
-        off_sine;  ///< root mean square of what q1 differs from the best sine, relative to its own
+    double off_sine;  ///< root mean square of q1 less the best sine, relative to that of q1
     double
         decrease_a_turn;  ///< of the mean of rho between the first turn and the last one, relative
   };
@@ -102,15 +101,15 @@ class PaperRuns {
   const PaperRun& high() { return rub(inputs_.mu_high); }
   const PaperRun& intermediate() { return rub(inputs_.mu_intermediate); }
   const PaperRun& low() { return rub(inputs_.mu_low); }
-  /// At high friction by a method that need not be that of the others.
+  /// At high friction, by any method.
   const PaperRun& high_by(Method method);
   /// At the operating speed, a contact parameter multiplied.
   const PaperRun& changed(double friction, const char* quantity, double factor);
   /// From steady motion at a part of the operating speed, with supports whose critical speed is the
   /// same part.
   const PaperRun& from_steady(double part);
-  /// What friction takes at high friction, J; by the event method alone, and if the rotor comes to
-  /// roll.
+  /// What friction dissipates at high friction, J; only by the event method, and if the rotor
+  /// rolls.
   struct FrictionWork {
     std::vector<double> until_touch_downs;  ///< one after the other
     double until_rolling;
@@ -134,7 +133,7 @@ class PaperRuns {
 
   PaperInputs inputs_;
   RunUps run_ups_;
-  std::deque<PaperRun> runs_;  // which stay where they are
+  std::deque<PaperRun> runs_;  // references to them stay valid
   std::optional<std::optional<FrictionWork>> friction_work_;
   std::map<double, Summary> lost_at_;
 };

@@ -13,10 +13,10 @@
 namespace rotor {
 namespace {
 
-/// Where the inputs are proposed of which the text prints arithmetic: each as it would be if those
-/// before it and the speed were as printed. m follows from Delta_vy, e_x from 75 g cm, k_u from
-/// 223.9 g cm, r from v_DC, I_C from I_C1, all a little more widely than the digits of these allow.
-/// A test sees that no draw comes near an end.
+/// Ranges of the proposals for inputs on which the text prints arithmetic: each as if those before
+/// it and the speed were as printed. m follows from Delta_vy, e_x from 75 g cm, k_u from 223.9 g
+/// cm, r from v_DC, I_C from I_C1; all ranges are slightly wider than these digits allow. A test
+/// checks that no draw is near an end.
 const std::vector<InputRange>& proposals() {
   static const std::vector<InputRange> box = {
       {"mass", 4.968, 5.020},
@@ -28,8 +28,8 @@ const std::vector<InputRange>& proposals() {
   return box;
 }
 
-/// From a proposal to the inputs: e_x less as m is more, k_u as both are, r as the speed is. The
-/// map is linear and keeps volumes, so that what is uniform stays so.
+/// Converts a proposal to inputs: a larger m reduces e_x, both reduce k_u, and the speed reduces r.
+/// The map is linear and preserves volumes, and so a uniform distribution stays uniform.
 void put_in_place(std::map<std::string, double, std::less<>>& numbers) {
   const Parameters p;
   const auto more = [&](const char* input, double printed) {
@@ -41,7 +41,7 @@ void put_in_place(std::map<std::string, double, std::less<>>& numbers) {
   numbers.at("rotor_radius") -= p.rotor_radius * more("motor_off_hz", p.motor_off_Hz);
 }
 
-/// Draws of the run-up, by which the torque and an instant are found.
+/// Draws of the run-up, from which the torque and a time follow.
 constexpr const char *motor_off_s = "motor_off_s", *speed_at_50 = "speed_at_50";
 
 bool is_left_to_arithmetic(const std::string& input) {
@@ -50,13 +50,13 @@ bool is_left_to_arithmetic(const std::string& input) {
   return std::ranges::find(proposals(), input, &InputRange::input) != proposals().end();
 }
 
-/// A conditioning number: how the inputs make it, and what prints the same.
+/// A conditioning number: its formula, and the range that prints the same.
 struct Condition {
   std::function<double(const PaperInputs&, const Parameters&)> value;
   Allowed allowed;
 };
 
-/// The claims that condition, and what is allowed of those that the run-up decides.
+/// The conditioning claims, and the allowed ranges of those that the run-up determines.
 struct Conditions {
   std::vector<Condition> arithmetic;
   Allowed motor_off_s, speed_at_50;
@@ -73,7 +73,7 @@ Conditions read_conditions(const std::filesystem::path& claims) {
       conditions.motor_off_s = its;
     } else if (row["number"] == "speed_9") {
       conditions.speed_at_50 = its;
-    } else if (row["number"] != "speed_14") {  // which the others leave no choice
+    } else if (row["number"] != "speed_14") {  // it follows from the others
       row.fail("no draw can be conditioned on that");
     }
   }
@@ -94,8 +94,9 @@ double run_up_time(const ScenarioSpec& spec, double speed_Hz) {
   return *reached.time_s;
 }
 
-/// The torque with which the motor is switched off at a time. The time is nearly that of a constant
-/// torque, so that each step multiplies the error by what the losses take, a thousandth.
+/// The torque with which the motor is switched off at a time. The time is nearly inversely
+/// proportional to the torque, so each iteration multiplies the error by about a thousandth, the
+/// share of the losses.
 double torque_for(const PaperInputs& inputs, double off_s) {
   ScenarioSpec spec = inputs.spec;
   const double speed_Hz = spec.numbers.at("motor_off_hz");
@@ -130,7 +131,7 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
       if (input.starts_with("t_")) add(sweep_, input, least, greatest);
     return;
   }
-  // Independent draws: a part of Sobol's sequence is none.
+  // Independent draws: an accepted part of Sobol's sequence would not be one.
   sweep_.sample.method = Sampling::random;
   for (const auto& [input, least, greatest] : proposals()) add(sweep_, input, least, greatest);
   const auto speed = std::ranges::find(ranges, "motor_off_hz", &InputRange::input);
@@ -142,7 +143,7 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
   for (; static_cast<long>(accepted_.size()) < count; ++tried) {
     if (tried > 100'000 &&
         static_cast<double>(accepted_.size()) < 1e-4 * static_cast<double>(tried))
-      throw std::runtime_error("population (b): hardly a proposal prints the paper's numbers");
+      throw std::runtime_error("population (b): hardly any proposal prints the paper's numbers");
     PaperInputs inputs;
     inputs.spec = propose(tried).spec;
     put_in_place(inputs.spec.numbers);

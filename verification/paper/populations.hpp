@@ -9,7 +9,8 @@
 
 namespace rotor {
 
-/// What the digits of an input allow: a row of printed-inputs.csv. All of them are the box (c).
+/// The range that an input's digits allow: a row of printed-inputs.csv. All rows are population
+/// (c).
 struct InputRange {
   std::string input;
   double least, greatest;
@@ -24,13 +25,13 @@ enum class Population {
 /// The draws of a population, by their numbers from 0 on, in any order.
 class PopulationDraws {
  public:
-  /// Finds that many draws of (b). Throws std::runtime_error if hardly any proposal is accepted.
+  /// Finds `count` draws of (b). Throws std::runtime_error if hardly any proposal is accepted.
   PopulationDraws(Population population, const std::filesystem::path& reference_data, long count);
 
-  /// What a draw states in a set of equations, on whose run-up torque and instants depend.
+  /// The inputs of a draw; torque and times depend on the run-up, and so on the set of equations.
   PaperInputs operator()(long n, const Equations& equations) const;
 
-  /// Of (b): proposals tried for each draw, and where a draw lies in their box, as shares of it.
+  /// For (b): proposals tried per draw, and the position of a draw within their ranges, as shares.
   double proposals_a_draw() const { return proposals_a_draw_; }
   std::map<std::string, double> proposed_shares(long n) const;
 

@@ -77,7 +77,7 @@ Value time_to_rolling(const PaperRun& run) {
   return run.onset()->time_s - *run.summary().first_contact_s;
 }
 
-/// The mass loss: what the rotor and the piece have together after it, less what there was before.
+/// What rotor and piece together gain in the mass loss.
 struct Gain {
   double energy;            ///< J
   Vector<double> momentum;  ///< N s
@@ -99,7 +99,7 @@ Gain gain_by_mass_loss(PaperRuns& r) {
               its.lost_mass * cross(arm_of_piece, piece) - its.before.inertia * before.speed};
 }
 
-/// What friction takes until continuous contact begins, J.
+/// What friction dissipates until continuous contact begins, J.
 Value friction_until(PaperRuns& r, const Instant&, std::size_t from_last) {
   const auto& work = r.friction_work();
   if (!work || work->until_touch_downs.size() <= from_last) return std::nullopt;

@@ -1,4 +1,4 @@
-/// What the claims of the paper's text are read as: numbers that arithmetic or runs give.
+/// Readings of the claims of the paper's text: numbers from arithmetic or runs.
 #pragma once
 
 #include <functional>
@@ -10,15 +10,15 @@
 
 namespace rotor {
 
-/// The value of a reading, in the unit of its claim; none if there is nothing to read, such as an
-/// onset of rolling that did not occur. Throws std::out_of_range for one that does not exist.
+/// The value of a reading, in the unit of its claim; none if, for example, rolling did not set in.
+/// Throws std::out_of_range for an unknown reading.
 std::optional<double> read_off(const std::string& reading, PaperRuns& runs);
 
-/// Those that need no run.
+/// The readings that need no run.
 using Arithmetic = std::function<double(const PaperInputs&, const Parameters&)>;
 const std::map<std::string, Arithmetic>& all_arithmetic();
 
-/// All that exist.
+/// All readings.
 std::vector<std::string> all_readings();
 
 }  // namespace rotor

@@ -1,4 +1,4 @@
-/// The README's examples are what the program reads.
+/// The program runs the README's examples.
 #include <gtest/gtest.h>
 
 #include <fstream>

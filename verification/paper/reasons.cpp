@@ -69,7 +69,7 @@ End end_of(const ScenarioSpec& spec) {
 
 double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }
 
-/// The random rotors, each with a pair of shares of a range, the first one being less.
+/// The random rotors, each with a pair of shares of a range, the smaller one first.
 class Rotors {
  public:
   explicit Rotors(const Equations& equations)
@@ -142,7 +142,7 @@ void note(Trial& trial, Criterion judged, const End& a, const End& b,
   if (trial.example.empty()) trial.example = example();
 }
 
-/// As options of `rotor run`, but for what is varied.
+/// As options of `rotor run`; the varied quantity has both values.
 std::string example_of(const Reason& reason, ScenarioSpec spec, double less, double more) {
   spec.numbers.erase(reason.quantity);
   std::string options = fmt::format("--equations {} ", name_of(*spec.equations));

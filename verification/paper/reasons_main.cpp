@@ -24,10 +24,10 @@ int main(const Arguments& arguments) {
           "values, from `make reasons`; not from the paper.\n"
           "# rotor " ROTOR_VERSION
           ", {} draws of verification/paper/reasons.toml. apply: pairs to which the statement "
-          "applies; violate: those of them that violate it;\n"
-          "# share: of those; size: median of the largest force at the riskier value relative to "
-          "that at the other one, where it is violated (of\n"
-          "# contact at low speed: of that at low speed relative to that at 150 Hz); example: the "
+          "applies; violate: of these, pairs that violate it;\n"
+          "# share: violate over apply; size: median of the largest force at the riskier value "
+          "over that at the other one, in the pairs that violate it\n"
+          "# (harmless: of that at low speed over that at 150 Hz); example: the "
           "first violation, as options of `rotor run` with both values.\n",
           draws) +
           to_csv(reasons, tried(reasons, Equations::published, draws, threads),

@@ -1,4 +1,4 @@
-/// The paper's reasons for the accident: that the stored shares of failure are what runs give.
+/// The paper's reasons for the accident: runs give the stored shares of failure.
 #include "verification/paper/reasons.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ const std::vector<Reason>& reasons() {
   return all;
 }
 
-/// Trials of all reasons on a part of the rotors, drawn anew.
+/// Trials of all reasons on a part of the rotors, drawn again.
 const Trials& anew(const Set& set) {
   constexpr long draws = 60;
   static const std::array all = {tried(reasons(), sets[0].equations, draws, 2),
@@ -59,8 +59,8 @@ TEST(Reasons, HaveTheStandardErrorOfACount) {
   EXPECT_NEAR(trial.standard_error(), 0.04, 1e-15);
 }
 
-// Where two reasons are about the same pairs, as many forces in rolling are compared as rotors that
-// roll at the first value roll at the second.
+// Two reasons with the same pairs: the number of forces compared in rolling equals the number of
+// rotors that roll at both values.
 TEST(Reasons, CompareForcesWhereTheRotorRollsAtBothValues) {
   for (const Set& set : sets)
     for (const std::string along : {"speed", "clearance", "friction"}) {
@@ -71,7 +71,7 @@ TEST(Reasons, CompareForcesWhereTheRotorRollsAtBothValues) {
 
 struct ReasonsExamples : CommandLine {};
 
-// The force in rolling, which need not be the largest one of the run: that may come before.
+// The force in rolling need not be the largest one of the run, which may come before.
 TEST(Reasons, AreViolatedWhereTheForceInRollingFalls) {
   for (const Set& set : sets)
     for (const Reason& reason : reasons())
@@ -80,8 +80,8 @@ TEST(Reasons, AreViolatedWhereTheForceInRollingFalls) {
       }
 }
 
-// By the program: each first violation is one, and the forces have the ratio that is counted. The
-// force in rolling is not in a summary.
+// By the program: each example is a violation, and its forces have the counted ratio. The force in
+// rolling is not in a summary.
 TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
   const auto summary = [&](const std::string& options) {
     return nlohmann::json::parse(
@@ -115,8 +115,8 @@ TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
   EXPECT_GT(tried, 20);
 }
 
-// The largest force of a run may come before rolling: along speed it falls here, and the largest
-// one in rolling rises.
+// The largest force of a run may come before rolling: here it falls with speed, and the largest one
+// in rolling rises.
 TEST(Reasons, CompareTheForceInRolling) {
   Reason reason = reasons()[1];
   ASSERT_EQ(reason.judged, Criterion::force);

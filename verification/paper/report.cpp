@@ -1,5 +1,5 @@
 /// Prints the verdict on every claim of the paper, and writes the claims and their uncertainties:
-/// `report-numbers DATA OUT`. Or all that is known of one claim: `report-numbers DATA claim ID`.
+/// `report-numbers DATA OUT`; or all that is known about one claim: `report-numbers DATA claim ID`.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -23,7 +23,7 @@ double half_digit(const std::string& printed) {
   const std::size_t point = digits.find('.');
   if (point != std::string::npos)
     return scale / 2 * std::pow(10, -static_cast<double>(digits.size() - point - 1));
-  // Zeros behind the second digit of a whole number do not count.
+  // Zeros after the second digit of a whole number do not count.
   const std::size_t last = digits.find_last_not_of('0');
   const std::size_t first = digits.find_first_of("123456789");
   const std::size_t counts = std::min(digits.size() - 1, std::max(last, first + 1));

@@ -1,4 +1,4 @@
-/// What a number as printed allows, by the rules of reference-data/policy.md.
+/// What a printed number allows, by the rules of reference-data/policy.md.
 #pragma once
 
 #include <cmath>
@@ -12,12 +12,12 @@ struct Allowed {
   double least() const { return middle - half; }
   double greatest() const { return middle + half; }
   bool holds(double value) const { return off(value) <= 1; }
-  /// How far a value lies from the middle, in halves of the width.
+  /// The distance of a value from the middle, relative to half the width.
   double off(double value) const { return std::abs(value - middle) / half; }
 };
 
-/// With the widths that words have multiplied. Throws std::invalid_argument for a rule that does
-/// not exist, or a number that is none.
+/// `words` multiplies the widths of words. Throws std::invalid_argument for an unknown rule or an
+/// invalid number.
 Allowed allowed(const std::string& printed, const std::string& rule, double words = 1);
 
 /// Half a unit of the last digit of a number as printed.

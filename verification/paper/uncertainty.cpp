@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Yes or no, and counts, have no error that is small.
+/// Yes or no, and counts, have no small errors.
 bool is_continuous(const Number& number) {
   return number.kind == Kind::simulated && number.rule != "is" &&
          !(number.unit.empty() && number.rule == "few");

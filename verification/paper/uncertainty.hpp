@@ -18,7 +18,7 @@ struct Uncertainty {
   double u_printed;  ///< half a unit of the last digit of D
 };
 
-/// Of what is simulated and is no mere yes or no.
+/// For simulated numbers that are not just yes or no.
 std::vector<Uncertainty> uncertainties(const std::vector<Number>& numbers);
 
 std::string to_csv(const std::vector<Uncertainty>& all);

@@ -1,4 +1,4 @@
-/// What the method, the paper's steps and the printed digits leave open.
+/// The uncertainty due to the method, the paper's steps and the printed digits.
 #include "verification/paper/uncertainty.hpp"
 
 #include <gtest/gtest.h>

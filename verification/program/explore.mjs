@@ -1,6 +1,5 @@
-// What `make check-explore` does: turns the knobs of the page with the engine in a browser without a
-// screen, and compares with the program: node explore.mjs PAGE ROTOR NPM CHROMIUM, where NPM has
-// node_modules.
+// What `make check-explore` does: operates the page with the engine in a headless browser, and compares
+// it with the program: node explore.mjs PAGE ROTOR NPM CHROMIUM, where NPM has node_modules.
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -34,7 +33,7 @@ page.on("request", (request) =>
 
 const address = pathToFileURL(page_file).href;
 const text = (id) => page.textContent(`#${id}`);
-/// Until the pictures are those of the setting that the address states.
+/// Waits until the pictures match the settings in the address.
 const shown = () => page.waitForFunction(
   () => document.body.dataset.shows === location.hash.split("/")[0].replace(/^#?/, "#"), null, { timeout: 60_000 });
 const summary = async () => JSON.parse(await text("summary"));
@@ -55,7 +54,7 @@ const native = (options) => JSON.parse(execFileSync(rotor,
 
 // ---- the numbers
 
-/// Every number of a summary by the path to it; what a run has cost is none of them.
+/// Every number of a summary by its path, without the cost of the run.
 const costs = ["right_hand_sides", "contact_evaluations", "steps", "located_events"];
 function leaves(json, name = "") {
   if (json === null || typeof json !== "object") return [[name, json]];
@@ -63,9 +62,9 @@ function leaves(json, name = "") {
     .flatMap(([key, value]) => leaves(value, `${name}/${key}`));
 }
 
-/// Two programs whose sines differ in the last digit differ as much as the rounding of one of them is
-/// multiplied by the run. That is less than what a tolerance ten times as large changes, but for what does
-/// not depend on it: there, ten digits are asked for. Energies are differences of what the rotor has.
+/// Two programs with sines that differ in the last digit differ by the rounding of one, multiplied by the
+/// run. That is less than the effect of a tolerance ten times as large; values that do not depend on the
+/// tolerance must agree to ten digits. Energies are compared relative to the energy of the rotor.
 function compare(options) {
   const stated = native(options);
   const looser = Object.fromEntries(leaves(native({ ...options, tolerance: "1e-10" })));
@@ -107,10 +106,10 @@ async function checkNumbers() {
     worst = Math.max(worst, compare(options)(await summary()));
   }
   say(`${settings.length} settings: every number as rotor run --json has it, within the error of the run; ` +
-    `of which the largest difference is ${(100 * worst).toFixed(0)} %`);
+    `the largest difference is ${(100 * worst).toFixed(0)} % of it`);
 }
 
-/// The outcomes of draws over the rounding of the inputs are all that there are.
+/// The counts of outcomes add up to the number of draws.
 async function checkShares() {
   await set({ friction: "0.08" });
   await page.click("#sure");
@@ -145,7 +144,7 @@ async function checkKnobs() {
   expect(inputs.friction > 0.2 && inputs.friction < 0.21, `an arrow key turns the friction to ${inputs.friction}`);
   await page.click(".knob:has(#friction) .reset");
   await shown();
-  expect((await summary()).inputs.friction === 0.3, "one click does not bring the paper's friction back");
+  expect((await summary()).inputs.friction === 0.3, "one click does not restore the paper's friction");
 
   await page.fill("#mass-loss-speed-hz", "75");
   await shown();
@@ -201,7 +200,7 @@ async function checkRefusals() {
   expect((await text("status")) === "", "a refusal stays when it is over");
 }
 
-/// A rotor that takes minutes says how far it is, and leaves when the next one comes.
+/// A rotor that takes minutes reports progress, and is dropped when the next one is requested.
 async function checkLongRuns() {
   await page.evaluate(() => (location.hash = "#torque=0.01&until=100000&from=99999&support-damping=0"));
   await page.waitForFunction(() => /^The run has reached/.test(document.getElementById("status").textContent), null, { timeout: 60_000 });
@@ -219,7 +218,7 @@ async function checkFiles() {
   const theirs = execFileSync(rotor, ["run", "--friction", "0.2", "--from", "29.1", "--trace", "-"],
     { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }).split("\n");
   const head = theirs.findIndex((line) => !line.startsWith("#")) + 1;
-  // Closed forms in it may differ in their last digits, as sines do.
+  // Closed forms in it may differ in their last digits, like sines.
   const headOf = (lines) => lines.slice(0, head).join("\n").replace(/\d+\.\d+(e[-+]?\d+)?/g, (number) => Number(number).toPrecision(9));
   expect(headOf(ours) === headOf(theirs), "the head of the CSV is another one");
   expect(Math.abs(ours.length - theirs.length) < 0.01 * theirs.length, `the CSV has ${ours.length} rows, not ${theirs.length}`);
@@ -239,5 +238,5 @@ try {
 } finally {
   await browser.close();
 }
-say(failures === 0 ? "The page shows what the program says." : `${failures} failures`);
+say(failures === 0 ? "The page agrees with the program." : `${failures} failures`);
 process.exitCode = failures === 0 ? 0 : 1;

@@ -1,4 +1,4 @@
-/// What the page asks of the engine; `make check-explore` checks the page itself in a browser.
+/// The engine's interface to the page; `make check-explore` checks the page itself in a browser.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,8 +30,7 @@ class Explore : public CommandLine {
   Explorer explorer_{printed_inputs()};
 };
 
-/// What a run has found, not what it has cost: who looks at the motion between its steps pays for
-/// that.
+/// The results of a run without its cost, which is higher if the motion between steps is observed.
 Json findings(Json summary) {
   summary.erase("right_hand_sides");
   return summary;
@@ -87,7 +86,7 @@ TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
   }
 }
 
-// A window may begin before the way that the last one has left behind.
+// A window may start before the checkpoints of the last run.
 TEST_F(Explore, SavesTheTraceThatRotorRunWrites) {
   for (const char* from : {"29.1", "27.9", "29.099"}) {
     const Options options = {{"friction", "0.2"}, {"until", "29.11"}, {"from", from}};
@@ -96,7 +95,7 @@ TEST_F(Explore, SavesTheTraceThatRotorRunWrites) {
   }
 }
 
-// The works of the balance, as far as the run has got: at its end they are those of the summary.
+// The works of the energy balance over time: at the end they are those of the summary.
 TEST_F(Explore, TellsHowTheWorksGrow) {
   const Picture picture = explorer_.run({}, null_observer_);
   const Json& energy = picture.metadata["summary"]["energy_J"]["until_end"];
@@ -122,7 +121,7 @@ std::set<std::string> drawn(const Options& options) {
   return all;
 }
 
-// What has another value than a printed one is meant so.
+// A value other than the printed one is not varied.
 TEST_F(Explore, DrawsThePrintedInputsThatAreInEffect) {
   const auto all = drawn({});
   EXPECT_TRUE(drawn({{"friction", "0.08"}}).contains("friction 0.075 0.085"));
@@ -156,7 +155,7 @@ TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
   EXPECT_EQ(losses.size(), 3U);
 }
 
-// The page's scripts read no column of the motion and no key of the summary that there is not.
+// The page's scripts read only existing columns of the motion and keys of the summary.
 TEST_F(Explore, ReadsNothingOfARunThatThereIsNot) {
   const Picture picture = explorer_.run({{"friction", "0.2"}}, null_observer_);
   const Json& motion = picture.metadata["motion"];

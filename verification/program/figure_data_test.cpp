@@ -1,4 +1,4 @@
-/// What `rotor figure` writes, figure by figure: in each column the motion of each run.
+/// What `rotor figure` writes, figure by figure: each column agrees with the motion of each run.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace rotor {
 namespace {
 
-/// Of velocities near 17 m/s: in rolling, the slip is nothing else.
+/// Rounding of velocities near 17 m/s: in rolling the slip has nothing else.
 constexpr double rounding = 1e-13;
 
 /// The rows of each run, their columns in the figure's order.
@@ -33,8 +33,8 @@ std::vector<std::pair<std::string, Rows>> rows_of(const Figure& figure, Equation
   return runs;
 }
 
-/// How far a curve lies from a value at a time, as a line through its rows; where it jumps, the
-/// line is upright.
+/// How far a curve is from a value at a time, as a line through its rows; at a jump the line is
+/// vertical.
 double distance(const Rows& rows, std::size_t column, double time_s, double value) {
   constexpr double rounding_s = 1e-11;
   auto right = std::lower_bound(rows.begin(), rows.end(), time_s - rounding_s,
@@ -84,8 +84,8 @@ class Samples : public Observer {
 
 class FigureData : public testing::TestWithParam<Figure> {};
 
-// By runs of the test and formulas written independently. Between the points at which rows are
-// chosen, a line may be a little further off than at them.
+// By runs of the test and independent formulas. Between the points at which rows are chosen, a line
+// may be slightly further off than at them.
 TEST_P(FigureData, IsTheMotionOfItsRuns) {
   const auto& [number, scene] = GetParam();
   std::map<std::string, Rows> data;

@@ -1,4 +1,4 @@
-/// Random scenes and command lines: whatever is given is done, or refused in one clear line.
+/// Random scenes and command lines: any input is processed, or refused in one clear line.
 #include <boost/property_tree/xml_parser.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -33,7 +33,7 @@ class Random {
     return all[below(all.size())];
   }
 
-  /// A number as people write them, or something like it.
+  /// A number as people write it, or something similar.
   std::string number() {
     static const auto odd = lines_of(
         "0\n-0\n-1\n1e308\n1e-308\ninf\nnan\n1e400\n0x10\n1_000\n+3\n3.\n.5\n1e\ntrue\n\"5\"\n[1]\n"
@@ -42,7 +42,7 @@ class Random {
     return std::to_string(std::pow(10, std::uniform_real_distribution<double>(-6, 6)(random_)));
   }
 
-  /// What shells, gnuplot, awk, XML and terminals may take for more than a text.
+  /// Texts that shells, gnuplot, awk, XML or terminals may interpret.
   std::string hostile(std::size_t most) {
     static const auto pieces = lines_of(
         "; system(\"touch p\") #\n`touch p`\n$(touch p)\n<touch p\n|touch "
@@ -181,7 +181,7 @@ TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
     expect_clean(output);
     if (status != 0) {
       EXPECT_TRUE(output.starts_with("rotor: ")) << arguments << ": " << output;
-      // One line, behind how far a long run has got.
+      // One line, after the progress of a long run.
       for (std::size_t end = 0; (end = output.find('\n', end)) < output.size() - 1; ++end)
         EXPECT_TRUE(output.substr(end + 1).starts_with("rotor: ")) << arguments << ": " << output;
       EXPECT_LT(output.size(), 800U) << arguments;
@@ -191,8 +191,8 @@ TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
   }
 }
 
-// Titles, names and paths are texts, whatever they look like: the picture shows them as they
-// are, and nothing is done but to draw it.
+// Titles, names and paths are texts, whatever they look like: the picture shows them unchanged, and
+// they have no other effect.
 TEST_F(Fuzz, TextsAreNeverCommands) {
   Random random(3);
   for (long n = 0; n < 6; ++n) {
@@ -230,8 +230,8 @@ TEST_F(Fuzz, TextsAreNeverCommands) {
   }
 }
 
-// Those with control characters are refused in one line that can be shown, and so is a path that
-// cannot be read.
+// Texts with control characters are refused in one printable line, and so is a path that cannot be
+// read.
 TEST_F(Fuzz, ControlCharactersReachNeitherPicturesNorTerminals) {
   Random random(4);
   for (long n = 0; n < 15; ++n) {

@@ -1,4 +1,4 @@
-/// What `rotor plot` makes of the gnuplot that there is.
+/// `rotor plot` with different versions and failures of gnuplot.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST_F(Gnuplot, EndsWithGnuplotWhenItIsInterrupted) {
   }
 }
 
-// What a user has for gnuplot's own start changes no picture; nor does a title have a limit.
+// A user's gnuplot settings change no picture; and titles may have any length.
 TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   EXPECT_EQ(rotor("plot \"it's.toml\" --out a.svg").status, 0);
   write(".gnuplot", "set logscale y\nset xrange [0:10]\nset decimalsign ','\n");
@@ -55,9 +55,9 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
 }
 
-// O turns steadily on a circle, forward, once a turn of the rotor: the spectrum has one line, as
-// high as the circle is wide, at f = 60 Hz, where a Hann window of a whole number of turns leaves
-// the lines beside it half as high, and nothing elsewhere.
+// O moves steadily on a circle, forward, once per turn of the rotor: the spectrum has one line at
+// f = 60 Hz, with the circle's radius as its height. A Hann window over a whole number of turns
+// leaves lines of half the height next to it, and nothing elsewhere.
 TEST_F(Gnuplot, GetsTheSpectrumOfACircle) {
   write_gnuplot("cp run1.csv \"$KEPT\"; exit 1\n");
   write("circle.toml",
@@ -80,8 +80,8 @@ TEST_F(Gnuplot, GetsTheSpectrumOfACircle) {
   EXPECT_LT(elsewhere / rho, 1e-3);
 }
 
-// Of the force in rolling, the highest line is that of a direct sum over the trace, in which the
-// force is put together from its components along the normal and the tangent.
+// The highest line of the force in rolling agrees with a direct sum over the trace, in which the
+// force is composed of its components along the normal and the tangent.
 TEST_F(Gnuplot, GetsTheSpectrumOfTheForceInRolling) {
   write_gnuplot("cp run1.csv \"$KEPT\"; exit 1\n");
   const double from_s = 0.03, length_s = 0.03;
@@ -121,7 +121,7 @@ TEST_F(Gnuplot, GetsTheSpectrumOfTheForceInRolling) {
   EXPECT_NEAR(std::hypot(real, imaginary) / static_cast<double>(samples) / highest_N, 1, 1e-9);
 }
 
-// A gnuplot whose disk is full succeeds nonetheless.
+// gnuplot reports success even if the disk is full.
 TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
   write_gnuplot(
       "PATH=${PATH#*:} gnuplot \"$@\"\n"
@@ -130,7 +130,7 @@ TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
     write(name, "old");
     const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out " + name);
     EXPECT_NE(status, 0);
-    EXPECT_EQ(output, "rotor: gnuplot has not drawn the whole picture\n");
+    EXPECT_EQ(output, "rotor: gnuplot did not draw the whole picture\n");
     EXPECT_EQ(content(name), "old");
   }
 }
@@ -143,7 +143,7 @@ TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
                  "no/a.svg: cannot be written: there is no folder no");
   const auto [status, output] = shell("PATH= $rotor plot \"it's.toml\" --out a.svg");
   EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("gnuplot, which draws, cannot be started"), std::string::npos) << output;
+  EXPECT_NE(output.find("gnuplot cannot be started"), std::string::npos) << output;
   EXPECT_EQ(content("a.svg"), "old");
   EXPECT_EQ(files(), 2);
 }

@@ -1,4 +1,4 @@
-/// That nothing which failed passes for made.
+/// Failed targets must not pass as made.
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -15,8 +15,7 @@ class Make : public CommandLine {
   }
 };
 
-// Data that were removed are written again, others are left alone; a picture without its end is
-// none.
+// Removed data are written again, others are left alone; an incomplete picture is removed.
 TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   fs::create_directories(folder_ / "build/figures");
   fs::create_directories(folder_ / "bin");
@@ -43,7 +42,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   fs::remove(folder_ / "build/figures/fig18.svg");
   const auto [status, output] = make_figure("");
   EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("fig18.svg: gnuplot has not drawn the whole picture"), std::string::npos)
+  EXPECT_NE(output.find("fig18.svg: gnuplot did not draw the whole picture"), std::string::npos)
       << output;
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg"));
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg.part"));

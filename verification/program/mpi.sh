@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The same sweep by threads and by ranks gives the same bytes, also when a rank was killed on the
-# way. Needs a program built with MPI.
+# The same sweep by threads and by ranks gives the same bytes, even if a rank is killed during it. Needs
+# a program built with MPI.
 set -euo pipefail
 rotor=$(realpath "$1")
 work=$(mktemp -d)
@@ -28,7 +28,7 @@ for count in 1 2 3; do
   rm ranks.csv
 done
 
-# Killed again and again, the last rank first; others may end with it.
+# Ranks are killed repeatedly, the last one first; others may end with it.
 for pause in 0.3 0.5 0.7; do
   ranks 3 "$rotor" sweep sweep.toml --out ranks.csv 2>/dev/null &
   sleep $pause
@@ -38,9 +38,9 @@ done
 [ -e ranks.csv ] || ranks 3 "$rotor" sweep sweep.toml --out ranks.csv
 cmp threads.csv ranks.csv
 
-# A mistake is said once.
+# An error is reported once.
 [ "$(ranks 3 "$rotor" sweep nowhere.toml --out x.csv 2>&1 | grep -c 'nowhere.toml: cannot be read')" = 1 ]
-# So is that threads of ranks are not meant.
+# So is the refusal of threads under mpirun.
 [ "$(ranks 3 "$rotor" sweep sweep.toml --out x.csv --jobs 2 2>&1 | grep -c -e '--jobs: under mpirun')" = 1 ]
 [ ! -e x.csv ]
 echo "Threads and 1, 2, 3 ranks agree to the byte, also after a rank was killed."

@@ -1,5 +1,5 @@
-/// What is stated ends where its name says: every number of a scenario by the command line and by
-/// scene files, every choice, and what takes precedence.
+/// Inputs reach the right place: every number of a scenario by command line and scene file, every
+/// choice, and their precedence.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -35,8 +35,8 @@ std::string stated(const std::map<std::string, double>& numbers, bool as_options
   return all;
 }
 
-// By an option; by a key of [parameters]; by one of [[run]] above that; by an option above all: it
-// is one run, in which that input alone is another one.
+// By an option; by a key of [parameters]; by one of [[run]] that overrides it; by an option that
+// overrides both: always the same run, in which only that input differs.
 TEST_F(Options, EachStateTheNumberThatTheyName) {
   const std::map<std::string, double> short_run = {
       {"start_speed_hz", 30}, {"until", 0.02}, {"mass_loss_time", 0.001}};
@@ -85,7 +85,7 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
   }
 }
 
-// However it is stated, a choice is shown, and makes the run another one.
+// However it is stated, a choice is shown, and changes the run.
 TEST_F(Options, EachStateTheChoiceThatTheyName) {
   const std::string start = " --start-speed-hz 40 --mass-loss-time 0.001 --until 0.05 ",
                     keys = "start_speed_hz = 40\nmass_loss_time = 0.001\nuntil = 0.05\n";
@@ -125,7 +125,7 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
   EXPECT_EQ(summary("--scene d.toml --digits 3"), summary(start + "--digits 3"));
 }
 
-// A trace has the window of its scene, or the beginning that an option states, to a row.
+// A trace has the window of its scene, or the start stated by an option, to the row.
 TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
   write("two.toml",
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 0.004, until_s = 0.012 }\n"
@@ -149,7 +149,7 @@ TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
   EXPECT_EQ(rotor("run --scene two.toml --run a --trace t.csv --until 0.003").status, 1);
 }
 
-// `figure` puts its options above [parameters] and below what a [[run]] states itself.
+// Options of `figure` override [parameters], but not a [[run]].
 TEST_F(Options, OfFiguresStandBetweenParametersAndRuns) {
   write("fig31.toml",
         "[parameters]\nstart_speed_hz = 100\nuntil = 0.01\nequations = \"consistent\"\n"

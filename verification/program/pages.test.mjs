@@ -1,4 +1,4 @@
-// Units, signs and names of what the page shows, of numbers that are known: `node --test` runs it.
+// Units, signs and names on the page, for known numbers: `node --test` runs it.
 import assert from "node:assert/strict";
 import test from "node:test";
 
@@ -76,7 +76,7 @@ test("the force on the rotor points inwards, and along the ring by friction", ()
   assert.deepEqual(forceTip([100, 0], [1, 0], -20, 5), [80, -5]);
 });
 
-test("a column is the same behind its steps", () => {
+test("a column survives its coding in steps", () => {
   const bytes = new Uint8Array(Uint16Array.from([0, 65535, 13107]).buffer);
   assert.deepEqual([...column([-1, 4, btoa(String.fromCharCode(...bytes))])], [-1, 4, 0]);
   const recorded = new Recorded([{ options: { friction: "0.2" } }]);

@@ -24,7 +24,7 @@ class Pictures : public CommandLine,
   const Figure& figure() const { return std::get<0>(GetParam()); }
   Equations equations() const { return std::get<1>(GetParam()); }
 
-  /// As make draws it. A column that is missing is an error of gnuplot's.
+  /// Draws it as make does. A missing column is an error of gnuplot.
   DrawnPicture drawn(const std::string& points = "") const {
     const auto [status, output] =
         shell(fmt::format("{0}/../draw.sh a.svg \"data = '{1}'; equations = '{2}'; points = "
@@ -39,7 +39,7 @@ class Pictures : public CommandLine,
     return picture;
   }
 
-  /// A curve that a run's data can be: along time, or an orbit, in the axes' units.
+  /// A possible curve of a run's data: over time, or an orbit, in the axes' units.
   struct Candidate {
     std::string run, column;
     bool is_orbit;
@@ -66,7 +66,7 @@ class Pictures : public CommandLine,
     return all;
   }
 
-  /// At its ends, and where it reaches furthest to each side.
+  /// Points at its ends, and where it extends furthest to each side.
   static bool is_drawn(const Candidate& candidate, const DrawnCurve& curve, const Tics& x_axis) {
     const auto second = &Points::value_type::second;
     const auto& points = candidate.points;
@@ -121,8 +121,8 @@ TEST_P(Pictures, HaveTheCurvesOfEachRunAndItsNumbers) {
   if (equations() == Equations::published && !places.empty()) expect_points(points, places);
 }
 
-// Points that were read off a printed figure are drawn each once, in the panel of their run and
-// quantity, where they were read.
+// Points read off a printed figure are drawn once each, at their position in the panel of their run
+// and quantity.
 void Pictures::expect_points(const std::string& table, const Points& places) const {
   write("points.csv", table);
   const DrawnPicture picture = drawn("points.csv");
@@ -137,7 +137,7 @@ void Pictures::expect_points(const std::string& table, const Points& places) con
         << place.first << ", " << place.second;
 }
 
-/// The numbers that a picture has to say, by the engine.
+/// The numbers that a picture must show, from the engine.
 std::vector<std::string> Pictures::numbers() const {
   std::vector<Summary> of;
   std::vector<EventRecorder> events;

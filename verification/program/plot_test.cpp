@@ -21,8 +21,8 @@ class Plot : public CommandLine {
   }
 };
 
-// Force in kN, speed in Hz, displacement and orbit in mm, each of both runs, reach as far in the
-// picture as in the runs' traces; the ring is drawn around the orbit.
+// Force in kN, speed in Hz, displacement and orbit in mm of both runs extend as far in the picture
+// as in the traces; the ring is drawn around the orbit.
 TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   ASSERT_EQ(rotor("plot \"it's.toml\"").status, 0);
   const DrawnPicture picture(content("it's.svg"));

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What `make portable` does: builds the program for aarch64, runs it by emulation, and compares what
-# it says of the paper's three rubs with what this machine says, to the last bit. Digits that are asked
-# for are to be the same though there are no 80-bit numbers to find them with.
+# What `make portable` does: builds the program for aarch64, runs it in an emulator, and compares its
+# results for the paper's three rubs with those of this machine, to the last bit. Guaranteed digits must
+# be the same, although that processor has no 80-bit numbers.
 set -euo pipefail
 build=$1
 for needed in aarch64-linux-gnu-g++ qemu-aarch64; do

@@ -1,4 +1,4 @@
-/// The house: which rooms may include which.
+/// Which folders may include which.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// From the foundation up: a room includes itself and rooms of the floors below it.
+/// From the bottom up: a folder may include itself and folders of the floors below it.
 const std::vector<std::vector<std::string>> floors = {
     {"model/mechanics", "model/integration", "figures/data"},
     {"model/phases", "model/theory"},
@@ -31,7 +31,7 @@ const std::vector<std::vector<std::string>> floors = {
     {"verification/report"},
 };
 
-/// -1 if it is no room's.
+/// -1 for an unknown folder.
 long floor_of(const std::string& room) {
   const auto found = std::ranges::find_if(
       floors, [&](const auto& rooms) { return std::ranges::find(rooms, room) != rooms.end(); });
@@ -40,7 +40,7 @@ long floor_of(const std::string& room) {
 
 bool may_include(const std::string& room, const std::string& other) {
   if (room == other) return true;
-  if (room == "verification/proof") return false;  // which shares nothing with the model
+  if (room == "verification/proof") return false;  // shares nothing with the model
   const bool is_report = room == "verification/report";
   if (other.starts_with("verification/") && other != "verification/support")
     return is_report && other == "verification/paper";
@@ -62,13 +62,14 @@ TEST(Rooms, IncludeOnlyWhatTheyMay) {
       if (ending != ".hpp" && ending != ".cpp" && ending != ".ipp") continue;
       ++files;
       const std::string path = fs::relative(entry.path(), root), room = room_of(path);
-      EXPECT_TRUE(floor_of(room) >= 0 || room == "verification/proof") << path << " is in no room";
+      EXPECT_TRUE(floor_of(room) >= 0 || room == "verification/proof")
+          << path << " is in an unknown folder";
       std::ifstream stream(entry.path());
       for (std::string line; std::getline(stream, line);) {
         const std::string include = "#include \"";
         if (!line.starts_with(include)) continue;
         const std::string other = room_of(line.substr(include.size()));
-        if (floor_of(other) < 0 && other != "verification/proof") continue;  // beside the file
+        if (floor_of(other) < 0 && other != "verification/proof") continue;  // next to the file
         EXPECT_TRUE(may_include(room, other)) << path << ": " << line;
       }
     }

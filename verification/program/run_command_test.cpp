@@ -1,4 +1,4 @@
-/// What `rotor run` says of a run: every key of its summary.
+/// The output of `rotor run`: every key of the summary.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
   }
 }
 
-// What does not add up is said, which loose tolerances show.
+// The residual of the balance is reported, as loose tolerances show.
 TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   const Json end = summary("--energy --tolerance 1e-4")["energy_J"]["until_end"];
   double residual = 0;
@@ -65,7 +65,7 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   EXPECT_EQ(turning["mass_loss"], 0);
 }
 
-// In JSON each number of the run has its error; everything else is as without.
+// In JSON each number of the run has its error; everything else is unchanged.
 TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
   const std::string rolls = "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 ";
   const Json plain = summary(rolls), sure = summary(rolls + "--digits 6");

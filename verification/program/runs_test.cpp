@@ -1,4 +1,4 @@
-/// What a run states, where it begins, where it loses its mass, and where it stops.
+/// The inputs of a run, its start, its mass loss and its end.
 #include <cmath>
 #include <numbers>
 
@@ -62,7 +62,7 @@ TEST(ScenarioSpec, OfAMassLossAboveAnotherTakesWhenAndWhetherItIs) {
             1.5);
 }
 
-// The one at which the motor is switched off, too, whatever it is.
+// Also the speed at which the motor is switched off, whatever it is.
 TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   for (const double off_Hz : {150., 20 + std::numbers::pi})
     for (const double speed_Hz : {20., 75., 149.9995, off_Hz}) {
@@ -76,12 +76,12 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   const auto at_start =
       numbers({{"start_speed_hz", 60}, {"mass_loss_speed_hz", 60}, {"torque", 0}});
   EXPECT_EQ(scenario_of(at_start).parameters.mass_loss_time, 0);
-  // What is faster behind a contact, this one at 1.77 s, does not count.
+  // A higher speed after a contact, here at 1.77 s, does not count.
   EXPECT_THROW(scenario_of(numbers({{"mass_loss_speed_hz", 75}, {"eccentricity", 1e-3}})),
                std::exception);
 }
 
-// The response at a constant speed, which nothing but the damping's drag changes.
+// The response at a constant speed, which changes only by the drag of damping.
 TEST(StartSpeed, BeginsInSteadyResponse) {
   Scenario scenario;
   scenario.parameters.torque = scenario.parameters.gravity = 0;
@@ -100,7 +100,7 @@ TEST(StartSpeed, BeginsInSteadyResponse) {
   }
 }
 
-// A scene's runs, each the same as on its own, and beside one that fails.
+// The runs of a scene are the same as single runs, even if one fails.
 TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
   write("two.toml",
         "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\nmass_loss_time = 1e-3\n[[run]]\n"
@@ -129,7 +129,7 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
   EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
 }
 
-// A run that stops when its outcome is decided says what the whole run says, and mostly sooner.
+// A run that stops when its outcome is decided has that of the whole run, and mostly ends earlier.
 TEST(StopsAtTheOutcome, DecideAsTheWholeRunDoes) {
   RandomRuns random(7);
   int sooner = 0;
@@ -179,7 +179,8 @@ TEST_F(Stops, AreAtRest) {
         << speed_Hz;
 }
 
-// Rolling on after the loss, it awaits a maximum of the force, which a smooth decay has not.
+// If the rotor keeps rolling after the loss, the run waits for a maximum of the force, which a
+// smooth decay does not have.
 TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
   const Json stopped = summary(
       "--equations consistent --clearance 1e-3 --friction 0.8 --unbalance-factor 1 "
@@ -188,7 +189,7 @@ TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
   EXPECT_GT(stopped["final_time_s"], 2.5);
 }
 
-// Before resonance it is not clear yet: the motor drives the rotor on, and into contact.
+// Below resonance it is not decided yet: the motor drives the rotor through it, and into contact.
 TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
   for (const std::string run :
        {"--mass-loss-time 1 --until 5 ", "--mass-loss-time 1.5 --until 5 --equations consistent ",

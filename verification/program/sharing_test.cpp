@@ -1,4 +1,4 @@
-/// Runs that share a part of their way are, to the bit, what they are alone.
+/// Runs that share a part give the same results, to the bit, as separate runs.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -21,8 +21,8 @@ std::string finished(RunUpCheckpoint way, const Scenario& scenario) {
       .dump(1);
 }
 
-/// Scenarios that differ in what their run-up depends on, or later, or in when they leave it; each
-/// input varies.
+/// Scenarios that differ in inputs of the run-up, in later ones, or in the time at which they leave
+/// the run-up; each input varies.
 std::vector<Scenario> scenarios() {
   std::mt19937_64 random(3);
   const auto one_of = [&](auto... values) {
@@ -59,7 +59,7 @@ std::vector<Scenario> scenarios() {
   return all;
 }
 
-// A way that a monitor stops is of no use, to later ones neither.
+// A run-up that a monitor has stopped must not be used, not even by later runs.
 TEST(RunUps, ForgetTheWayThatWasInterrupted) {
   RunUps run_ups;
   struct : Observer {
@@ -69,7 +69,7 @@ TEST(RunUps, ForgetTheWayThatWasInterrupted) {
   const Scenario scenario{.until = 29.15, .tolerance = 1e-8};
   const RunUpCheckpoint stopped = run_ups.checkpoint_before(scenario, monitor);
   ASSERT_TRUE(stopped.simulation.stopped());
-  // It does not continue, and says that it was cut short.
+  // It does not continue, and reports that it was cut short.
   const RunResult result = finish(stopped, scenario, StopOn::rolling, monitor);
   EXPECT_EQ(result.end.last.time_s, stopped.simulation.instant().time_s);
   EXPECT_TRUE(result.early.interrupted);
@@ -94,11 +94,11 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
     EXPECT_EQ(found.time_s.has_value(), speed_Hz < 151);
     EXPECT_EQ(found.greatest_Hz, alone.greatest_Hz) << speed_Hz;
     scenario.parameters.mass_loss_time = found.time_s.value_or(1);
-    run_ups.checkpoint_before(scenario, null_observer);  // leaves something on the way
+    run_ups.checkpoint_before(scenario, null_observer);  // leaves checkpoints
   }
 }
 
-/// All that an observer is shown.
+/// Everything that an observer is shown.
 struct Log : Observer {
   explicit Log(bool all_maxima) : wants(all_maxima) {}
   void on_instant(const Instant& at) override { note(at); }
@@ -139,7 +139,7 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
   }
 }
 
-// What matters after the mass loss alone, its time and the end, parts no run-ups.
+// Inputs that act only after the mass loss, its time and the end do not separate run-ups.
 TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   class Steps : public Observer {
    public:

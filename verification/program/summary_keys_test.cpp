@@ -1,4 +1,4 @@
-/// The results that `rotor run --json` prints against the engine asked directly: its events, maxima
+/// The results that `rotor run --json` prints against direct use of the engine: its events, maxima
 /// and end, and closed forms.
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr double turn = 2 * 3.14159265358979323846;
 
-/// What the summary is to say, gathered in the plainest way.
+/// The expected summary, gathered in the simplest way.
 class Landmarks : public Observer {
  public:
   explicit Landmarks(const Scenario& scenario) : scenario_(scenario) {}
@@ -112,7 +112,7 @@ struct Case {
 
 class SummaryKeys : public CommandLine {};
 
-/// Rolling to its end; contacts before the loss; none at all; nothing lost; not got so far.
+/// Rolling until its end; contacts before the loss; no contact; no mass loss; an end before it.
 std::vector<Case> cases() {
   Scenario early{.until = 10.3, .tolerance = 1e-9};
   early.parameters.support_stiffness = 1.2e5;
@@ -172,7 +172,7 @@ TEST_F(SummaryKeys, SayWhatTheRunShows) {
     expected["contact_evaluations"] = end.counters.contact_evaluations;
     expected["steps"] = end.counters.steps;
     expected["located_events"] = end.counters.located_events;
-    // Outcome and whirl are the engine's own; outcome_test.cpp and summary_test.cpp hold them.
+    // Outcome and whirl are taken from the engine; outcome_test.cpp and summary_test.cpp test them.
     expected["outcome"] = std::string(name_of(summary.summary().outcome));
     const auto number = [](const std::optional<double>& value) {
       return value ? Json(*value) : Json(nullptr);
@@ -183,7 +183,7 @@ TEST_F(SummaryKeys, SayWhatTheRunShows) {
     expected["stop_on"] = nullptr;
     expected["stop_reached"] = false;
     expected["tolerance"] = scenario.tolerance;
-    expected["estimated_relative_error"] = nullptr;  // not asked for
+    expected["estimated_relative_error"] = nullptr;  // not requested
     expected["version"] = ROTOR_VERSION;
     for (const auto& [key, value] : expected.items()) expect_equal(printed, value, key);
   }

@@ -1,4 +1,4 @@
-/// The points of sweeps: their order, how they are drawn, and how they are dealt out to workers.
+/// The points of sweeps: their order, their draws, and their distribution to workers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST_F(SweepPointsOf, AFileComeInItsOrder) {
     EXPECT_NEAR(numbers.at("mass"), std::pow(10, (n / 2) % 3), 1e-12);
     EXPECT_EQ(numbers.at("torque"), points(n % 2).spec.numbers.at("torque"));
   }
-  EXPECT_EQ(points(23).values[0], "0.9");  // which 0.3 + (0.9 - 0.3) is not
+  EXPECT_EQ(points(23).values[0], "0.9");  // unlike 0.3 + (0.9 - 0.3)
 }
 
 /// The draws of a sample over two quantities.
@@ -53,7 +53,7 @@ std::vector<std::array<double, 2>> draws(const Sweep& sweep) {
   return all;
 }
 
-// Of 1024 points of Sobol's sequence one lies in each box of 1/1024 of the area; random ones leave
+// Of 1024 points of Sobol's sequence each box of 1/1024 of the area has one; random points leave
 // 1/e of the boxes empty, within five deviations.
 TEST_F(SweepPointsOf, ASampleAreEven) {
   const auto sampled = [&](const std::string& how) {
@@ -69,7 +69,7 @@ TEST_F(SweepPointsOf, ASampleAreEven) {
   };
   const auto sobol = sampled("seed = 5\n");
   for (const int columns : {1, 4, 32, 1024}) EXPECT_EQ(boxes_filled(sobol, columns), 1024);
-  // Each coordinate has its own shift, by which the origin has come off the diagonal.
+  // Each coordinate has its own shift, so that the origin is no longer on the diagonal.
   EXPECT_GT(std::abs(sobol[0][0] - 2 - std::log10(sobol[0][1]) / 2), 1e-3);
   EXPECT_NE(sobol, sampled("seed = 6\n"));
   EXPECT_EQ(sobol, sampled("seed = 5\n"));
@@ -90,7 +90,7 @@ TEST_F(SweepPointsOf, ANormalDistributionAreSo) {
   }
 }
 
-// In their order, though the first one is slow; what the others have done meanwhile waits.
+// In their order, although the first one is slow; the rows of the others wait.
 TEST(BlockScheduler, PassesRowsOnInOrder) {
   std::string seen, expected;
   std::atomic<long> worked = 0;
@@ -121,7 +121,7 @@ TEST(BlockScheduler, EndsWithWhatTheWorkThrows) {
   EXPECT_THROW(work(scheduler, 2, make, [] {}), std::runtime_error);
 }
 
-// The map over the rounding of the inputs varies what is printed within its digits.
+// The map over the rounding of the inputs varies printed inputs within their digits.
 TEST(MapOfRounding, DrawsWhatThePrintedDigitsAllow) {
   const Sweep sweep = read_sweep(ROTOR_SOURCES "/figures/maps/rounding.toml");
   std::map<std::string, std::pair<double, double>> printed;

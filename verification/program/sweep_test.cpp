@@ -19,7 +19,7 @@
 namespace rotor {
 namespace {
 
-/// Of every kind of thing that can vary, with stalls, refusals and contacts before the loss.
+/// A sweep over all kinds of inputs, with stalls, refusals and contacts before the loss.
 const char* const mixed = R"(
 title = "mixed"
 [parameters]
@@ -56,7 +56,7 @@ class SweepCommand : public CommandLine {
   std::vector<CsvRow> results(const std::string& name) const { return read_csv(folder_ / name); }
 };
 
-// Points of many kinds; what a run says, it says on the command line.
+// Points of many kinds: each row agrees with `rotor run`.
 TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
   const Sweep sweep = this->sweep(mixed);
   ASSERT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
@@ -100,7 +100,7 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
   EXPECT_GE(outcomes.size(), 3U);
 }
 
-// The same cells as in the whole rows, a refusal beside them.
+// The same cells as in whole rows, followed by a refusal.
 TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
   const std::string axis = "[[axis]]\nquantity = \"start_speed_hz\"\nvalues = [10, 150]\n";
   write("whole.toml", "[parameters]\nclearance = 1e-3\n" + axis);
@@ -127,7 +127,7 @@ TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
   EXPECT_EQ(files(), 4);
 }
 
-// Or interrupted; at up to twenty instants. No row is computed twice.
+// Killed or interrupted at up to twenty instants. No row is computed twice.
 TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
   write(
       "s.toml",
@@ -151,12 +151,12 @@ TEST_F(SweepCommand, GoesOnWhereItWasKilled) {
   EXPECT_EQ(rotor("sweep s.toml --out cut.csv").status, 0);
   EXPECT_TRUE(content("cut.csv") == whole);
   const auto is_draft = [](const auto& entry) { return entry.path().extension() == ".part"; };
-  const fs::directory_iterator all(folder_);  // what is killed as it finishes leaves its draft
+  const fs::directory_iterator all(folder_);  // killed as it finishes, it leaves its draft
   EXPECT_EQ(files() - std::count_if(begin(all), end(all), is_draft), 3);
 }
 
-// Whatever has happened to a journal since, power cuts included, the results are those of a sweep
-// that nobody disturbed; the rows before the damage are not computed again.
+// Whatever has happened to a journal, power cuts included, the results are those of an undisturbed
+// sweep; the rows before the damage are not computed again.
 TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
   const std::string head = sweep_head(
       sweep("[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n[[axis]]\nquantity = \"friction\"\n"
@@ -165,7 +165,7 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
   const std::string whole = content("whole.csv");
   Journal(folder_ / "r.csv", head).write(whole.substr(head.size()));
   const std::string journal = content("r.csv.journal");
-  std::vector<std::size_t> rows = {head.size()};  // where they begin, and the last one ends
+  std::vector<std::size_t> rows = {head.size()};  // starts of the rows, and the end of the last one
   while (rows.back() < journal.size()) rows.push_back(journal.find('\n', rows.back()) + 1);
   ASSERT_EQ(rows.size(), 41U);
   std::mt19937 random(1);
@@ -177,7 +177,7 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
       case 0:  // a row is lost
         damaged.erase(at, rows[row + 1] - at);
         break;
-      case 1:  // one is there twice, or out of its place
+      case 1:  // a row is there twice, or in another place
         damaged.insert(at, journal, rows[other], rows[other + 1] - rows[other]);
         break;
       case 2:
@@ -196,9 +196,9 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
     SCOPED_TRACE(testing::Message() << n << " row " << row << output);
     EXPECT_EQ(status, 0);
     EXPECT_TRUE(content("r.csv") == whole);
-    const std::string there = fmt::format("{} of 40 points are there already", good);
+    const std::string there = fmt::format("{} of 40 points are already in", good);
     EXPECT_EQ(output.find(there) != std::string::npos, good > 0);
-    EXPECT_EQ(output.find("are dropped") != std::string::npos, damaged.size() > rows[good]);
+    EXPECT_EQ(output.find("were dropped") != std::string::npos, damaged.size() > rows[good]);
     EXPECT_EQ(files(), 3);
   }
   for (const std::size_t begun : {std::size_t{0}, std::size_t{1}, head.size() - 1}) {
@@ -214,7 +214,7 @@ TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
   write("r.csv.journal", "# Sweep: another\n");
   ASSERT_EQ(shell("mkfifo pipe.csv.journal").status, 0);
   expect_refusal("sweep s.toml --out pipe.csv", "pipe.csv.journal: must be a regular file");
-  expect_refusal("sweep s.toml --out r.csv", "r.csv.journal: is of another sweep file");
+  expect_refusal("sweep s.toml --out r.csv", "r.csv.journal: belongs to another sweep file");
   EXPECT_EQ(content("r.csv.journal"), "# Sweep: another\n");
   EXPECT_EQ(content("r.csv"), "old");
   for (const char* lock : {"flock", "flock --shared"}) {

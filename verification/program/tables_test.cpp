@@ -36,7 +36,7 @@ TEST(Csv, ReadsWhatItHasWritten) {
   }
 }
 
-// Of curves with impacts that last a single sample, and with a gap, the ends of which stay.
+// Curves with impacts of a single sample, and with a gap whose ends are kept.
 TEST(Thinning, KeepsEveryColumnWithinItsTolerance) {
   constexpr double tolerance = 1e-3, none = std::numeric_limits<double>::quiet_NaN();
   Table full(4);

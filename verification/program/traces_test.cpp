@@ -1,5 +1,5 @@
-/// Every column and event against formulas written independently, in every state of the contact,
-/// and the rows of traces against runs that end there.
+/// Every column and event against independent formulas, in every contact state, and the rows of
+/// traces against runs that end there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,14 +64,14 @@ Instant towards_the_ring(const Scenario& scenario, bool motor_on) {
   return start;
 }
 
-/// Where sliding begins or ends, the slip says by rounding alone which way the rim slides.
+/// Where sliding begins or ends, the sign of the slip is only rounding.
 bool slip_is_rounding(const Instant& at, const Scenario& scenario) {
   const double slip = column_by_formula("slip_velocity_m_per_s", at, scenario);
   return at.contact == ContactState::sliding && std::abs(slip) < 1e-12;
 }
 
-// Their largest values, over which rounding is spread, take part: F_n is the difference of a
-// displacement and the clearance, times k_t; a holding friction that of loads of its size.
+// Rounding is relative to the largest terms: F_n is the difference of displacement and clearance,
+// times k_t; a holding friction is a difference of loads of its size.
 void compare(const Column& column, const std::vector<Instant>& instants, const Scenario& scenario) {
   const ColumnContext context(scenario);
   double largest = 0;
@@ -104,7 +104,7 @@ TEST(Column, IsWhatItsFormulaSays) {
       }
 }
 
-// What `--events` writes of each event.
+// The rows of `--events`.
 TEST(EventLog, HasEachEventWithTheForceOnTheRotorAndItsSlip) {
   const Scenario scenario = short_run(0.03);
   std::vector<std::string> names;
@@ -151,7 +151,7 @@ class Trace : public CommandLine {
   }
 };
 
-// The largest force is shown to the digit wherever in its step the window begins or ends.
+// The largest force is exact wherever in its step the window starts or ends.
 TEST_F(Trace, ShowsAMaximumCloseToTheEndsOfItsWindow) {
   const Scenario scenario{.until = 29.11};
   const auto& force = find_column("normal_force_N");
@@ -172,7 +172,7 @@ TEST_F(Trace, ShowsAMaximumCloseToTheEndsOfItsWindow) {
   }
 }
 
-// At equal distances, and asked directly: a run that ends at the time of a row.
+// Rows at equal intervals against runs that end at the time of a row.
 TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
   const std::string window = "--from 29.1 --until 29.13 --columns ",
                     columns = "time_s,q1_m,q2_m,q3_rate_rad_per_s,normal_force_N";

@@ -1,4 +1,4 @@
-/// What the program writes, where, and what it leaves behind: a file is whole or as it was before.
+/// The files that the program writes: each is complete, or unchanged.
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 namespace rotor {
 namespace {
 
-/// A short run, and one that takes longer than any test waits.
+/// A short run, and one that takes longer than any test.
 const std::string short_run = "run --until 0.1";
 const std::string long_run = "run --no-mass-loss --until 1e6 --columns time_s,rho_m";
 /// Shell: waits, but not for ever, until the first rows of t.csv are in its draft.
@@ -26,7 +26,7 @@ class Writing : public CommandLine {
   }
   void remove(const std::string& name) const { EXPECT_TRUE(fs::remove(folder_ / name)) << name; }
 
-  /// A long run with options, in the background, until it has rows; then what the shell does to it.
+  /// A long run with options in the background until it has rows; then a shell command.
   Outcome with_rows(const std::string& options, const std::string& then) const {
     return shell("bash -c 'set -m; \"$0\" " + long_run + " --trace t.csv " + options + " & " +
                  wait_for_rows + "; " + then + "' \"$rotor\"");
@@ -46,7 +46,7 @@ TEST_F(Writing, GoesThroughWhatIsNoRegularFile) {
   remove("copy");
 }
 
-// Behind what has been written to it, and before what is written to it then.
+// After what was written to it before, and before what is written to it later.
 TEST_F(Writing, WritesToStandardOutputInItsPlace) {
   for (const std::string open : {">>", ">"}) {
     write("t.csv", "precious\n");
@@ -59,13 +59,13 @@ TEST_F(Writing, WritesToStandardOutputInItsPlace) {
     EXPECT_TRUE(text.ends_with("\ntail\n")) << text;
   }
   write("t.csv", "precious\n");
-  expect_refusal(short_run + " --trace /dev/fd/3 3>>t.csv", "state a file by its name");
+  expect_refusal(short_run + " --trace /dev/fd/3 3>>t.csv", "name a file");
   EXPECT_EQ(content("t.csv"), "precious\n");
   remove("messages");
   remove("t.csv");
 }
 
-// Where the table goes to standard output by whatever name, the summary goes to standard error.
+// If the table goes to standard output, by any name, the summary goes to standard error.
 TEST_F(Writing, MixesNoTableWithTheSummary) {
   fs::create_symlink("/dev/stdout", folder_ / "link");
   for (const std::string file : {"-", "/dev/stdout", "/proc/self/fd/1", "link"})
@@ -89,7 +89,7 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
        {"--trace t.csv --events ./t.csv", "--trace new/t.csv --events new/../new/t.csv",
         "--trace - --events /dev/stdout", "--trace real/t.csv --events linked/t.csv",
         "--trace t.csv --events link"})
-    expect_refusal(long_run + " " + twice, "it is asked for twice");
+    expect_refusal(long_run + " " + twice, "it is the file of two outputs");
   EXPECT_EQ(content("t.csv"), "precious");
   for (const char* name : {"linked", "real", "link", "t.csv"}) remove(name);
 }
@@ -106,15 +106,15 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
                  "standard output cannot be written: No space");
   expect_refusal("run --no-mass-loss --until 0.1 --json >&-",
                  "standard output cannot be written: Bad file");
-  EXPECT_EQ(rotor(short_run + " --trace t.csv 2>&-").status, 0);  // with nowhere to say so
+  EXPECT_EQ(rotor(short_run + " --trace t.csv 2>&-").status, 0);  // nowhere to report it
   EXPECT_TRUE(content("t.csv").starts_with("# Trace"));
   remove("t.csv");
   EXPECT_EQ(
       rotor("run --stop-on rolling --from 29.3 --trace new/sub/t.csv --events new/e.csv").status,
-      1);  // nothing of the folder is left
+      1);  // the folder is gone
 }
 
-// A reader that goes away ends the run with a message, and with nothing half written beside.
+// If the reader disappears, the run ends with a message and leaves no partial file.
 TEST_F(Writing, LeavesNothingBehindWhenItsReaderGoesAway) {
   const std::string output =
       shell("{ " + std::string("$rotor ") + long_run +
@@ -138,7 +138,7 @@ TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
   }
 }
 
-// Searches for a speed within turns and over hours, and figures.
+// Searches for a speed within single turns and over hours, and figures.
 TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
   write("fig01.toml",
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 99999, until_s = 1e5 }\n"
@@ -152,7 +152,7 @@ TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
                   .output,
               "rotor: interrupted; no file has been written\nstatus 124\n")
         << work;
-  // Even if nobody reads what it writes.
+  // Even if nobody reads its output.
   EXPECT_NE(shell("mkfifo pipe; exec 4<>pipe; timeout --foreground --signal=INT --kill-after=10 1 "
                   "$rotor run --until 1e5 --no-mass-loss --trace pipe; echo status $?")
                 .output.find("interrupted"),
@@ -161,7 +161,7 @@ TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
   remove("pipe");
 }
 
-// Also when some program sends its signal to a process and then to its group, that is twice.
+// Also if a program sends its signal twice, to a process and to its group.
 TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
   const auto [status, output] =
       with_rows("--json --keep-partial", "kill -INT %1; kill -TERM %1; wait %1");
@@ -188,7 +188,7 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   EXPECT_EQ(shell("umask 027; $rotor " + short_run + " --trace other/link").status, 0);
   EXPECT_EQ(fs::status(folder_ / "other/target").permissions(), fs::perms{0640});
   EXPECT_TRUE(fs::is_symlink(folder_ / "other/link"));
-  // Behind a link, two dots are the folder above where it leads.
+  // After a link, two dots are the parent of its target.
   EXPECT_EQ(rotor(short_run + " --trace up/../t.csv").status, 0);
   EXPECT_GT(rows_of("other/t.csv").size(), 10U);
   fs::remove_all(folder_ / "other");
@@ -198,10 +198,10 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   remove("loop");
 }
 
-// What is read-only, and what the runs are read from.
+// Read-only files, and the file from which the runs are read.
 TEST_F(Writing, ReplacesNothingThatItHadBetterKeep) {
   write("t.csv", "precious");
-  // Whoever may write anywhere, as tests in containers do, does without that right for once.
+  // A user who may write anywhere, as in containers, gives up that right for this test.
   EXPECT_EQ(shell("chmod 444 t.csv; user=; [ $(id -u) -ne 0 ] || user='setpriv --inh-caps "
                   "-dac_override --bounding-set -dac_override'; $user $rotor " +
                   short_run + " --trace t.csv")
@@ -210,7 +210,7 @@ TEST_F(Writing, ReplacesNothingThatItHadBetterKeep) {
   EXPECT_EQ(content("t.csv"), "precious");
   remove("t.csv");
   write("one", "[[axis]]\nquantity = \"mass\"\nvalues = [5]\n");
-  expect_refusal("sweep one --out one", "it is what the runs are read from");
+  expect_refusal("sweep one --out one", "the runs are read from this file");
   write("s.toml", "[parameters]\nuntil = 0.1\n");
   for (const char* outputs : {"run --scene s.toml --trace ./s.toml", "plot s.toml --out s.toml"})
     EXPECT_NE(rotor(outputs).status, 0) << outputs;

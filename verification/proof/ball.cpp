@@ -50,7 +50,7 @@ Matrix orthonormal(Matrix columns) {  // by Gram and Schmidt, with pivoting
   const std::size_t n = columns.size();
   const auto square = [](const Row& column) { return dot(column, column).middle(); };
   const auto shorter = [&](const Row& a, const Row& b) { return square(a) < square(b); };
-  // Where only rounding is left of a column, a unit vector that is longer takes its place.
+  // A column of which only rounding is left is replaced by a longer unit vector.
   const Ball longest = square(*std::max_element(columns.begin(), columns.end(), shorter));
   const Ball length =
       sqrt(longest) * Ball::power_of_two(-Ball::bits / 2) + Ball::power_of_two(-4 * Ball::bits);

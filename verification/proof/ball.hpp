@@ -11,14 +11,14 @@
 
 namespace proof {
 
-/// What cannot be decided: neither that something happens, nor that it does not.
+/// Something that cannot be decided: neither that it is true, nor that it is false.
 struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 class Ball {
  public:
-  /// Bits of the midpoints that operations round to.
+  /// Bits to which operations round midpoints.
   static inline long bits = 128;
 
   Ball() { arb_init(a_); }
@@ -53,14 +53,14 @@ class Ball {
   static Ball pi() { return made(arb_const_pi, bits); }
   static Ball power_of_two(long n) { return made(arb_mul_2exp_si, Ball(1).a_, n); }
 
-  /// Whether that is so of all numbers of both. Balls that overlap are neither less nor greater.
+  /// Whether it holds for all numbers of both. Overlapping balls are neither less nor greater.
   friend bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.a_, b.a_) != 0; }
   friend bool operator>(const Ball& a, const Ball& b) { return b < a; }
   bool contains(const Ball& b) const { return arb_contains(a_, b.a_) != 0; }
   bool is_finite() const { return arb_is_finite(a_) != 0; }
 
-  /// Exact numbers: the midpoint, the radius, the ends, and the greatest absolute value, of which
-  /// the last four are rounded outwards.
+  /// Exact numbers: the midpoint, the radius, the ends and the greatest absolute value, the last
+  /// four rounded outwards.
   Ball middle() const { return made(arb_get_mid_arb, a_); }
   Ball radius() const { return made(arb_get_rad_arb, a_); }
   Ball lower() const { return end(arb_get_lbound_arf); }
@@ -73,7 +73,7 @@ class Ball {
   /// All numbers from -size to size.
   static Ball within(const Ball& size) { return made(arb_add_error, size.a_); }
 
-  /// The ends as decimals with that many digits, rounded outwards; a count as it is.
+  /// The ends as decimals with that many digits, rounded outwards; a count unchanged.
   std::pair<std::string, std::string> decimal_ends(int digits) const;
 
  private:
@@ -104,9 +104,9 @@ inline Ball dot(const Row& a, const Row& b) { return dot(a.data(), b.data(), a.s
 
 /// Encloses the inverse. Throws Undecided if there may be none.
 Matrix inverse(const Matrix& a);
-/// About orthonormal columns, with exact entries, from others with such: the first has the
-/// direction of the longest column given, the second that of the longest of what the first leaves
-/// of the others, and so on.
+/// Nearly orthonormal columns with exact entries, from columns with exact entries: the first has
+/// the direction of the longest column, the second that of the longest remainder of the others, and
+/// so on.
 Matrix orthonormal(Matrix columns);
 
 }  // namespace proof

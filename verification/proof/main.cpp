@@ -1,5 +1,5 @@
-/// `prove`: what is certain of a run from the steady response or from rest, as rows of
-/// reference-data/proven.csv. Options are named as those of `rotor run`.
+/// `prove`: what is certain about a run from the steady response or from rest, as rows of
+/// reference-data/proven.csv. Options have the names of those of `rotor run`.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>

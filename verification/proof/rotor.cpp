@@ -14,7 +14,7 @@ Term dot(Plane a, Plane b) { return a.x * b.x + a.y * b.y; }
 Term cross(Plane a, Plane b) { return a.x * b.y - a.y * b.x; }
 Plane quarter_turn(Plane a) { return {-a.y, a.x}; }
 
-/// The inputs, and the end of the run: those that have a width are parameters, others constants.
+/// The inputs, and the end of the run: those with a width are parameters, others constants.
 struct Inputs {
   Row values, widths;
 
@@ -73,7 +73,7 @@ struct State {
   std::vector<Term> all() const { return {c.x, c.y, phi, v.x, v.y, w, t}; }
 };
 
-/// After release, contact may leave the ring indented for a while.
+/// After a release the ring may stay indented for a while.
 enum class Contact { free, sliding, rolling, indented };
 
 struct Phase {
@@ -87,7 +87,7 @@ struct Phase {
   }
 };
 
-/// An event, the phase that follows it, and how often the guards of that vanish where it begins.
+/// An event, the phase after it, and the order of the zeros of its guards at the start.
 struct Switch {
   std::string event;
   Phase next;
@@ -115,12 +115,12 @@ Motion::Motion(const Case& of, const Inputs& inputs, const Phase& phase) {
   speed = z.w;
   displacement_squared = dot(o, o);
 
-  // Eq. (4), but with the moments about C. Gravity has a moment, though its force is left out.
+  // Eq. (4), but with the moments about C. Gravity has a moment, although its force is left out.
   Plane force = -p.k * o - p.d * v;
   Term moment = -(b.m * p.g * (of.whole_gravity_moment ? z.c.y : e.y)) - cross(e, force);
   if (phase.motor) moment = moment + p.M;
 
-  // Errors that do about as much in flight, and in contact.
+  // Errors with about the same effect in flight, and in contact.
   scale = {1, 1, 100, 100, 100, 1e4, 1};
   if (phase.contact == Contact::free) {
     watch(p.c * p.c - displacement_squared, {"touch_down", phase.in(Contact::sliding)});
@@ -145,7 +145,8 @@ Motion::Motion(const Case& of, const Inputs& inputs, const Phase& phase) {
       if (phase.contact == Contact::sliding) {
         watch(phase.direction * slip, {"no_slip", phase.in(Contact::rolling)});
       } else {
-        // What keeps the slip: its rate without friction + F_tau / m_tau = 0. t' = -n (t.v) / rho.
+        // F_tau keeps the slip constant: its rate without friction + F_tau / m_tau = 0. t' = -n
+        // (t.v) / rho.
         const Term alpha = moment / b.I;
         const Term without = dot(t, force) / b.m - alpha * dot(t, quarter_turn(e)) +
                              z.w * z.w * dot(t, e) - dot(t, v) * Delta_rate / rho + p.r * alpha;
@@ -223,8 +224,8 @@ class Run {
     return phase;
   }
 
-  /// O and the rotation go on as they are, and C is elsewhere. As printed, O is given Delta_vy
-  /// across the unbalance.
+  /// O and the rotation continue unchanged, and C is at another place. As printed, O also gets
+  /// Delta_vy across the unbalance.
   void lose_mass() {
     Tape tape;
     State z{tape};
@@ -242,7 +243,7 @@ class Run {
     set_ = set_.with(set_.map(tape, z.all()), Motion(of_, inputs_, {}).scale);
   }
 
-  /// What depends on the state: which way the rim slides, and whether friction can hold it.
+  /// What depends on the state: the direction of sliding, and whether friction can hold the rim.
   void decide(Switch& now, const Phase& before) {
     if (now.event == "mass_loss" && before.contact != Contact::free)
       throw Undecided("the outcome of a mass loss in contact");

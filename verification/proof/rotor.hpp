@@ -1,7 +1,7 @@
-/// The rotor's equations, written down once more: in the stator's axes, with the moments about C.
+/// The rotor's equations, written independently: in the stator's axes, with the moments about C.
 /// Nothing here is shared with model/. Source:
 /// "Overcritical high-speed rotor systems, full annular rub and accident", Sec. 2, and the
-/// README beside this for what makes them a Filippov system.
+/// README of this folder for the Filippov system.
 #pragma once
 
 #include <map>
@@ -42,7 +42,7 @@ struct Case {
   std::string rounding = "0";  ///< inputs lie within this share of their rounding
 };
 
-/// Quantities in the order in which they are proven, called as the engine's; forces are magnitudes.
+/// Quantities in the order of their proof, with the engine's names; forces are magnitudes.
 using Findings = std::vector<std::pair<std::string, Ball>>;
 
 /// Throws Undecided, with the time that was reached.

@@ -34,7 +34,7 @@ Series::Series(const Tape& tape, const Matrix& inputs, std::size_t order)
 }
 
 /// The k-th coefficient of a product, or its derivative, from the coefficients known so far. The
-/// others are zero, as are those of what is constant in time.
+/// others are zero, as are those of constants.
 Ball Series::of_product(const Tape& tape, std::size_t a, std::size_t b, std::size_t k,
                         std::size_t d) const {
   const std::size_t first = tape.operations_[b].steady ? k : 0;

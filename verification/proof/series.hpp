@@ -1,6 +1,6 @@
 /// Formulas as lists of operations, and the Taylor series in time of their values along solutions
 /// of z' = f(z, p), with derivatives in any number of directions. Each coefficient encloses the
-/// exact one for all states z and parameters p of the balls that are given.
+/// exact one for all states z and parameters p of the given balls.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ class Tape {
  public:
   enum class Kind { input, constant, sum, difference, product, quotient, root, sine, cosine };
 
-  /// The inputs of a series, in the order in which they are made: the states, before all other
-  /// terms, and the parameters.
+  /// The inputs of a series, in the order of their creation: the states, before all other terms,
+  /// and the parameters.
   Term state() { return add({.kind = Kind::input, .a = inputs_++}); }
   Term parameter() { return add({.kind = Kind::input, .a = inputs_++, .steady = true}); }
   Term constant(const Ball& value) {

@@ -19,8 +19,8 @@ Step::Step(const Flow& flow, const StateSet& set, const Ball& length, const Sett
   throw Undecided("no step is short enough");
 }
 
-/// Finds a box that contains all solutions over the length: if start + [0, h] f(box) is inside of
-/// the box, then they cannot leave it (Picard).
+/// Finds a box that contains all solutions over the length: if start + [0, h] f(box) is inside the
+/// box, they cannot leave it (Picard).
 bool Step::enclose() {
   const Ball step = hull(0, length_);
   const Matrix start = set_.all();
@@ -121,7 +121,7 @@ std::optional<Ball> Step::crossing(Term term, const Ball& clear) const {
   return zeros.lower() < clear ? hull(clear, zeros.upper()) : zeros;
 }
 
-// At its crossing, t + tau, a solution is where z + z' tau = z - (z' / g') g, with z and g at t and
+// At its crossing, t + tau, a solution is at z + z' tau = z - (z' / g') g, with z and g at t and
 // the rates at times in between.
 StateSet Step::section(Term term, const Ball& crossing) const {
   const Ball time = crossing.middle();
@@ -160,7 +160,7 @@ std::size_t follow(const Flow& flow, StateSet& set, std::vector<std::size_t> van
         return g;
       }
     }
-    // As far as nothing happens, if that is anywhere.
+    // Up to where no guard vanishes, if possible.
     if (clear * 1024 > step.length()) {
       observer(step, clear, clear);
       step_length = (step.length() * 1.3).middle();
@@ -181,7 +181,7 @@ void raise(Ball& greatest, const Ball& x) {
 
 }  // namespace
 
-// What comes after `surely` may be, up to `at_most`.
+// The motion may continue after `surely`, up to `at_most`.
 void Greatest::see(const Step& step, Term term, const Ball& surely, const Ball& at_most) {
   see_part(step, term, 0, surely, 40);
   raise(upper_, step.between(term, surely, at_most).upper());

@@ -1,4 +1,4 @@
-/// Validated integration: sets of states that contain every solution which starts in a set, from
+/// Validated integration: sets of states that contain every solution that starts in a set, from
 /// switch to switch. The method is Lohner's: Taylor series about the centre of the set, their
 /// derivatives over all of it, and the remainder over a box that is proven to contain the step.
 #pragma once
@@ -14,8 +14,8 @@ namespace proof {
 /// directions[d]. directions[0] is 1, so that dot(form, directions) contains all of the values.
 using Form = Row;
 
-/// States, and behind them parameters. The first directions are those of the parameters, one each,
-/// and remain; the others are a frame of the states, chosen anew after each step.
+/// States, followed by parameters. The first directions are those of the parameters, one each, and
+/// do not change; the others are a frame of the states, chosen again after each step.
 struct StateSet {
   std::vector<Form> values;
   Row directions;
@@ -27,15 +27,15 @@ struct StateSet {
   /// The values of terms that do not depend on time, such as a reset.
   std::vector<Form> map(const Tape& tape, const std::vector<Term>& terms) const;
   Ball range(const Tape& tape, Term term) const { return range(map(tape, {term})[0]); }
-  /// The set of new states. Errors in proportion to `scale` weigh alike.
+  /// The set of new states. `scale` weights their errors.
   StateSet with(const std::vector<Form>& states, const Row& scale) const;
 
-  /// What a series is given: the centre, or all values and their slopes.
+  /// Inputs of a series: the centre, or all values and their slopes.
   Matrix centre() const;
   Matrix all() const;
 };
 
-/// A motion: states, whose rates the tape knows, and guards that are positive as long as it lasts.
+/// A motion: states with rates on the tape, and guards that are positive as long as it lasts.
 struct Flow {
   Tape tape;
   std::vector<Term> states, guards;
@@ -46,7 +46,7 @@ struct Flow {
   Flow& operator=(const Flow&) = delete;
 };
 
-/// Of the series, and the remainder of a step that is allowed, relative to the state.
+/// Order of the series, and the allowed remainder of a step, relative to the state.
 struct Settings {
   std::size_t order = static_cast<std::size_t>(3 * Ball::bits / 10);
   Ball tolerance = Ball::power_of_two(-Ball::bits);
@@ -55,7 +55,7 @@ struct Settings {
 /// The solutions from a set over a step.
 class Step {
  public:
-  /// The length is that which is asked for, or shorter.
+  /// The length is the requested one, or shorter.
   Step(const Flow& flow, const StateSet& set, const Ball& length, const Settings& settings = {});
 
   const Ball& length() const { return length_; }
@@ -68,11 +68,11 @@ class Step {
   Ball between(Term term, const Ball& from, const Ball& until, std::size_t derivative = 0) const;
   StateSet after(const Ball& time) const;
 
-  /// Until when a term is proven positive, if it and `vanishing` derivatives less one are zero at
-  /// the start.
+  /// Time until which a term is proven positive, if the term and its first `vanishing` - 1
+  /// derivatives are zero at the start.
   Ball positive_until(Term term, std::size_t vanishing) const;
-  /// A ball of the times at which a term vanishes that is positive until `clear`: of all solutions,
-  /// and of each but one. None if that cannot be proven.
+  /// A ball of the times at which a term, positive until `clear`, vanishes: exactly once for every
+  /// solution. None if that cannot be proven.
   std::optional<Ball> crossing(Term term, const Ball& clear) const;
   /// The set on the surface where the term vanishes.
   StateSet section(Term term, const Ball& crossing) const;
@@ -90,13 +90,12 @@ class Step {
   Series at_centre_, over_set_, over_box_;
 };
 
-/// Sees each step, of which it is sure that the motion lasts until `surely`, and not beyond
-/// `at_most`.
+/// Sees each step; the motion is certain to last until `surely`, and not beyond `at_most`.
 using StepObserver = std::function<void(const Step&, const Ball& surely, const Ball& at_most)>;
 
-/// Follows a flow until a guard vanishes, for all solutions the same one; maps the set to there and
-/// returns the guard. Guards that are zero at the start, with so many of their first derivatives
-/// less one, are named in `vanishing`. Throws Undecided.
+/// Follows a flow until a guard vanishes, the same one for all solutions; maps the set to there and
+/// returns the guard. `vanishing` has the guards that are zero at the start, and the order of the
+/// zero. Throws Undecided.
 std::size_t follow(const Flow& flow, StateSet& set, std::vector<std::size_t> vanishing,
                    Ball& step_length, const StepObserver& observer);
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Repeats the commands of the table of what is proven, and writes its rows anew.
+# Repeats the commands of the table of proven values, and rewrites its rows.
 set -euo pipefail
 prove=$1
 table=$2

@@ -1,4 +1,4 @@
-/// Six moments of the accident as stills: for paper, the README, and browsers without scripts.
+/// Six moments of the accident as stills, for print, the README and browsers without scripts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ double rounded(double value, int digits) {
   return std::round(value * scale) / scale + 0;  // no -0
 }
 
-/// Where things are in the picture: y_a to the right, x_a down. The rotor turns from x_a to y_a.
+/// Coordinates in the picture: y_a to the right, x_a down. The rotor turns from x_a to y_a.
 Json drawn(const Frame& frame, const Parameters& p) {
   const double per_m = 100 / p.stator_radius;
   const double clearance_m = p.stator_radius - p.rotor_radius;
@@ -63,7 +63,7 @@ Json drawn(const Frame& frame, const Parameters& p) {
           {"touches", frame.normal_N < 0}};
 }
 
-/// The moments that are shown as stills, from a trace that has them: each event, each maximum.
+/// The moments shown as stills, from a trace that contains them: each event, each maximum.
 std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& frames,
                                                    double loss_s) {
   const auto touches = [](const Frame& frame) { return frame.normal_N < 0; };

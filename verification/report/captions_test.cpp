@@ -1,4 +1,4 @@
-/// The page's captions ask for what belongs to their figures.
+/// The page's captions use numbers of their own figures.
 #include <gtest/gtest.h>
 
 #include <map>

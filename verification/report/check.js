@@ -1,5 +1,5 @@
-// Checks the reviewer's page in headless Chromium: `node check.js PAGE CHROMIUM`. Says what is wrong, a
-// line each. Needs playwright-core and axe-core.
+// Checks the reviewer's page in headless Chromium: `node check.js PAGE CHROMIUM`. Prints one line per
+// fault. Needs playwright-core and axe-core.
 "use strict";
 const fs = require("fs");
 const path = require("path");
@@ -14,7 +14,7 @@ const pictures = fs.readdirSync("figures/paper").filter((file) => /^fig\d+\.toml
 const faults = [];
 const expect = (holds, fault) => { if (!holds) faults.push(fault); };
 
-// Links within the page, and to files beside it; a setting of the instrument has a slash.
+// Links within the page, and to files next to it; a link to settings has a slash.
 async function check_links(page) {
   const links = await page.$$eval("a[href]", (all) => all.map((a) => a.getAttribute("href")));
   const ids = new Set(await page.$$eval("[id]", (all) => all.map((e) => e.id)));
@@ -37,7 +37,7 @@ async function check_pictures(page) {
   for (const box of boxes) expect(box.width > 200 && box.height > 100, `${box.id} has no picture with a size`);
 }
 
-// What curves consist of is hidden meanwhile: that takes most of the time, and the pictures stay.
+// The contents of pictures are hidden meanwhile, because they take most of the time.
 async function check_axe(page, name) {
   const hidden = await page.addStyleTag({ content: "figure svg > * { display: none }" });
   const { violations } = await page.evaluate(() => axe.run({ exclude: [["figure svg > *"]] }));
@@ -56,7 +56,7 @@ const shown = (page, hash) => page.waitForFunction((to) => document.body.dataset
 async function check_time(page) {
   const below = await page.$eval("#story", (list) => list.getBoundingClientRect().bottom);
   expect(below <= page.viewportSize().height, `the story ends at ${below} px, below the first screen`);
-  expect((await page.$$("#story li")).length === 6, "the story has not six sentences");
+  expect((await page.$$("#story li")).length === 6, "the story does not have six sentences");
   for (const button of await page.$$("#story button")) {
     const before = await state(page);
     await button.click();
@@ -89,14 +89,14 @@ async function check_time(page) {
   await page.waitForTimeout(3000);
   const passed = ((await ms_of(page)) - from[0]) * 1000 / (Date.now() - from[1]); // 1000 times slower: 1 if no frame is late
   await page.click("#play");
-  expect(passed > 0.1 && passed < 1.2, `the film runs ${passed} times as fast as it says`);
+  expect(passed > 0.1 && passed < 1.2, `the film runs ${passed} times as fast as stated`);
   const stopped = await state(page);
   await page.waitForTimeout(200);
   expect((await state(page)) === stopped, "the film cannot be stopped");
   return scrubs_ms;
 }
 
-// Pins show the paper's cases; with the equations corrected that at 75 Hz is silent.
+// Pins show the paper's cases; with corrected equations there is no contact at 75 Hz.
 async function check_pins(page) {
   const outcome = () => page.textContent("#outcome");
   await page.getByRole("button", { name: /^75 Hz/ }).click();
@@ -143,7 +143,7 @@ const looks = [
 (async () => {
   const bytes = fs.statSync(page_file).size;
   expect(bytes < most_bytes, `${bytes} bytes, more than ${most_bytes}`);
-  // As root Chromium has no sandbox.
+  // Chromium has no sandbox when run as root.
   const browser = await chromium.launch({ executablePath: chromium_path, args: process.getuid() ? [] : ["--no-sandbox"] });
   const page = await browser.newPage({ viewport: desktop });
   page.setDefaultTimeout(300e3);

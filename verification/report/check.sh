@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `make check-report` does: the page in a browser, its scripts' functions, then the spelling of page
-# and README.
+# What `make check-report` does: checks the page in a browser, the functions of its scripts, and the
+# spelling of page and README.
 set -uo pipefail
 build=$1
 page=$build/report/index.html
@@ -9,16 +9,16 @@ failed=0
 if [ -n "$browser" ] && [ -d "$build/check-report/node_modules/playwright-core" ]; then
   node verification/report/check.js "$page" "$browser" || failed=1
 else
-  echo "check-report: there is no Chromium, or nothing that drives it: make deps-report installs both" >&2
+  echo "check-report: Chromium or playwright-core is missing: make deps-report installs both" >&2
   failed=1
 fi
 
 tests=$(node --test verification/program/pages.test.mjs) || { echo "$tests" >&2; failed=1; }
 
-# The data beside the page are of the equations that their folder names.
+# The data next to the page belong to the equations named by their folder.
 for set in published consistent; do
   for figure in "$build/report/figures/$set"/fig*.csv; do
-    grep -q "^# .*equations $set" "$figure" || { echo "check-report: $figure is not of the $set equations" >&2; failed=1; }
+    grep -q "^# .*equations $set" "$figure" || { echo "check-report: $figure does not have the $set equations" >&2; failed=1; }
   done
 done
 
@@ -26,7 +26,7 @@ if ! command -v hunspell >/dev/null; then
   echo "check-report: there is no hunspell: make deps-report installs it" >&2
   exit 1
 fi
-# The words that are neither code nor pictures, against English and the field's words.
+# Words outside code and pictures, checked against English and technical terms.
 misspelt() { hunspell -l -d en_GB -p verification/report/words.txt | sort -u | tr '\n' ' '; }
 of_page=$(perl -0pe 's/<(style|script|svg|pre|code|sub)\b.*?<\/\1>//gs; s/&shy;//g; s/<[^>]*>/ /g; s/&\w+;/ /g; s/\bEqs?\.//g; s/\S*\d\S*//g' "$page" | misspelt)
 of_readme=$(perl -0pe 's/```.*?```//gs; s/`[^`]*`//g; s/^    .*//gm; s/\]\([^)]*\)//g; s/\bEqs?\.//g; s/\S*[\d_]\S*//g' README.md | misspelt)

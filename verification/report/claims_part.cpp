@@ -15,7 +15,7 @@ namespace {
 /// As keys of the document.
 constexpr std::array set_keys = {"as_printed", "corrected"};
 
-/// In a unit, without digits that nobody needs; in powers of ten where the paper is.
+/// In a unit, without superfluous digits; in powers of ten if the paper has them.
 std::string shown(const std::optional<double>& value, const Number& number) {
   if (!value || !std::isfinite(*value)) return "";
   const double size = std::abs(*value);
@@ -28,7 +28,7 @@ std::string shown(const std::optional<double>& value, const Number& number) {
   return text + ' ' + number.unit;
 }
 
-/// What the paper says: a number, or a word with what we allow it.
+/// What the paper states: a number, or a word with its allowed width.
 std::string printed(const Number& number) {
   if (!number.printed.empty()) return number.printed + ' ' + number.unit;
   const Allowed allowed = number.allowed();
@@ -38,8 +38,8 @@ std::string printed(const Number& number) {
                      number.rule == "major" ? "at least" : "at most");
 }
 
-/// Where a value is along a strip, in percent of its width: what is allowed takes the middle
-/// quarter, and what lies beyond an end is at it.
+/// The position of a value along a strip, in percent of its width: the allowed interval is the
+/// middle quarter, and values beyond an end are drawn at it.
 double place(const Allowed& allowed, double value) {
   const double off = (value - allowed.middle) / allowed.half;
   return std::round(500 + 125 * std::clamp(off, -3.9, 3.9)) / 10;
@@ -94,7 +94,7 @@ Json number_json(const Number& number) {
   return all;
 }
 
-/// How bad: refuted, within rounding, reproduced; among equals by how far off.
+/// Severity: refuted, within rounding, reproduced; then by how far off.
 std::pair<int, double> severity(const Json& judged) {
   const auto says = judged.at("as_printed").at("says").get<std::string>();
   const double off = judged.at("as_printed").value("off", 0.);

@@ -1,4 +1,4 @@
-/// The curves of a figure, as its data have them, and in words.
+/// The curves of a figure from its data, and in words.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,10 @@ struct FigureCurve {
   std::vector<CurvePoint> points;
 };
 
-/// Throws std::runtime_error if the file is none of a figure.
+/// Throws std::runtime_error if the file does not belong to a figure.
 std::vector<FigureCurve> read_curves(const std::filesystem::path& csv);
 
-/// What the curve does: where it begins, what it reaches and when, where it ends.
+/// Describes the curve: its start, its extremes with their times, and its end.
 std::string in_words(const FigureCurve& curve);
 
 }  // namespace rotor

@@ -1,4 +1,4 @@
-/// Points read off the printed figures, if somebody has: reference-data/digitised/figNN_curve.csv.
+/// Points read off the printed figures, if there are any: reference-data/digitised/figNN_curve.csv.
 #pragma once
 
 #include "verification/report/curves.hpp"
@@ -6,7 +6,7 @@
 
 namespace rotor {
 
-/// A point of a printed figure, in the units of its axes, and what the reading may be off by.
+/// A point of a printed figure, in the units of its axes, with the errors of reading.
 struct ReadPoint {
   std::string run, quantity, unit;
   CurvePoint at, error;
@@ -17,12 +17,12 @@ struct ReadPoint {
 std::vector<ReadPoint> read_points(const std::filesystem::path& csv, int figure,
                                    const std::vector<FigureCurve>& curves);
 
-/// From a point to a curve, in units of the reading's errors: up to 1, the curve passes through
-/// what the reading leaves open.
+/// Distance from a point to a curve in units of the reading errors: up to 1, the curve agrees with
+/// the reading.
 double distance_to(const FigureCurve& curve, const ReadPoint& point);
 
-/// Of each file of a figure: how many points, how many of them the curve covers, and how far the
-/// farthest one is.
+/// For each file of a figure: the number of points, how many agree with the curve, and the largest
+/// distance.
 Json digitised_json(const std::filesystem::path& reference_data, int figure,
                     const std::vector<FigureCurve>& curves);
 

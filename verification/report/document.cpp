@@ -49,7 +49,7 @@ Json register_json(const std::filesystem::path& assumptions) {
   return rows;
 }
 
-/// The counts of verdicts by the width that words are given.
+/// The counts of verdicts by the width of words.
 Json sensitivity_json(const std::vector<Number>& numbers) {
   Json rows = Json::array();
   for (const Counts& counts : sensitivity(numbers))

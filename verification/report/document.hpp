@@ -1,4 +1,4 @@
-/// What the reviewer's page shows, as one JSON document: nothing is on the page that is not in it.
+/// The contents of the reviewer's page as one JSON document: the page shows nothing else.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,12 @@ namespace rotor {
 /// Keys in the order in which they are written.
 using Json = nlohmann::ordered_json;
 
-/// Where it comes from.
+/// Its sources.
 struct Sources {
   std::filesystem::path texts{};           ///< words, with places for numbers: texts.json
   std::filesystem::path scenes{};          ///< figNN.toml
   std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions, digitised points
-  std::filesystem::path report{};          ///< beside the page: figures in both sets, studies
+  std::filesystem::path report{};          ///< next to the page: figures in both sets, studies
   std::filesystem::path tests{};           ///< tests-*.json of GoogleTest
   std::string commit{}, commit_date{};
   bool of_this_machine = true;  ///< with what differs from machine to machine
@@ -35,17 +35,17 @@ Json tests_json(const Sources& sources);
 Json machine_json();
 Json provenance_json(const Sources& sources);
 
-/// Stills of the accident, and what the page's instrument shows: recorded runs and maps.
+/// Stills of the accident, and the recorded runs and maps of the interactive part.
 Json accident_json();
 Json instrument_json(const std::filesystem::path& report);
 
-/// How many of them have which verdict in each set of equations, in words and as a mark.
+/// The numbers of verdicts in each set of equations, in words and as a mark.
 Json verdicts_json(const std::vector<const Json*>& claims);
 
 /// The whole of a file. Throws std::runtime_error, naming it, if it cannot be read.
 std::string content_of(const std::filesystem::path& file);
 
-/// A JSON file. Throws std::runtime_error, naming it, for what is none.
+/// A JSON file. Throws std::runtime_error, naming it, if it is not valid JSON.
 Json read_json(const std::filesystem::path& file);
 
 }  // namespace rotor

@@ -20,7 +20,7 @@ std::string replaced(const std::string& text, const char* pattern, const std::st
   return std::regex_replace(text, std::regex(pattern), by);
 }
 
-/// A number of tenths, without what a path can do without.
+/// A number of tenths in the shortest form for a path.
 std::string in_tenths(long tenths) {
   std::string text = fmt::format("{:g}", 0.1 * static_cast<double>(tenths));
   if (const auto zero = text.find("0."); zero == 0 || (zero == 1 && text[0] == '-'))
@@ -28,7 +28,7 @@ std::string in_tenths(long tenths) {
   return text;
 }
 
-/// A path of gnuplot's in steps of a tenth of a pixel, each from the place before.
+/// A path from gnuplot in relative steps of a tenth of a pixel.
 std::string in_steps(const std::string& path) {
   std::string steps;
   long x = 0, y = 0;
@@ -51,8 +51,8 @@ std::string in_steps(const std::string& path) {
   return steps;
 }
 
-/// A picture of gnuplot's as a part of a page: as wide as there is room, with its own names, and
-/// said in words.
+/// A picture from gnuplot as part of a page: as wide as possible, with unique names, and described
+/// in words.
 std::string inline_svg(std::string svg, const std::string& name, const std::string& label_id) {
   svg = svg.substr(svg.find("<svg"));
   svg = replaced(svg, "<title>[^<]*</title>|<desc>[^<]*</desc>| id=\"gnuplot_[^\"]*\"", "");
@@ -93,7 +93,7 @@ Json picture_json(const Sources& sources, int figure, const std::string& equatio
           {"csv_file", fmt::format("figures/{}/{}.csv", equations, name)}};
 }
 
-/// What the page's instrument states to show a run.
+/// The settings with which the interactive part shows a run.
 std::string moment_of(const Scenario& scenario) {
   std::string options;
   for (const auto& [quantity, instead_of] : input_quantities())

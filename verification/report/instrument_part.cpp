@@ -1,5 +1,5 @@
-/// The accident for the page's instrument: the paper's cases as the engine in a browser gives them,
-/// and the map of outcomes with the laws of model/theory.
+/// The accident for the interactive part of the page: the paper's cases in the form of the engine's
+/// answers, and the map of outcomes with the laws of model/theory.
 #include <array>
 #include <cmath>
 #include <map>
@@ -13,7 +13,7 @@
 namespace rotor {
 namespace {
 
-/// What the pins of the map state.
+/// The settings of the map's pins.
 const std::vector<Options> cases = {{},
                                     {{"friction", "0.2"}},
                                     {{"friction", "0.08"}},
@@ -21,13 +21,13 @@ const std::vector<Options> cases = {{},
                                     {{"mass-loss-time", "14.15"}},
                                     {{"mass-loss-time", "9.4"}}};
 
-/// Of curves, relative to their ranges: a pixel or two.
+/// Largest error of curves, relative to their ranges: a pixel or two.
 constexpr double closeness = 8e-3;
 
-/// So much of the rolling or sliding that ends a run is kept, s: it continues as it began.
+/// The kept part of the rolling or sliding at the end of a run, s; the rest is similar.
 constexpr double kept_s = 0.012;
 
-/// When what ends a run has begun.
+/// Start of the last kind of motion of a run.
 double last_change_s(const Json& run) {
   const Json& onset_s = run["summary"]["rolling_onset_s"];
   if (!onset_s.is_null()) return onset_s;
@@ -77,7 +77,7 @@ Json quantised(const Table& all, const nlohmann::ordered_json& names, double unt
   return columns;
 }
 
-/// So many rows of a table, and its last one.
+/// A number of rows of a table, and its last row.
 Table thinned(const Table& table) {
   constexpr std::size_t kept = 2000;
   Table some(table.columns());
@@ -111,7 +111,7 @@ Json runs_json() {
   return runs;
 }
 
-/// Where the laws change what happens, as lines over the speed at the loss, Hz.
+/// Limits by the laws, as lines over the speed at the loss, Hz.
 Json laws_json(const Equations& equations) {
   constexpr double step_Hz = 0.5, most_Hz = 180, most_friction = 0.5;
   Json lines = {{"contact", Json::array()},
@@ -140,14 +140,14 @@ Json laws_json(const Equations& equations) {
       for (int halving = 0; halving < 20; ++halving)
         (exceeds((low + high) / 2) ? high : low) = (low + high) / 2;
       if (high > at.whirl_friction.value_or(0)) lines["force"].push_back({speed_Hz, high});
-    } catch (const std::domain_error&) {  // touches before it loses anything
+    } catch (const std::domain_error&) {  // touches the ring before the loss
     }
   }
   return lines;
 }
 
-/// Outcomes by the first letter of each, row after row; "-" for what touches or stalls before it
-/// loses its piece.
+/// Outcomes by their first letters, row after row; "-" for a rotor that touches the ring or stalls
+/// before the loss.
 Json maps_json(const std::filesystem::path& csv) {
   std::map<std::string, Json> maps;
   for (const CsvRow& row : read_csv(csv)) {

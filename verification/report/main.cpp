@@ -1,6 +1,6 @@
 /// Writes the reviewer's page and the document behind it:
 ///   report-page SOURCES BUILD OUT COMMIT DATE this-machine|archive
-/// OUT holds the data beside the page; this adds index.html, report.json and machine.json.
+/// OUT has the data of the page; this adds index.html, report.json and machine.json.
 #include <fmt/format.h>
 
 #include <regex>
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A module and those that it imports as one script, each a function that is called once and
-/// returns what it exports.
+/// A module and its imports as one script, each a function that is called once and returns its
+/// exports.
 std::string bundled(const fs::path& module, std::set<fs::path>& seen) {
   static const std::regex import("import (\\{[^}]*\\}) from \"\\./(\\w+)\\.js\";\n"),
       exported("\nexport ((?:const|function|class) (\\w+))");
@@ -70,7 +70,7 @@ int main(const Arguments& arguments) {
       render(content_of(room / "index.mustache.html"),
              {{"claim_rows", content_of(room / "claim_rows.mustache.html")}}, shown);
   for (Json& figure : page["figures"])
-    for (Json& picture : figure["pictures"]) picture.erase("svg");  // they are files beside it
+    for (Json& picture : figure["pictures"]) picture.erase("svg");  // they are separate files
   FileTransaction files;
   files.write(out / "accident.svg", shown["stills"].get<std::string>());
   files.write(out / "index.html", html);

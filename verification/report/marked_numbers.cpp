@@ -14,7 +14,7 @@
 namespace rotor {
 namespace {
 
-/// How many claims have which verdict, in all and by figure.
+/// Numbers of verdicts, in all and by figure.
 void add_verdicts(Json& values, const std::vector<Number>& judged) {
   const Json claims = claims_json(judged);
   std::vector<const Json*> all;
@@ -29,7 +29,7 @@ void add_verdicts(Json& values, const std::vector<Number>& judged) {
     values["figures"][std::to_string(figure)] = verdicts_json(its);
 }
 
-/// The largest normal force with each correction on its own, kN, or no contact.
+/// The largest normal force with each correction separately, kN, or no contact.
 Json corrections_json() {
   Json all;
   for (const VelocityJump jump : {VelocityJump::twice, VelocityJump::once})

@@ -6,10 +6,10 @@
 
 namespace rotor {
 
-/// The same text with the numbers as they are. Throws std::invalid_argument for an unknown name.
+/// The text with the present numbers. Throws std::invalid_argument for an unknown name.
 std::string with_marked_numbers(const std::string& markdown, const Json& values);
 
-/// What can be named: `values_json`, and beside it claims, figures.3, corrections, reasons, laws.
+/// The names: those of `values_json`, and claims, figures.3, corrections, reasons, laws.
 Json markable_values(const std::vector<Number>& judged,
                      const std::filesystem::path& reference_data);
 

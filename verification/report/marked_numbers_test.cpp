@@ -1,4 +1,4 @@
-/// Every number that a Markdown file marks is the one that is computed; `make approve` writes them.
+/// Every marked number in a Markdown file is the computed one; `make approve` writes them.
 #include "verification/report/marked_numbers.hpp"
 
 #include <gtest/gtest.h>

@@ -15,8 +15,8 @@ using kainjow::mustache::object;
 
 constexpr const char* minus = "\u2212";
 
-/// Symbols as they are printed: F_n with an index, mu and rho in Greek. Texts of several lines are
-/// sources, and stay as they are.
+/// Symbols as printed: F_n with an index, mu and rho in Greek. Texts of several lines are sources,
+/// and do not change.
 std::string in_html(const std::string& text) {
   std::string html = kainjow::mustache::html_escape(text);
   if (text.find('\n') != std::string::npos) return html;
@@ -30,13 +30,13 @@ std::string in_html(const std::string& text) {
   return html;
 }
 
-/// As a text has it, with the typographer's minus.
+/// A number in text, with a typographic minus sign.
 std::string in_print(std::string number) {
   if (number.starts_with('-')) number.replace(0, 1, minus);
   return number;
 }
 
-/// A number in all the forms that a text may ask for.
+/// A number in all forms that a text may use.
 data forms_of(double number) {
   object forms;
   for (const char digits : std::string("01234")) {
@@ -52,13 +52,13 @@ data for_texts(const Json& value) {
   if (value.is_number()) return forms_of(value.get<double>());
   if (value.is_string()) return value.get<std::string>();
   object all;
-  if (!value.is_object()) return all;  // no text asks for it
+  if (!value.is_object()) return all;  // no text uses it
   for (const auto& [key, item] : value.items())
     if (!item.is_null()) all[key] = for_texts(item);
   return all;
 }
 
-/// Whether a place of a text, such as published.peak_kN.f1, has something to put there.
+/// Whether a placeholder of a text, such as published.peak_kN.f1, has a value.
 bool has_value(const data& values, const std::string& place) {
   const data* at = &values;
   std::istringstream names(place);

@@ -8,9 +8,9 @@
 
 namespace rotor {
 
-/// Texts with the numbers of their places put in: {{peak.f1}} is a value with one digit behind the
-/// point, {{peak.s3}} one of three digits. Throws std::invalid_argument, with the text, for a place
-/// without a value.
+/// Texts with numbers for their placeholders: {{peak.f1}} has one digit after the point,
+/// {{peak.s3}} three digits. Throws std::invalid_argument, with the text, for a placeholder without
+/// a value.
 Json with_numbers(const Json& texts, const Json& values);
 
 /// Templates that others include, by name.

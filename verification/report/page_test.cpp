@@ -43,8 +43,8 @@ std::vector<std::string> all_texts() {
 Json all_values() { return values_json(judged()); }
 
 TEST(ReportTexts, StateNoResultThemselves) {
-  // A text may hold what the scenarios state, places in the paper, names and units; results come in
-  // by places such as {{reading.f_q1.f0}}.
+  // A text may contain inputs of the scenarios, places in the paper, names and units; results need
+  // placeholders such as {{reading.f_q1.f0}}.
   const std::regex may_be_typed(
       "\\{\\{[^}]*\\}\\}|Eqs?\\. \\([0-9]+\\)|mu = 0\\.[0-9]+|(29\\.1|14\\.15|2\\.2|2|6) s\\b|"
       "(first|over) 5 ms|clearance is 3 mm|1e-11|2 "
@@ -83,14 +83,14 @@ TEST(ReportTexts, AskForValuesThatThereAre) {
   EXPECT_NO_THROW(with_numbers(texts(), all_values()));
 }
 
-// Which of two numbers is the greater is said beside them.
+// The texts say which of two numbers is greater.
 TEST(ReportTexts, SayOfNumbersWhichIsTheGreater) {
   const Json values = all_values();
   const auto number = [&](const std::string& name) {
     return std::stod(with_numbers(Json("{{" + name + ".f2}}"), values).get<std::string>());
   };
   const std::regex rise("rises from \\{\\{([\\w.]+)\\.f\\d\\}\\} to \\{\\{([\\w.]+)\\.f\\d\\}\\}"),
-      before("Slip ends \\{\\{([\\w.]+)\\.f\\d\\}\\} ms before the force is greatest");
+      before("Slip ends \\{\\{([\\w.]+)\\.f\\d\\}\\} ms before the force is largest");
   int said = 0;
   for (const std::string& text : all_texts()) {
     std::smatch found;
@@ -112,14 +112,14 @@ TEST(Render, EscapesAndPrintsSymbols) {
   };
   EXPECT_EQ(rendered("mu < 0.3 & F_n, Delta_vy, rho"),
             "\u03bc &lt; 0.3 &amp; F<sub>n</sub>, \u0394<sub>vy</sub>, \u03c1");
-  EXPECT_EQ(rendered("I_C1, u_num_published, t_operating"),  // but no symbols of identifiers
+  EXPECT_EQ(rendered("I_C1, u_num_published, t_operating"),  // but not symbols within identifiers
             "I<sub>C1</sub>, u_num_published, t_operating");
   EXPECT_EQ(rendered("columns = [\n\"x_a_m\"]"), "columns = [\n&quot;x_a_m&quot;]");
   EXPECT_EQ(render("{{#x}}{{is}}{{/x}}{{^y}}no{{/y}}", {}, {{"x", {{{"is", -2.5}}}}, {"y", ""}}),
             "\u22122.5no");
 }
 
-// Each column of the claims has what its head names, and each mark its place.
+// Each column of the claims matches its head, and each mark has its position.
 TEST(ClaimRows, HaveEachNumberInItsColumn) {
   const Json strip = {{"here", {{"at", "50"}}}, {"corrected", {{"at", "60"}}}};
   const Json claim = {{"worst",
@@ -165,7 +165,7 @@ TEST(ApprovedAccident, IsThePictureInTheReadme) {
   const std::string drawn = render(content_of(room / "accident.mustache.svg"), {}, accident);
   if (std::getenv("ROTOR_APPROVE")) std::ofstream(picture, std::ios::binary) << drawn;
   EXPECT_EQ(drawn, content_of(picture)) << "If this is as it should be: make approve";
-  // The last two stills are the end of slip and the greatest force as the engine locates them.
+  // The last two stills are the end of slip and the largest force as the engine locates them.
   Scenario scenario{.until = 29.14};
   EventRecorder events;
   SummaryObserver summary(scenario);
@@ -252,9 +252,9 @@ class Digitised : public InFolder {
 
 TEST_F(Digitised, PointsAreCoveredWithinTheirReadingErrors) {
   write_points(
-      "5,run,normal_force_N,kN,29.25,-102,0.001,4\n"  // half an error beside the curve
+      "5,run,normal_force_N,kN,29.25,-102,0.001,4\n"  // half an error from the curve
       "5,run,normal_force_N,kN,29.25,-112,0.001,4\n"  // three
-      "5,run,normal_force_N,kN,29.305,-100,0.01,4\n"  // half, behind its end
+      "5,run,normal_force_N,kN,29.305,-100,0.01,4\n"  // half, beyond its end
       "5,run,normal_force_N,kN,29.1,-3,1000,1e6\n");
   const Json found = digitised_json(folder_, 5, curves_);
   ASSERT_EQ(found.size(), 1U);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What `make report` does once everything is built and drawn: gathers in a folder what goes with the
-# page, and writes the page. `report.sh BUILD OUT archive` leaves out what differs from machine to
-# machine and from day to day; that is in machine.json alone.
+# What `make report` does once everything is built and drawn: collects the files of the page in a folder,
+# and writes the page. `report.sh BUILD OUT archive` leaves out what differs between machines and days;
+# only machine.json has that.
 set -euo pipefail
 build=$1 out=${2:-$1/report} kind=${3:-this-machine}
 rm -rf "$out/figures"
@@ -11,7 +11,7 @@ for scene in figures/paper/fig[0-9][0-9].toml; do
   cp "$build/figures/$figure".{csv,svg} "$out/figures/published"
   cp "$build/figures/consistent/$figure".{csv,svg} "$out/figures/consistent"
 done
-# The map of the first screen, coarse: anew where program or map have changed.
+# The coarse map of the first screen, made again if program or map have changed.
 map=$build/maps/page
 mkdir -p "$map"
 sed 's/^points = 400$/points = 60/' figures/maps/speed-friction.toml >"$map/map.toml"
@@ -21,9 +21,9 @@ cp "$map/map.csv" "$out"
 rm -f "$out/engine.wasm.gz.base64"
 [ ! -e "$build/explore/engine.wasm" ] ||
   gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"
-# Verdicts that are not the expected ones are what `make verify` fails at; the page shows them.
+# Unexpected verdicts fail `make verify`, not the page, which shows them.
 "$build/report-numbers" reference-data "$out" >/dev/null || true
-# Studies that were made; times and machine-made noise are no part of an archive.
+# Studies that were made; an archive excludes run times and noise of the machine.
 studies=(maps)
 [ "$kind" = archive ] || studies+=(work-precision:bench stability:stress-results)
 for study in "${studies[@]}"; do

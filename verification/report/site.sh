@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `make site` does: the page, the pictures, the data and the maps in one folder that any static
-# host can serve, and an archive of it, the same bytes from the same commit, with its checksum.
+# What `make site` does: collects the page, the pictures, the data and the maps in a folder that any
+# static host can serve, and archives it with a checksum. The same commit gives the same bytes.
 set -euo pipefail
 build=$1
 site=$build/site

@@ -1,4 +1,4 @@
-/// What other targets have made; the tests; where all of it comes from.
+/// Results of other targets; the tests; provenance.
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending
   return found;
 }
 
-/// A study whose tables and pictures are in a folder below the page's, if they have been made.
+/// A study with its tables and pictures in a folder below that of the page, if they have been made.
 Json study_json(const Sources& sources, const std::string& folder) {
   Json files = Json::array();
   for (const auto& file : files_of(sources.report / folder, ""))
@@ -53,15 +53,15 @@ std::string name_of(const Json& test) {
   return suite + '.' + name.substr(0, name.find('/'));
 }
 
-/// Where a relative uncertainty is on the chart's logarithmic axis, in percent of its width.
+/// Position of a relative uncertainty on the chart's logarithmic axis, in percent of its width.
 constexpr double least_exponent = -16, greatest_exponent = 1;
 std::string on_axis(double value) {
   const double exponent = std::log10(std::max(value, 1e-16)) - least_exponent;
   return fmt::format("{:.1f}", 100 * exponent / (greatest_exponent - least_exponent));
 }
 
-/// Of each simulated number: what the method leaves open as a dot, what the paper's steps do as a
-/// cross, what the inputs do from population (a) to (b) as an interval.
+/// For each simulated number: the error of the method as a dot, that of the paper's steps as a
+/// cross, the effect of the inputs from population (a) to (b) as an interval.
 Json uncertainty_json(const fs::path& csv, const Json& names) {
   Json rows = Json::array();
   if (fs::exists(csv))
@@ -131,7 +131,7 @@ Json reasons_json(const fs::path& folder) {
                       words.at({reason.id, "consistent"})}}});
   }
   return {{"header",
-           {"The text, in our words", "Place", "Tried along", "Holds, equations as printed",
+           {"The text, in our words", "Place", "Quantity varied", "Holds, equations as printed",
             "Holds, corrected"}},
           {"rows", rows}};
 }

@@ -1,4 +1,4 @@
-/// The numbers that the page's words ask for.
+/// The numbers in the page's texts.
 #include <algorithm>
 #include <cmath>
 
@@ -60,7 +60,7 @@ Json runs_json(const Equations& equations) {
           {"lowest_Hz", onset_speed_Hz(equations)}};
 }
 
-/// With gravity's moment balanced, all else as printed.
+/// With gravity's moment balanced, everything else as printed.
 Json balanced_json() {
   const auto run_of = runs_in({VelocityJump::twice, GravityMoment::balanced});
   return {{"mu_03", run_of({.friction = 0.3}, 29.35)},

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Breaks the program on purpose in many ways, one at a time: the tests must notice each.
 
-The changes are a seeded sample of those of mutants.txt, and one of what can be changed mechanically. All
-are compiled at once into a copy of the sources, each behind a switch that the environment turns on
-(ROTOR_MUTANT=17), so that programs which tests start have it too; those that do not compile are left out.
+The changes are a seeded sample of those in mutants.txt, and a sample of mechanical changes. All are
+compiled at once into a copy of the sources, each with a switch in the environment (ROTOR_MUTANT=17), so
+that programs started by tests have it too; those that do not compile are left out.
 No C++ parser is needed, because the sources are formatted: each change inserts text on its line.
 
 First each test runs without any change and reports which switches it passes. Then, for each change, the
@@ -34,8 +34,8 @@ ROOT = HERE.parent.parent
 WORK = ROOT / 'build' / 'mutants'
 TREE, BUILD = WORK / 'tree', WORK / 'build'
 WORKERS = os.cpu_count() or 1
-NOT_MET = {'figures/explore/main.cpp', 'figures/sweep/ranks.cpp'}  # only in a browser, or under mpirun
-RANDOM_ROTORS = 'RandomRotors.KeepTheirBalances'  # what make verify runs beside the tests
+NOT_MET = {'figures/explore/main.cpp', 'figures/sweep/ranks.cpp'}  # run only in a browser, or under mpirun
+RANDOM_ROTORS = 'RandomRotors.KeepTheirBalances'  # make verify runs it in addition to the tests
 MORE = 1.5  # times as many mechanical changes are tried as are asked for: some do not compile
 
 SWITCHES = '''#pragma once

@@ -12,7 +12,7 @@
 namespace rotor {
 namespace {
 
-/// A run with its balances, which looks for the rim beyond the ring where the run says it is free.
+/// A run with its balances, which checks that a rotor reported as free is clear of the ring.
 class Inspection : public BalanceObserver {
  public:
   Inspection(const Scenario& scenario, const Instant& first)
@@ -51,7 +51,7 @@ class Inspection : public BalanceObserver {
     return !refusal.empty() || !is_finite || missed_contact() || is_unbalanced();
   }
 
-  std::string refusal;  ///< why it ended before its time, if it did
+  std::string refusal;  ///< why it ended early, if it did
   bool is_finite = true;
   double penetration = 0, residual = 0;  ///< relative to the clearance, and to the contents
   long touch_downs = 0, right_hand_sides = 0;
@@ -85,7 +85,7 @@ int stress_rotors(long count, const std::filesystem::path& folder) {
     worst_residual = std::max(worst_residual, found.residual);
     worst_penetration = std::max(worst_penetration, found.penetration);
     if (!found.is_flagged()) continue;
-    // Errors of integration fall with the tolerance; a missed contact or an open balance stays.
+    // Errors of integration fall with the tolerance; a missed contact or a wrong balance remains.
     ++reruns;
     scenario.tolerance /= 100;
     const Inspection again(scenario, first);

@@ -10,12 +10,12 @@
 namespace rotor {
 namespace {
 
-/// A rotor that slides round inside the ring without friction, pressed against it by its own whirl,
-/// in steps of the published method: whether a small disturbance stays small.
+/// Whether a small disturbance stays small in steps of the published method, for a rotor that
+/// slides along the ring without friction, pressed against it by its own whirl.
 bool stays_bounded(const Parameters& p, double step) {
   const Scenario scenario{.parameters = p, .method = Method::rk4, .step_rub = step};
   const Ring<double> ring(p);
-  // So slight that the whirl is slow and the ring nearly straight for as long as this takes.
+  // So small that the whirl is slow and the ring nearly straight during this time.
   const double indentation = 1e-8 * ring.clearance;
   const double rho = ring.clearance + indentation;
   const double whirl = std::sqrt(p.contact_stiffness * indentation / (p.mass * rho));
@@ -59,9 +59,9 @@ double linear_theory(double mass, double damping, double stiffness) {
 
 std::string stability_limits() {
   std::string csv = "contact_stiffness_N_per_m,contact_damping_Ns_per_m,limit_s,linear_theory_s\n";
-  // The rim of a rotor that its whirl presses against the ring moves on along the tangent by
-  // omega h sqrt(Delta rho) in a step, and the ring curves away from under it by (omega h)^2 Delta
-  // / 2: the contact is lost, and comes back, well before linear theory's limit.
+  // In one step the rim of a whirling rotor moves along the tangent by omega h sqrt(Delta rho), and
+  // the ring curves away from it by (omega h)^2 Delta / 2: the contact is lost, and resumes, well
+  // below the limit of linear theory.
   fmt::print(
       "\nLargest stable step of the published method, and by linear theory of a straight ring\n");
   for (const double damping : {0., 1e4, 1e6, 1e7})

@@ -5,8 +5,8 @@
 
 namespace rotor {
 
-/// Random rotors through the event-located method, with what they show in a folder. Returns the
-/// status of the program: 1 if a run went wrong without saying so.
+/// Runs random rotors by the event-located method, and writes the results to a folder. Returns the
+/// status of the program: 1 if a run was wrong without an error.
 int stress_rotors(long count, const std::filesystem::path& folder);
 
 /// The limits of stability of the published method's step.

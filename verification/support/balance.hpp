@@ -1,6 +1,6 @@
-/// The balances of a run's energy and angular momentum: what they are, and what they must be from
-/// the work and the moments of the loads. Works from the outside, by quadrature along the motion,
-/// and on purpose without the model's own energy by cause (energy.hpp).
+/// The balances of a run's energy and angular momentum: their values, and what these must be from
+/// work and moments of the loads. Computed independently, by quadrature along the motion, without
+/// the model's energy by cause (energy.hpp).
 #pragma once
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -36,7 +36,7 @@ class BalanceObserver : public Observer {
     }
   }
 
-  /// Starts at the first instant, and again after the mass loss, whose jump is not a load's.
+  /// Starts at the first instant, and again after the mass loss, whose jump is not due to loads.
   void on_instant(const Instant& at) override {
     const Contents now = contents(at);
     if (!begun_ || at.event == Event::mass_loss) {
@@ -68,7 +68,7 @@ class BalanceObserver : public Observer {
 
   bool conserves_gravity() const { return supports_.balanced_by_springs; }
 
-  /// Kinetic energy, springs of supports and contact, and gravity as far as it has a potential.
+  /// Kinetic energy, springs of supports and contact, and gravity if it has a potential.
   Contents contents(const Instant& at) const {
     const Motion<double> m = at.motion();
     const double indentation =

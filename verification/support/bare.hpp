@@ -1,12 +1,12 @@
-/// Runs of a rotor and a ring alone, for comparison with closed forms.
+/// Runs of only a rotor and a ring, for comparison with closed forms.
 #pragma once
 
 #include "verification/support/follow.hpp"
 
 namespace rotor {
 
-/// A scenario without anything but the rotor and the ring: no supports, gravity, motor, unbalance,
-/// friction or damping.
+/// A scenario with only a rotor and a ring: no supports, gravity, motor, unbalance, friction or
+/// damping.
 inline Scenario bare() {
   Scenario scenario{.tolerance = 1e-13};
   Parameters& p = scenario.parameters;

@@ -1,4 +1,4 @@
-/// What `rotor run --digits` says of a run, held against what is known better.
+/// Compares the results of `rotor run --digits` with more accurate ones.
 #pragma once
 
 #include <map>
@@ -11,12 +11,12 @@ namespace rotor {
 /// By the names of for_each_named, and the counts among them.
 using KnownValues = std::map<std::string, double>;
 
-/// What is false in a run to so many digits: an error that is too small, or a digit that is printed
-/// and wrong. Empty if nothing is. `worst` is raised to the largest true error relative to the
-/// claimed one.
+/// What is wrong in a run with guaranteed digits: an error that is too small, or a wrong printed
+/// digit; empty if nothing is. `worst` is raised to the largest true error relative to the claimed
+/// one.
 std::string falsehood(const Comparison& found, int digits, const KnownValues& known, double& worst);
 
-/// The largest relative error of a summary, in truth; 1 where it lacks a value or has one too many.
+/// The largest true relative error of a summary; 1 if a value is missing or superfluous.
 double true_error(const Summary& summary, const Parameters& p, const KnownValues& known);
 
 /// The values of a summary, of each event, and of the end, by name.

@@ -55,8 +55,8 @@ struct Rotor {
     return slip() > 0 ? p.friction * normal_force() : -p.friction * normal_force();
   }
 
-  /// Newton's and Euler's laws and a slip that stays as it is, solved together for the
-  /// accelerations of O, of the angle, and for the friction.
+  /// Newton's and Euler's laws and constant slip, solved together for the accelerations of O and of
+  /// the angle, and for the friction.
   double holding_friction() const {
     const double r = p.rotor_radius, n_x = x / rho, n_y = y / rho, t_x = -n_y, t_y = n_x;
     const double force = normal_force();

@@ -1,6 +1,5 @@
-/// What the columns of traces and figures must hold, written independently: from the numbers of an
-/// instant and of a scenario, and from nothing of the model's mechanics, so that one mistake cannot
-/// be made in both.
+/// What the columns of traces and figures must contain, written independently: from the numbers of
+/// an instant and a scenario, without the model's mechanics, so that no mistake can be in both.
 #pragma once
 
 #include <string_view>

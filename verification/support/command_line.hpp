@@ -24,12 +24,11 @@ class CommandLine : public InFolder {
     std::string output;
   };
 
-  /// Runs a shell command in the folder, in which $rotor is the program. Standard error comes with
-  /// the output.
+  /// Runs a shell command in the folder; $rotor is the program. The output includes standard error.
   Outcome shell(const std::string& command) const {
     const std::string whole =
         "cd '" + folder_.string() + "' && rotor='" ROTOR_PROGRAM "' && { " + command + "\n} 2>&1";
-    std::signal(SIGHUP, SIG_DFL);  // which is ignored where nohup has started the tests
+    std::signal(SIGHUP, SIG_DFL);  // ignored if nohup started the tests
     FILE* pipe = ::popen(whole.c_str(), "r");
     std::string output;
     std::array<char, 4096> buffer{};
@@ -67,7 +66,7 @@ class CommandLine : public InFolder {
     EXPECT_GT(status, 0) << arguments;
     EXPECT_NE(output.find(message), std::string::npos) << arguments << ": " << output;
     EXPECT_TRUE(output.starts_with("rotor: ")) << output;
-    EXPECT_LT(output.size(), 700U) << output;  // a line, however much was given
+    EXPECT_LT(output.size(), 700U) << output;  // one line, however long the input
     EXPECT_EQ(output.find('\n'), output.size() - 1) << output;
     EXPECT_EQ(files(), before) << arguments;
   }

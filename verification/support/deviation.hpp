@@ -8,7 +8,7 @@
 
 namespace rotor {
 
-/// Largest deviation of two states, of each part in its own measure.
+/// Largest deviation of two states, each component in its own unit.
 inline double deviation(const State<double>& a, const State<double>& b) {
   const double length = 3e-3, speed = std::abs(b[5]) + 1;
   return std::max({std::hypot(a[0] - b[0], a[1] - b[1]) / length,

@@ -1,4 +1,4 @@
-/// Laws and closed forms, and how well they close.
+/// Laws and closed forms, and how well they hold.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 
 namespace rotor {
 
-/// What a law may leave over. The worst that a test sees of it is recorded beside what is allowed,
-/// and the report shows both.
+/// The allowed residual of a law. The largest residual in a test is recorded, and the report shows
+/// both.
 class Law {
  public:
   Law(std::string says, double allowed) : says_(std::move(says)), allowed_(allowed) {}

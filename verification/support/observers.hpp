@@ -1,4 +1,4 @@
-/// Observers that many tests need. One that wants nothing is an Observer itself.
+/// Observers for many tests. The Observer itself asks for nothing.
 #pragma once
 
 #include <algorithm>

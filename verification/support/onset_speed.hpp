@@ -7,7 +7,7 @@
 
 namespace rotor {
 
-/// In Hz, to 0.005 Hz: the motor drives, and the mass is lost the later the faster.
+/// In Hz, to 0.005 Hz: the motor drives, and a later loss is at a higher speed.
 inline double onset_speed_Hz(const Equations& equations) {
   Scenario scenario{.equations = equations, .tolerance = 1e-8};
   const auto touches = [&](double mass_loss_time) {

@@ -1,5 +1,5 @@
-/// Other units, by powers of two, so that all numbers are scaled without rounding. So small a
-/// kilogram makes all forces tiny numbers: a comparison with a fixed number would show.
+/// Other units, by powers of two, so that all numbers are scaled without rounding. The units make
+/// all forces tiny numbers, so that any comparison with a fixed number would show.
 #pragma once
 
 #include "model/scenario/scenario.hpp"

@@ -1,4 +1,4 @@
-/// The loss of the same piece from any point of the rim: Sec. 2.2 with plane vectors, of which
+/// The loss of the same piece from any point of the rim: Sec. 2.2 with plane vectors.
 /// model/mechanics/mass_loss.hpp is the case of a point opposite to the unbalance.
 #pragma once
 
@@ -8,8 +8,8 @@ namespace rotor {
 
 class PlaceOfLoss {
  public:
-  /// At an angle from the point opposite to the unbalance, rad: of the mass (kg) that it takes
-  /// there to multiply the eccentricity as stated, or of another one.
+  /// A loss at an angle from the point opposite to the unbalance, rad: of the mass (kg) that at
+  /// that point gives the stated eccentricity, or of another mass.
   PlaceOfLoss(const Parameters& parameters, double angle);
   PlaceOfLoss(const Parameters& parameters, double angle, double lost_mass);
 

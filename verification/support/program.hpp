@@ -1,4 +1,4 @@
-/// What the programs of the verification have in common.
+/// Common parts of the programs of the verification.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace rotor {
 
 using Arguments = std::vector<std::string>;
 
-/// The status of a program. What it throws is said on standard error, and gives 1.
+/// The status of a program. An exception is reported on standard error, and gives 1.
 inline int run_program(const char* name, int (*program)(const Arguments&), int argc, char** argv) {
   try {
     return program({argv + 1, argv + argc});

@@ -1,5 +1,5 @@
-/// Random runs, each whole: in steady motion, through the mass loss, to the end of its contacts or
-/// of the time that is looked at.
+/// Random whole runs: from steady motion through the mass loss to the end of the contacts, or of a
+/// limited time.
 #pragma once
 
 #include <stdexcept>
@@ -16,9 +16,9 @@ class RandomRuns {
  public:
   explicit RandomRuns(unsigned seed) : rotors_(seed), random_(seed + 1) {}
 
-  /// One that can be computed in quadruple precision in about a second. A quarter is near the
-  /// paper's rotor, a quarter, too, but sticks to the ring, a quarter glances at it, and a quarter
-  /// is anything.
+  /// A run that takes about a second in quadruple precision. A quarter is near the paper's
+  /// rotor, a quarter is near it but has enough friction to stick, a quarter just grazes or misses
+  /// the ring, and a quarter is arbitrary.
   Scenario scenario() {
     constexpr long most_steps = 300, most_events = 16;
     for (;; ++kind_) {
@@ -32,7 +32,7 @@ class RandomRuns {
         if (!touches && kind_ % 4 != 1 && between(0, 8) > 1) continue;
         ++kind_;
         return drawn;
-      } catch (const std::exception&) {  // it cannot start like that
+      } catch (const std::exception&) {  // no valid start
       }
     }
   }

@@ -1,4 +1,4 @@
-/// Random rotors and mass losses, most parameters evenly in their logarithm over decades.
+/// Random rotors and mass losses, most parameters uniform in their logarithm over decades.
 #pragma once
 
 #include <cmath>

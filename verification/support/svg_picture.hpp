@@ -44,16 +44,15 @@ inline std::string without_tags(const std::string& text) {
   return plain;
 }
 
-/// A number as a tic label has it, whose minus sign is the typographer's.
+/// The number of a tic label, which has a typographic minus sign.
 inline double number_of(std::string label) {
   const std::string minus = "\u2212";
   if (label.starts_with(minus)) label.replace(0, minus.size(), "-");
   return std::stod(label);
 }
 
-/// Whether a text reaches beyond a canvas that begins at 0. Its group states where it is anchored,
-/// its size and whether it is upright; its letters are taken to be half as wide as they are
-/// high (DejaVu Sans has 0.6 on average).
+/// Whether a text extends beyond a canvas that starts at 0. Its group states anchor, size and
+/// direction; letters are assumed to be half as wide as high (DejaVu Sans: 0.6 on average).
 inline bool is_clipped(const std::string& group, const std::string& text,
                        Points::value_type canvas) {
   const auto after = [&](std::string_view key) {
@@ -98,7 +97,7 @@ struct DrawnPicture {
         group = between(at, "<g ", ">");
       } else if (tag.starts_with("<g id=\"gnuplot_plot_")) {
         const bool is_first = tag.size() > 21 && tag[20] == '1' && (tag[21] < '0' || tag[21] > '9');
-        if (is_first) in_inset = y_is_old && !curves.empty();  // which has no grid
+        if (is_first) in_inset = y_is_old && !curves.empty();  // an inset has no grid
         in_curve = !in_inset;
         y_is_old = true;
         if (in_curve) curves.push_back({{}, y_axis});

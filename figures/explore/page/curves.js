@@ -1,9 +1,9 @@
-// What is drawn over time, and in which unit.
+// The curves over time and their units.
 
 const scaled = (column, factor) => column.map((value) => factor * value);
 const lost = (picture, cause) => scaled(gained(picture, cause), -1);
 
-/// The panels: curves, or areas that are stacked from below; of a picture, in the panel's unit.
+/// The panels: curves, or areas stacked from below, in the panel's unit.
 export const panels = [
   {
     title: "normal force", unit: "kN", share: 0.4, events: true,
@@ -27,7 +27,7 @@ export const panels = [
 
 const sum = (one, other) => one.map((value, i) => value + other[i]);
 
-/// A work is known at the end of each step; between them it is drawn straight.
+/// A work is known at the end of each step; between steps it is drawn straight.
 function gained({ motion, works }, cause) {
   const times = works.time_s, values = works[cause];
   let next = 0;
@@ -39,7 +39,7 @@ function gained({ motion, works }, cause) {
   });
 }
 
-/// Round numbers from a least to a greatest one, about so many, with as many decimals as distinguish them.
+/// Round numbers in a range, about so many, with enough decimals to differ.
 export function ticks(least, greatest, about) {
   const rough = (greatest - least) / about, decade = 10 ** Math.floor(Math.log10(rough));
   const step = decade * [1, 2, 5, 10].find((digit) => digit * decade >= rough);

@@ -5,33 +5,33 @@ const textOf = (id) => document.getElementById(id)?.textContent ?? null;
 /// Whether the page has the engine.
 export const isEmbedded = () => textOf("engine-wasm") !== null;
 
-let compiled = null, workerAddress = null; // once for all workers
+let compiled = null, workerAddress = null; // shared by all workers
 async function compile() {
   const packed = Uint8Array.from(atob(textOf("engine-wasm")), (letter) => letter.charCodeAt(0));
   const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
 }
 
-// A run takes some 30 ms, a new worker as long, and it has to run up again: what is busy for less
-// is waited for.
+// A run takes some 30 ms; a new worker takes as long, and must run up again. A worker that has been busy
+// for less than this is not replaced.
 const patience_ms = 200;
 
 export class Engine {
   #worker = null;
-  #started; // when the worker has its module
-  #asked = null; // what it is busy with
-  #next = null; // what comes after that
+  #started; // resolves when the worker has its module
+  #asked = null; // the request in progress
+  #next = null; // the request after that
   #patience = 0;
   #hear;
 
-  /// Reports how far a long run is, s; once what numbers there are to state; and why nothing works, if
-  /// nothing does.
+  /// Reports the progress of a long run, s; once, the inputs that can be stated; and the reason if the
+  /// engine cannot run.
   constructor({ onProgress = () => {}, onNumbers = () => {}, onFailure = () => {} } = {}) {
     this.#hear = { onProgress, onNumbers, onFailure };
     this.#start();
   }
 
-  /// An answer, or null if a newer request came before it was there.
+  /// An answer, or null if a newer request replaced it.
   ask(request) {
     return new Promise((resolve) => {
       this.#next?.resolve(null);
@@ -41,7 +41,7 @@ export class Engine {
     });
   }
 
-  /// Forgets what was asked.
+  /// Drops all requests.
   drop() {
     this.#next?.resolve(null);
     this.#next = null;

@@ -1,16 +1,16 @@
-// A slider and a number for each quantity that somebody may turn. They hold the texts of options,
-// and judge nothing: what is refused, the engine says.
+// A slider and a number field for each quantity. They hold the texts of options, and check nothing: the
+// engine reports what it refuses.
 import { optionOf, textOf } from "./settings.js";
 
 const slider_steps = 400;
 
-/// Calls `onTurn(option, text, insteadOf)` with the text of an option, or null for the paper's.
+/// Calls `onTurn(option, text, insteadOf)` with the text of an option, or null for the paper's value.
 export class Knobs {
   #knobs = new Map(); // by their options
 
   constructor(form, groups, numbers, onTurn) {
     const known = new Map(numbers.map((number) => [number.name, number]));
-    known.set("from", { unit: "s", meaning: "beginning of what is shown" });
+    known.set("from", { unit: "s", meaning: "start of what is shown" });
     const fieldsets = groups.map(({ group, knobs }) => {
       const fieldset = document.createElement("fieldset");
       fieldset.append(element("legend", group));
@@ -24,7 +24,7 @@ export class Knobs {
     form.firstElementChild.after(...fieldsets);
   }
 
-  /// Shows settings, and with each number the refusal that names it.
+  /// Shows settings, and next to each number the refusal that concerns it.
   show(options, refusal) {
     const replaced = [...this.#knobs.entries()]
       .filter(([option]) => Object.hasOwn(options, option)).map(([, knob]) => knob.insteadOf);
@@ -35,7 +35,7 @@ export class Knobs {
   }
 }
 
-/// Whether a refusal begins with the name of an option, as either the options or the scenes have it.
+/// Whether a refusal starts with the name of an option or of its key in scenes.
 const names = (refusal, option) =>
   [`--${option}`, option.replaceAll("-", "_")].some((name) =>
     refusal.startsWith(`${name}:`) || refusal.startsWith(`${name} =`));
@@ -51,7 +51,7 @@ class Knob {
     this.#quantity = quantity;
     const { name, symbol, unit, meaning, paper, typed } = quantity;
     const option = optionOf(name);
-    this.insteadOf = quantity.instead_of && optionOf(quantity.instead_of); // which both state
+    this.insteadOf = quantity.instead_of && optionOf(quantity.instead_of); // the option for the same quantity
     const turn = (text) => onTurn(option, text, this.insteadOf);
 
     this.row = element("div", "", typed ? "knob typed" : "knob");
@@ -67,7 +67,7 @@ class Knob {
     this.#text.setAttribute("aria-describedby", this.#refusal.id);
     this.#reset = element("button", paper === null ? "do not state" : `paper: ${textOf(paper)}`, "reset");
     this.#reset.type = "button";
-    this.#reset.title = "back to what the paper states";
+    this.#reset.title = "back to the paper's value";
     this.#reset.addEventListener("click", () => turn(null));
     this.row.append(label);
     if (!typed) this.row.append(this.#makeSlider(turn));
@@ -90,7 +90,7 @@ class Knob {
     return track;
   }
 
-  /// To three digits, as a text; the paper's value where the slider is on its mark.
+  /// The value as a text with three digits; exactly the paper's value at its mark.
   #valueAt(position) {
     const { from, to, logarithmic, paper } = this.#quantity;
     if (paper !== null && position === Math.round(this.#positionOf(paper))) return null;
@@ -105,7 +105,7 @@ class Knob {
     return slider_steps * Math.min(1, Math.max(0, share));
   }
 
-  /// `replaced`: another option states what this one would.
+  /// `replaced`: another option states this quantity.
   show(text, { replaced, refusal }) {
     const { paper } = this.#quantity;
     const shown = text ?? (paper === null || replaced ? "" : textOf(paper));

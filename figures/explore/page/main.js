@@ -1,4 +1,4 @@
-// The page's instrument: a run, recorded or computed, as a rotor in its ring, as curves and as a story.
+// The interactive part of the page: a run, recorded or computed, as a rotor in its ring, curves and a story.
 import { onColoursChanged } from "./colours.js";
 import { Engine, isEmbedded } from "./engine.js";
 import { Knobs } from "./knobs.js";
@@ -19,7 +19,7 @@ const recorded = new Recorded(runs);
 const has_engine = isEmbedded();
 document.body.classList.toggle("has-engine", has_engine);
 
-/// What the address states, unless it names a part of the page.
+/// The settings in the address, unless it names a part of the page.
 const stated = () => (at(location.hash.slice(1)) ? [{}, {}] : settingsIn(location.hash));
 let [options, view] = stated();
 let picture = null, story = [], knobs = null, playing = false, last_ms = null, time_s = 0;
@@ -28,12 +28,12 @@ const engine = has_engine && new Engine({
   onProgress: (at_s, { until }) => say(`The run has reached ${at_s.toFixed(2)} s${until ? ` of ${until} s` : ""} …`, "busy"),
   onFailure: (reason) => say(`This browser cannot run the engine: ${reason}`, "refused"),
   onNumbers: (numbers) => {
-    if (knobs) return; // of a worker that had to be started again
+    if (knobs) return; // from a worker that was restarted
     knobs = new Knobs(at("knobs"), groups, numbers, turn);
     knobs.show(options, "");
   },
 });
-const background = has_engine && new Engine(); // for what nobody waits for
+const background = has_engine && new Engine(); // for work in the background
 
 // ---- pictures
 
@@ -46,7 +46,7 @@ const plots = new Plots(at("plots"), {
 const sureness = has_engine && new Sureness(at("sureness"), (draws) => plots.showBehind(draws.map((drawn) =>
   ({ picture: drawn, later_s: drawn.mass_loss_s && picture.mass_loss_s ? drawn.mass_loss_s - picture.mass_loss_s : 0 }))));
 
-/// Whatever was asked before: this is what is wanted now.
+/// Shows settings; replaces all earlier requests.
 async function refresh() {
   const asked_ms = performance.now(), mine = options;
   at("command").textContent = commandOf(options);
@@ -54,7 +54,7 @@ async function refresh() {
   knobs?.show(options, "");
   if (sureness) sureness.forget();
   const answer = recorded.answer(options) ?? (engine ? await engine.ask({ kind: "run", options })
-    : { refusal: "This page has no engine; make deps-explore explore embeds it. Recorded are the pins of the map." });
+    : { refusal: "This page has no engine; make deps-explore explore embeds it. Only the pins of the map are recorded." });
   if (answer === null) return;
   if (answer.refusal) {
     say(answer.refusal, "refused");
@@ -62,7 +62,7 @@ async function refresh() {
     return;
   }
   show(answer);
-  document.body.dataset.shows = addressOf(mine); // for who waits for it
+  document.body.dataset.shows = addressOf(mine); // for tests that wait for it
   requestAnimationFrame(() => performance.measure("input to picture", { start: asked_ms }));
   if (at("sure").getAttribute("aria-pressed") === "true") sureness.ask(mine);
 }
@@ -90,7 +90,7 @@ function show(answer) {
   keepView();
 }
 
-/// From just before the loss until some time after the last moment of the story.
+/// From just before the loss to some time after the last moment of the story.
 function accident() {
   const [begin, end] = [picture.mass_loss_s ?? picture.from_s, story.at(-1).time_s];
   const lasts = Math.max(end - begin, 0.01);
@@ -120,7 +120,7 @@ function showStory() {
   }));
 }
 
-/// `why` the pictures are not those of the setting, if they are not: busy or refused.
+/// `why`: the reason why the pictures do not match the settings, busy or refused.
 function say(text, why = "") {
   at("status").textContent = text;
   at("status").classList.toggle("refusal", why === "refused");
@@ -131,7 +131,7 @@ function say(text, why = "") {
 
 function use(wanted) {
   options = wanted;
-  history.replaceState(null, "", addressOf(options)); // the view follows with the pictures
+  history.replaceState(null, "", addressOf(options)); // the view is added with the pictures
   refresh();
 }
 
@@ -230,7 +230,7 @@ const views = {
 };
 for (const [id, act] of Object.entries(views)) at(id).addEventListener("click", act);
 
-// ---- what is kept of a run
+// ---- saving a run
 
 function download(blob, name) {
   const link = document.createElement("a");
@@ -254,8 +254,8 @@ at("copy-link").addEventListener("click", async () => {
   history.replaceState(null, "", address());
   try {
     await navigator.clipboard.writeText(location.href);
-    say("The link is in the clipboard.");
-  } catch { // which a browser may refuse
+    say("The link has been copied to the clipboard.");
+  } catch { // a browser may refuse
     say("The link is in the address bar.");
   }
 });

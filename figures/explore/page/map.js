@@ -2,7 +2,7 @@
 import { cleared, colour } from "./colours.js";
 import { ticks } from "./curves.js";
 
-/// By the letters of the map's cells. They differ in lightness, and their keys in words.
+/// Outcomes by the letters of the map's cells. The colours differ in lightness.
 export const outcomes = {
   n: "no contact", u: "undecided in 0.5 s", f: "free again", b: "bouncing", s: "sliding", r: "backward rolling", "-": "touches before the loss",
 };
@@ -18,7 +18,7 @@ export class OutcomeMap {
   #set = "published";
   #marker;
   #pins = [];
-  #now = null; // the speed, Hz, and friction of the run that is shown
+  #now = null; // speed, Hz, and friction of the run shown
 
   /// `pins`: { label, speed_Hz, friction, options }; onPick(options) and, where a run can be computed,
   /// onDrag(speed_Hz, friction).
@@ -107,7 +107,7 @@ export class OutcomeMap {
       (this.#marker.disabled ? "" : "; arrow keys move it"));
   }
 
-  /// Each cell about its point, its edges on whole pixels, so that none is smoothed into its neighbours.
+  /// Each cell is centred on its point, with edges on whole pixels so that it is not blended with others.
   #paintCells(ctx, { width, height }) {
     const rows = this.#maps[this.#set].cells, count = rows[0].length;
     const inks = Object.fromEntries(Object.keys(outcomes).map((letter) => [letter, colour(`outcome-${letter === "-" ? "none" : letter}`)]));
@@ -137,7 +137,7 @@ export class OutcomeMap {
         for (const line of lines) {
           ctx.beginPath();
           line.forEach((point, n) => {
-            const is_gap = n > 0 && point[0] - line[n - 1][0] > 1; // where the law says nothing
+            const is_gap = n > 0 && point[0] - line[n - 1][0] > 1; // where the law does not apply
             ctx[is_gap ? "moveTo" : "lineTo"](...this.#place(point));
           });
           ctx.stroke();

@@ -1,6 +1,6 @@
-// Where the rotor is at a time, between the rows of a trace.
+// The state of the rotor at a time between the rows of a trace.
 
-/// The last row that is not later than a time.
+/// The last row at or before a time.
 export function rowAt(times, time_s) {
   let low = 0, high = times.length - 1;
   while (low < high) {
@@ -11,8 +11,8 @@ export function rowAt(times, time_s) {
   return low;
 }
 
-/// The columns at that time, by their names, drawn straight between two rows; a contact state is that
-/// of the first of them.
+/// The columns at that time, by their names, interpolated linearly between two rows; the contact state
+/// is that of the first row.
 export function stateAt(motion, time_s) {
   const row = rowAt(motion.time_s, time_s);
   const next = Math.min(row + 1, motion.time_s.length - 1);
@@ -24,7 +24,7 @@ export function stateAt(motion, time_s) {
   return now;
 }
 
-/// Turns a second of O about the ring's centre, positive with the rotation (from x_a to y_a).
+/// Turns of O per second about the ring's centre, positive with the rotation (from x_a to y_a).
 export function whirlAt(motion, time_s) {
   const about_s = 5e-5; // a small part of a turn
   const [{ x_a_m: x, y_a_m: y }, { x_a_m: x1, y_a_m: y1 }] = [time_s - about_s, time_s + about_s].map((at) => stateAt(motion, at));

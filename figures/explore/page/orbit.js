@@ -1,13 +1,13 @@
-// The path of the rotor's centre in the part of the time that is shown, in the stator's or the rotor's axes.
+// The path of the rotor's centre in the time shown, in the stator's or the rotor's axes.
 import { cleared, colour } from "./colours.js";
 import { inRotorAxes, rowAt, stateAt } from "./motion.js";
 
-/// What lies to the right and what below: as in the paper, x_a points down.
+/// Coordinates to the right and downwards: as in the paper, x_a points down.
 const frames = {
   stator: { names: ["yₐ", "xₐ"], at: ({ x_a_m, y_a_m }) => [y_a_m, x_a_m] },
   rotating: { names: ["q₁", "q₂"], at: inRotorAxes },
 };
-const bright_s = 0.003; // the path just before the time that is shown
+const bright_s = 0.003; // the path just before the present time
 
 export class Orbit {
   #canvas;

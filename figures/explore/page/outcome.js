@@ -1,14 +1,14 @@
 // The outcome of a run, in words and numbers.
 
-/// What follows "The rotor", by the outcome of the summary.
+/// Completes the sentence "The rotor ...", by the outcome of the summary.
 export const outcomes = {
   rolling: "has come to roll along the ring",
   stalled: "is stalled near its critical speed: the motor cannot raise it",
   sliding: "slides along the ring without leaving it",
-  freed: "has touched the ring and is free of it again",
+  freed: "has touched the ring and is clear of it again",
   no_contact: "does not touch the ring",
-  bouncing: "bounces from contact to contact, and can go on",
-  undecided: "has not touched the ring so far, but can",
+  bouncing: "bounces, and further contacts are possible",
+  undecided: "has not touched the ring so far, but contact is possible",
 };
 
 const digits = (value, count) => Number(value.toPrecision(count)).toString();
@@ -20,15 +20,15 @@ export function sentence(summary) {
   const { touch_downs: touchDowns, first_contact_s, rolling_onset_s } = summary;
   if (touchDowns > 0)
     parts.push(`It touches down ${touchDowns === 1 ? "once" : `${touchDowns} times`}, first at ` +
-      `${inSeconds(first_contact_s)}, and presses the ring with ` +
-      `${inKilonewton(summary.peak_normal_force_N)} at most.`);
+      `${inSeconds(first_contact_s)}, and presses on the ring with up to ` +
+      `${inKilonewton(summary.peak_normal_force_N)}.`);
   if (rolling_onset_s !== null)
     parts.push(`Rolling sets in at ${inSeconds(rolling_onset_s)}, ` +
       `${digits(1e3 * (rolling_onset_s - first_contact_s), 3)} ms after the first contact.`);
   return parts.concat(summary.remarks.map((remark) => `Remark: ${remark}.`)).join(" ");
 }
 
-/// Rows of the table of numbers: what it is, and how a summary shows it.
+/// Rows of the table of numbers: name, value in the summary, and format.
 const rows = [
   ["outcome", (s) => s.outcome.replace("_", " ")],
   ["touch-downs", (s) => String(s.touch_downs)],
@@ -47,7 +47,7 @@ const rows = [
 export const numbersOf = (summary) => rows.map(([name, of, shown = String]) =>
   [name, of(summary) === null ? "–" : shown(of(summary))]);
 
-/// Fills a table's body: a row a number.
+/// Fills a table's body, one row per number.
 export function showNumbers(body, summary) {
   body.replaceChildren(...numbersOf(summary).map(([name, text]) => {
     const row = document.createElement("tr"), head = document.createElement("th"), cell = document.createElement("td");

@@ -1,23 +1,23 @@
-// Force, speed and energy on one axis of milliseconds after the loss, below bands of what the rotor does.
+// Force, speed and energy over milliseconds after the loss, below bands of the kinds of motion.
 import { cleared, colour } from "./colours.js";
 import { panels, ticks } from "./curves.js";
 import { inMilliseconds } from "./motion.js";
 import { bandsOf } from "./story.js";
 
 const left = 50, right = 10, top = 24, bottom = 36;
-const narrow = 500; // where names of areas take a line of their own
+const narrow = 500; // width below which names of areas have their own line
 
 export class Plots {
   #canvas;
   #picture = null;
   #columns = [];
-  #ghosts = []; // pictures that are drawn behind, and how much later each is
+  #ghosts = []; // pictures drawn behind, and the delay of each
   #part = [0, 1];
   #time_s = 0;
-  #still = document.createElement("canvas"); // all but the time
+  #still = document.createElement("canvas"); // everything except the time marker
   #hear;
 
-  /// `onTime(s)` hears where somebody points, `onPart(from, until)` which part is shown.
+  /// `onTime(s)` is called with the time pointed at, `onPart(from, until)` with the part shown.
   constructor(canvas, { onTime, onPart }) {
     this.#canvas = canvas;
     this.#hear = { onTime, onPart };
@@ -31,7 +31,7 @@ export class Plots {
       if (canvas.hasPointerCapture(event.pointerId)) onTime(timeAt(event));
     });
     canvas.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && !event.shiftKey) return; // which scrolls the page
+      if (!event.ctrlKey && !event.shiftKey) return; // the wheel scrolls the page
       event.preventDefault();
       this.stretch(event.deltaY < 0 ? 0.8 : 1.25, timeAt(event));
     }, { passive: false });
@@ -48,7 +48,7 @@ export class Plots {
     this.#ghosts = ghosts;
     this.paint();
   }
-  /// A part of the run, at least a tenth of a millisecond of it.
+  /// Shows a part of the run, at least a tenth of a millisecond.
   showPart(from_s, until_s) {
     const { from_s: least, until_s: greatest } = this.#picture;
     const length = Math.min(Math.max(until_s - from_s, 1e-4), greatest - least);
@@ -204,7 +204,7 @@ export class Plots {
     this.#paintHead(ctx, panel, y - 7);
   }
 
-  /// What a panel shows, and which area is what.
+  /// The title of a panel and the names of its areas.
   #paintHead(ctx, { title, unit, stacked: has_areas, curves }, y) {
     ctx.textAlign = "left";
     ctx.fillStyle = colour("text");
@@ -227,7 +227,7 @@ export class Plots {
   }
 }
 
-/// Each column on those before it.
+/// Each column on top of those before it.
 export function stacked(columns) {
   const sums = [];
   for (const column of columns) sums.push(column.map((value, row) => value + (sums.at(-1)?.[row] ?? 0)));

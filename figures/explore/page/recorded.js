@@ -1,4 +1,4 @@
-// Runs that the page brings along, in the form in which the engine answers.
+// Runs embedded in the page, in the form of the engine's answers.
 
 /// A column from [least, greatest, steps of a 65535th as base64].
 export function column([least, greatest, text]) {
@@ -9,7 +9,7 @@ export function column([least, greatest, text]) {
 
 const columns = (all) => Object.fromEntries(Object.entries(all).map(([name, packed]) => [name, column(packed)]));
 
-/// What states the same: numbers as numbers, the paper's own left out.
+/// A canonical form of settings: numbers as numbers, without the paper's values.
 const keyOf = (options) => JSON.stringify(Object.entries(options)
   .filter(([name, text]) => !(name === "equations" && text === "published"))
   .map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)]).sort());

@@ -3,8 +3,8 @@
 import { arrow, cleared, colour } from "./colours.js";
 import { inWords, rowAt, stateAt, whirlAt } from "./motion.js";
 
-const gap = 0.22; // how wide the clearance is drawn, in parts of the ring's radius
-const trail_s = 0.004, flies_s = 0.0015; // what lies behind O; how long the piece is seen
+const gap = 0.22; // drawn width of the clearance, relative to the ring's radius
+const trail_s = 0.004, flies_s = 0.0015; // length of the trail of O; time for which the piece is seen
 
 export class RotorView {
   #canvas;
@@ -12,7 +12,7 @@ export class RotorView {
   #picture = null;
   #time_s = 0;
 
-  /// Shows on a canvas, and says state and time in words.
+  /// Draws on a canvas, and describes state and time in words.
   constructor(canvas, words) {
     this.#canvas = canvas;
     this.#words = words;
@@ -74,9 +74,9 @@ function paintRing(ctx, ring) {
 
 const half_piece = 0.15; // rad
 
-/// The mass centre lies along the rotor's axis x; the piece that is lost leaves the other side a notch.
+/// The mass centre is on the rotor's axis x; the lost piece leaves a notch on the opposite side.
 function paintRotor(ctx, [x, y], radius, angle, lost) {
-  const notch = Math.PI / 2 - angle + Math.PI; // as the canvas counts
+  const notch = Math.PI / 2 - angle + Math.PI; // in the sense of the canvas
   const half = lost ? half_piece : 0;
   ctx.fillStyle = colour("rotor");
   ctx.strokeStyle = colour("text");
@@ -98,7 +98,7 @@ function paintWedge(ctx, [x, y], radius, direction) {
   ctx.fill();
 }
 
-/// It keeps the velocity that it had at the rim.
+/// The piece keeps the velocity that it had at the rim.
 function paintPiece(ctx, { loss, since_s, radius, at }) {
   const direction = Math.PI / 2 - loss.q3_rad + Math.PI;
   const way = 2 * Math.PI * loss.speed_Hz * radius * since_s; // along the rim's tangent, against the canvas's angle

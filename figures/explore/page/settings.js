@@ -1,16 +1,16 @@
-// Settings are what the command line would state: options of `rotor run` without their dashes, and
-// their texts. What is not stated is the paper's. The page's address holds the same options.
+// Settings are options of `rotor run` without their dashes, and their texts. Defaults are the paper's
+// values. The page's address has the same options.
 
 const flag = "no-mass-loss"; // the one option without a text
 
 export const optionOf = (name) => name.replaceAll("_", "-");
 
-/// A number as one would type it: 8e8, not 800000000.
+/// A number as it would be typed: 8e8, not 800000000.
 export const textOf = (number) =>
   Math.abs(number) >= 1e5 ? number.toExponential().replace("+", "") : String(number);
 
-/// Settings from an address, such as #friction=0.2&until=29.2, and behind a slash the view of them. What
-/// no option or number looks like is left out: anybody may have written the address.
+/// Settings from an address such as #friction=0.2&until=29.2, and after a slash the view. Anything that
+/// does not look like an option or number is left out, because an address is untrusted.
 export function settingsIn(hash) {
   const [options, view = {}] = hash
     .replace(/^#/, "")
@@ -22,7 +22,7 @@ export function settingsIn(hash) {
 
 export const addressOf = (...parts) => "#" + parts.map((part) => new URLSearchParams(part).toString()).join("/");
 
-/// The two corrections of the equations by their own names, whichever name they had together.
+/// The two corrections of the equations by their own names, even if their common name was stated.
 export function corrections({ equations, ...others }) {
   return equations === "consistent" ? { "velocity-jump": "once", "gravity-moment": "balanced", ...others } : others;
 }
@@ -39,7 +39,7 @@ export function inSet(options, set) {
   return set === "consistent" ? { ...others, equations: set } : others;
 }
 
-/// The command that repeats a run. Where a trace begins is no part of that.
+/// The command that repeats a run, without the start of a trace.
 export function commandOf({ from, ...options }) {
   const words = Object.entries(options).map(([option, text]) =>
     option === flag ? `--${option}` : `--${option} ${quoted(text)}`);

@@ -1,7 +1,7 @@
 // A run as a story: the kinds of motion that follow each other, and its moments in sentences.
 import { outcomes } from "./outcome.js";
 
-/// Flight, impacts, sliding and rolling, each from when until when, s.
+/// Intervals of flight, impacts, sliding and rolling, s.
 export function bandsOf({ events, from_s, until_s }) {
   const bands = [];
   const add = (name, begin_s) => {
@@ -21,7 +21,7 @@ export function bandsOf({ events, from_s, until_s }) {
   return bands.filter((band) => band.until_s > band.from_s);
 }
 
-/// Each contact: from touch-down to release, with the onset of rolling and its end in it, if any.
+/// Each contact from touch-down to release, with the onset and end of rolling, if any.
 function contactsOf(events, until_s) {
   const all = [];
   for (const { event, time_s } of events) {
@@ -36,7 +36,7 @@ function contactsOf(events, until_s) {
   return all;
 }
 
-/// When O is farthest out after a time.
+/// The time at which O is farthest out, after another time.
 function farthest({ time_s, x_a_m, y_a_m }, from_s) {
   let best = time_s.length - 1, most = -1;
   for (let row = 0; row < time_s.length; ++row) {
@@ -50,7 +50,7 @@ const inKilonewton = (force_N) => `${(force_N / 1e3).toFixed(0)} kN`;
 const inHertz = (f) => `${f.toFixed(f < 100 ? 1 : 0)} Hz`;
 const ms = (duration_s) => `${(1e3 * duration_s).toFixed(1)} ms`;
 
-/// Moments in their order: time, title and sentence. What the last one says depends on the outcome.
+/// Moments in their order: time, title and sentence. The last one depends on the outcome.
 export function storyOf(picture) {
   const { summary, events, mass_loss_s: loss_s, from_s } = picture;
   const { inputs, speed_at_mass_loss_Hz: speed_Hz, critical_speed_Hz: critical_Hz } = summary;
@@ -61,23 +61,23 @@ export function storyOf(picture) {
   const story = [
     { time_s: from_s, title: "Before the loss", text: `At ${inHertz(speed_Hz)} the rotor turns quietly about its mass centre, ` +
       `${(speed_Hz / critical_Hz).toFixed(speed_Hz < 3 * critical_Hz ? 1 : 0)} times as fast as its critical speed.` },
-    { time_s: loss_s, title: "A piece leaves the rim", text: "Nothing holds the rotor where it was: its mass centre is now " +
-      `${(1e3 * further_m).toFixed(1)} mm further out and moves on. The rotor swings towards the ring.` },
+    { time_s: loss_s, title: "A piece leaves the rim", text: "The mass centre of the rotor is now " +
+      `${(1e3 * further_m).toFixed(1)} mm further out and keeps moving. The rotor swings towards the ring.` },
   ];
   if (!first) {
     story.push({ time_s: farthest(picture.motion, loss_s), title: "It stays clear", text: "The swing reaches " +
-      `${(1e3 * summary.max_displacement_m).toFixed(2)} mm of the ${clearance_mm.toFixed(1)} mm of clearance: too slow to touch the ring.` });
+      `${(1e3 * summary.max_displacement_m).toFixed(2)} mm of the ${clearance_mm.toFixed(1)} mm of clearance: the rotor was too slow to touch the ring.` });
     return story;
   }
   story.push({ time_s: first.time_s, title: "First impact", text: `${ms(first.time_s - loss_s)} later it has crossed the ` +
-    `${clearance_mm.toFixed(1)} mm of clearance. The faster the rotor, the further the loss throws it.` });
+    `${clearance_mm.toFixed(1)} mm of clearance. The faster the rotor turns, the further it swings out.` });
   const rolls_s = summary.rolling_onset_s;
   const bands = bandsOf(picture);
   const end = bands.find(({ name }) => name === "sliding") ?? bands.at(-1);
   const many = summary.touch_downs;
   story.push({ time_s: rolls_s === null ? first.time_s + 0.5 * (end.from_s - first.time_s) : 0.3 * end.from_s + 0.7 * rolls_s,
-    title: many > 1 ? `${many} impacts, then sliding` : "Sliding", text: "Friction at the rim takes from the spin what it " +
-      "gives to the whirl of the centre, against the rotation." });
+    title: many > 1 ? `${many} impacts, then sliding` : "Sliding", text: "Friction at the rim slows the rotation " +
+      "and drives the whirl of the centre, against the rotation." });
   if (rolls_s === null) {
     story.at(-1).title = many > 1 ? `${many} impacts` : "One impact";
     story.push({ time_s: summary.peak_time_s, title: "No rolling", text: `The largest force is ` +
@@ -85,7 +85,7 @@ export function storyOf(picture) {
     return story;
   }
   story.push({ time_s: rolls_s, title: "Slip ends", text: `At ${inHertz(summary.rolling_onset_speed_Hz)}, ` +
-    `${ms(rolls_s - first.time_s)} after the first contact, the rim rolls along the ring: most of the energy left is in the backward whirl.` });
+    `${ms(rolls_s - first.time_s)} after the first contact, the rim rolls along the ring: most of the remaining energy is in the backward whirl.` });
   story.push({ time_s: summary.peak_time_s, title: "Largest force", text: `The ring holds the mass on this circle with ` +
     `${inKilonewton(summary.peak_normal_force_N)}, ${Math.round(summary.peak_normal_force_N / (9.81 * inputs.mass) / 100) * 100} times the rotor's weight.` });
   return story;

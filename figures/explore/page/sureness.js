@@ -1,16 +1,16 @@
-// "How sure is this?": the same run over the printed digits of its inputs, in the background.
+// "How sure is this?": the same run with inputs drawn within their printed digits, in the background.
 import { Engine } from "./engine.js";
 import { inKilonewton, outcomes } from "./outcome.js";
 
 const draw_count = 30;
 
 export class Sureness {
-  #engine = null; // one for draws alone, once it is needed
+  #engine = null; // only for draws; started when needed
   #words;
   #onCurves;
   #asked = 0; // which request the draws belong to
 
-  /// Says it in words, and shows the curves of the draws.
+  /// Writes the result in words, and shows the curves of the draws.
   constructor(words, onCurves) {
     this.#words = words;
     this.#onCurves = onCurves;
@@ -43,7 +43,7 @@ export class Sureness {
 }
 
 function sentences(drawn, refused) {
-  if (drawn.length === 0) return ["The model refuses all draws."];
+  if (drawn.length === 0) return ["All draws are refused."];
   const summaries = drawn.map(({ summary }) => summary);
   const all = Object.keys(outcomes)
     .map((outcome) => [outcome, summaries.filter((summary) => summary.outcome === outcome).length])
@@ -56,7 +56,7 @@ function sentences(drawn, refused) {
   if (refused > 0) all.push(`Refused draws: ${refused}.`);
   all.push(`Inputs at their printed values vary within their printed digits: ${drawn[0].drawn
     .map(({ quantity, from, to }) => `${quantity.replaceAll("_", " ")} ${from} … ${to}`).join(", ") || "none"}. Inputs set ` +
-    "to other values keep them. Grey curves: the draws, each from its own mass loss.");
+    "to other values keep them. Grey curves: the draws, each shifted to its own mass loss.");
   return all;
 }
 

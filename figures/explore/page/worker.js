@@ -1,5 +1,5 @@
-// Where runs are computed, behind emscripten's script, whose function is Module. A busy worker hears
-// nothing: to stop it, end it.
+// Computes runs, after emscripten's script, whose function is Module. A busy worker receives no messages:
+// to stop it, terminate it.
 
 let engine;
 
@@ -39,7 +39,7 @@ function read({ metadata, motion, works }) {
   return picture;
 }
 
-/// Rows, one after the other, as arrays by the columns' names.
+/// Converts rows, one after the other, to arrays by the columns' names.
 function columns(names, rows) {
   const count = rows.length / names.length;
   return Object.fromEntries(names.map((name, i) => {

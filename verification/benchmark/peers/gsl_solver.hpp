@@ -1,5 +1,5 @@
-/// GSL as a peer: its adaptive Dormand-Prince steps of order 8 (rk8pd). GSL knows no events: after
-/// each step the guards are looked at, and a root is found by repeating the step.
+/// GSL as a peer: its adaptive Dormand-Prince steps of order 8 (rk8pd). GSL has no events:
+/// the guards are evaluated after each step, and a root is found by repeating the step.
 #pragma once
 
 #include <gsl/gsl_errno.h>
@@ -48,7 +48,7 @@ class GslSolver : public PeerSolver {
         return problem.guards(x)[i];
       };
       const double before = problem.guards(start)[i];
-      double part = 0;  // a phase may begin on the far side by rounding
+      double part = 0;  // a phase may start on the far side by rounding
       if (before > 0) {
         boost::uintmax_t evaluations = 50;
         part = boost::math::tools::toms748_solve(guard_after, 0., 1., before, *fired,

@@ -32,7 +32,7 @@ class PaperChart {
   Unknowns scale(const S& length, const S& frequency, const S& speed) const {
     return {length, length, S(1), length * frequency, length * frequency, speed};
   }
-  /// The slip is none of these coordinates: it stays as small as the integrator keeps it.
+  /// The slip is not one of these coordinates: it is only as small as the integrator keeps it.
   Unknowns without_slip(const Unknowns& x) const { return x; }
 
  private:

@@ -1,5 +1,5 @@
-/// What a packaged solver with root-finding is given to compete with the event-located method: the
-/// same phases, either in their own coordinates or in the paper's.
+/// The phases of the event-located method for a packaged solver with root-finding, either in their
+/// own coordinates or in the paper's.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ class PeerProblem {
   virtual std::array<double, guard_count> guards(const Unknowns& x) const = 0;
   virtual Transition next(std::size_t guard, Unknowns& x) const = 0;
   virtual State<double> state(const Unknowns& x) const = 0;
-  virtual Unknowns scale(const Unknowns& x) const = 0;  ///< that errors are measured by
+  virtual Unknowns scale(const Unknowns& x) const = 0;  ///< reference of errors
 };
 
 template <class Phase, class Chart>
@@ -56,8 +56,8 @@ class PhaseProblem : public PeerProblem {
 class PeerSolver {
  public:
   virtual ~PeerSolver() = default;
-  /// Goes on from x at `time_s` to `until_s`, or to where the first guard becomes negative, which
-  /// it returns. Throws std::runtime_error if it gives up.
+  /// Integrates from x at `time_s` to `until_s`, or to where the first guard becomes negative;
+  /// returns that guard. Throws std::runtime_error if it fails.
   virtual std::optional<std::size_t> integrate(const PeerProblem& problem, PeerProblem::Unknowns& x,
                                                double& time_s, double until_s,
                                                Counters& counters) = 0;
@@ -65,7 +65,7 @@ class PeerSolver {
 
 enum class PeerCoordinates { of_the_paper, of_the_phases };
 
-/// A run by a packaged solver, from an instant on. The observer is shown events alone.
+/// A run by a packaged solver from an instant on. The observer is shown only events.
 class PeerMethod {
  public:
   PeerMethod(const Scenario& scenario, PeerCoordinates coordinates, PeerSolver& solver,

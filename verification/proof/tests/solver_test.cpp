@@ -1,4 +1,4 @@
-/// The prover itself: what is known exactly is always inside, and what is wrong is noticed.
+/// The prover itself: exactly known values are always enclosed, and errors are noticed.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -104,7 +104,7 @@ TEST_P(Prover, EnclosesAllFallsOfABox) {
   }
 }
 
-// Without it the sum of a short series lies aside by more than rounding.
+// Without it the sum of a short series is off by more than rounding.
 TEST_P(Prover, NeedsTheRemainder) {
   const Line line(10, spring, none);
   const StateSet start = at(1);
@@ -141,7 +141,7 @@ TEST_P(Prover, DoesNotDecideWhatOnlyTouches) {
 INSTANTIATE_TEST_SUITE_P(Bits, Prover, testing::Values(53, 128, 512),
                          [](const auto& bits) { return std::to_string(bits.param); });
 
-/// What the table says, with which `make verify` compares the engine.
+/// The table with which `make verify` compares the engine.
 Ball second_touch_down_in_table() {
   std::ifstream table(ROTOR_REFERENCE_DATA "/proven.csv");
   for (std::string line, lower, upper; std::getline(table, line);) {
@@ -154,7 +154,7 @@ Ball second_touch_down_in_table() {
   throw std::runtime_error("no second touch-down in the table");
 }
 
-// Each sign that is wrong in the equations moves the second touch-down.
+// Each wrong sign in the equations moves the second touch-down.
 TEST(Rotor, DisagreesWithTheEngineByOneWrongSign) {
   Ball::bits = 64;
   const Ball expected = second_touch_down_in_table();
