@@ -274,7 +274,7 @@ laws: build ## test the laws of model/theory on 10,000 random rotors: reference-
 
 PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build the programs of make bench, stress and reference
-	$(call build-target,benchmark stress reference digits-reference)
+	$(call build-target,benchmark random-rotors stable-steps reference digits-reference)
 bench: bench-programs ## measure run time against error of every method, with pictures, into build/bench
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
 	@LC_ALL=C.UTF-8 gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
@@ -284,9 +284,9 @@ bench: bench-programs ## measure run time against error of every method, with pi
 
 RUNS ?= 1000
 stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (up to an hour)
-	$(call build-target,stress digits-reference)
-	@mkdir -p $(BUILD)/stress-results && $(BUILD)/stress rotors 100000 $(BUILD)/stress-results
-	@$(BUILD)/stress steps $(BUILD)/stress-results
+	$(call build-target,random-rotors stable-steps digits-reference)
+	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 100000 $(BUILD)/stress-results
+	@$(BUILD)/stable-steps $(BUILD)/stress-results
 	@LC_ALL=C.UTF-8 gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
 	  figures/paper/style.gp verification/robustness/stress.gp
 	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)

@@ -9,7 +9,7 @@ mkdir -p "$report"
 failed=0
 verification/tests.sh "$build" || failed=1
 "$build/report-numbers" $data "$report" | tee "$report/report.txt" || failed=1
-"$build/stress" rotors 300 "$report" | tee -a "$report/report.txt" || failed=1
+"$build/random-rotors" 300 "$report" | tee -a "$report/report.txt" || failed=1
 echo
 echo "This report: $report/report.txt"
 # The reviewer's page, if its pictures have been drawn.

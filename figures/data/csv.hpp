@@ -38,6 +38,7 @@ class CsvRow {
   using Headings = std::shared_ptr<const std::vector<std::string>>;
   CsvRow(std::string place, Headings headings, std::vector<std::string> cells);
 
+  const std::vector<std::string>& headings() const { return *headings_; }
   const std::string& operator[](std::string_view heading) const;
   long double number(std::string_view heading) const;
   [[noreturn]] void fail(std::string_view reason) const;

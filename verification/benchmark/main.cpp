@@ -5,57 +5,243 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <map>
 
 #include "figures/data/files.hpp"
-#include "verification/benchmark/methods.hpp"
-#include "verification/benchmark/tables.hpp"
+#include "model/integration/fehlberg.hpp"
+#include "model/methods/event_method.ipp"
+#include "model/methods/published_method.hpp"
+#include "verification/support/follow_with.hpp"
 #include "verification/support/program.hpp"
+#ifdef ROTOR_GSL
+#include "verification/benchmark/gsl_method.hpp"
+#endif
 
 namespace rotor {
 namespace {
 
-void enter_methods(const Problem& problem, const std::vector<Peer>& peers,
-                   Measurement& measurement) {
-  const auto enter = [&](const std::string& method, int first, int last, const auto& solve) {
-    for (int digits = first; digits <= last; ++digits)
-      measurement.enter(method, power_of_ten(digits),
-                        [=](const Problem& p) { return solve(p, std::pow(10, -digits)); });
+using Extended = long double;
+
+/// A scene of the paper, from a state known in extended precision.
+struct Problem {
+  std::string name;
+  Scenario scenario;
+  BasicInstant<Extended> start;
+};
+
+template <class S, class Stepper>
+BasicRunEnd<S> by_events(const Problem& problem, const S& tolerance, const BasicInstant<S>& start) {
+  BasicObserver<S> null_observer;
+  return follow_with<S, Stepper>(problem.scenario, tolerance, start, problem.scenario.until,
+                                 null_observer);
+}
+
+/// The run-up, the rubs at three frictions, flight without contact, a single impact, and rolling.
+std::vector<Problem> problems() {
+  Scenario run_up{.until = 29.1};
+  run_up.parameters.loses_mass = false;
+  run_up.step_rub = run_up.step_run_up;
+  std::vector<Problem> all{{"run-up", run_up, at_rest<Extended>(run_up.parameters)}};
+  const auto after_loss = [&](const char* name, const Scenario& scenario) {
+    all.push_back({name, scenario, after_mass_loss_with<Extended>(scenario, 1e-15L)});
   };
-  enter(ours, 3, 12, by_events);
-  enter("event Fehlberg 7(8)", 4, 11, by_events_fehlberg78);
-  const double step = problem.is_run_up ? Scenario{}.step_run_up : Scenario{}.step_rub;
+  after_loss("rub mu = 0.3", {.until = 29.2});
+  after_loss("rub mu = 0.2", {.parameters = {.friction = 0.2}});
+  after_loss("rub mu = 0.08", {.parameters = {.friction = 0.08}});
+  after_loss("no contact", {.parameters = {.mass_loss_time = 9.4}, .until = 10.4});
+  after_loss("single impact", {.until = 29.106});
+  after_loss("rolling", {.until = 29.15});
+  Problem& rolling = all.back();
+  rolling.start =
+      by_events<Extended, Verner87<State<Extended>, Extended>>(rolling, 1e-15L, rolling.start).last;
+  rolling.scenario.until = 29.35;
+  return all;
+}
+
+/// An instant with its digits cut.
+Instant rounded(const BasicInstant<Extended>& at) {
+  Instant result{.time_s = static_cast<double>(at.time_s),
+                 .body = {static_cast<double>(at.body.mass), static_cast<double>(at.body.inertia),
+                          static_cast<double>(at.body.eccentricity)},
+                 .motor_on = at.motor_on,
+                 .mass_lost = at.mass_lost,
+                 .contact = at.contact};
+  std::ranges::transform(at.state, result.state.begin(),
+                         [](Extended x) { return static_cast<double>(x); });
+  return result;
+}
+
+/// Of the position relative to the clearance, of the velocity relative to itself and clearance
+/// times speed, of the speed relative to itself: the largest.
+double state_error(const Problem& problem, const State<double>& a, const State<double>& exact) {
+  const double length = Ring<double>(problem.scenario.parameters).clearance;
+  const auto& [q1, q2, q3, v1, v2, w] = exact;
+  return std::max({std::hypot(a[0] - q1, a[1] - q2) / length,
+                   std::hypot(a[3] - v1, a[4] - v2) / (std::hypot(v1, v2) + length * std::abs(w)),
+                   std::abs(a[5] - w) / std::abs(w)});
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// What this program has had of the processor, whatever else runs on the machine.
+double processor_s() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// One setting of a method. What failed has no error.
+struct Point {
+  std::string setting;
+  std::function<RunEnd()> solve;
+  RunEnd end{};
+  double error = none, time_s = std::numeric_limits<double>::infinity();
+
+  /// Returns how long it took, s.
+  double measure(const Problem& problem, const State<double>& exact) {
+    const double begin_s = processor_s();
+    try {
+      end = solve();
+      error = state_error(problem, end.last.state, exact);
+    } catch (const std::runtime_error&) {
+    }
+    const double its_s = processor_s() - begin_s;
+    time_s = std::min(time_s, its_s);
+    return its_s;
+  }
+};
+
+struct Curve {
+  std::string method;
+  std::vector<Point> points;
+
+  /// The time at which it reaches an error, between two of its points in logarithms; none if it
+  /// never does.
+  double time_at(double wanted) const {
+    const Point* above = nullptr;
+    for (const Point& point : points) {
+      if (std::isnan(point.error)) continue;
+      if (point.error > wanted) {
+        above = &point;
+      } else if (above) {
+        const double part = std::log(above->error / wanted) / std::log(above->error / point.error);
+        return above->time_s * std::pow(point.time_s / above->time_s, part);
+      } else {
+        return point.time_s;  // its coarsest setting is better than that
+      }
+    }
+    return none;
+  }
+};
+
+std::string power_of_ten(int minus_exponent) { return fmt::format("1e-{}", minus_exponent); }
+
+/// What there is to compare, the event method with its usual stepper first.
+std::vector<Curve> curves(const Problem& problem) {
+  std::vector<Curve> all;
+  const Instant start = rounded(problem.start);
+  const auto add = [&](const char* method, int first, int last, const auto& solve) {
+    all.push_back({method, {}});
+    for (int digits = first; digits <= last; ++digits)
+      all.back().points.push_back(
+          {power_of_ten(digits), [=] { return solve(std::pow(10, -digits)); }});
+  };
+  add("event Verner 8(7)", 3, 12, [=, &problem](double tolerance) {
+    return by_events<double, Verner87<State<double>, double>>(problem, tolerance, start);
+  });
+  all.push_back({"published RK4", {}});
   for (const int part : {1, 2, 4, 8, 16})
-    measurement.enter(published, fmt::format("h/{}", part),
-                      [=](const Problem& p) { return by_fixed_steps(p, step / part); });
-  for (const Peer& peer : peers) enter(peer.name, 4, 11, peer.solve);
-  enter("Odeint off the shelf", 3, 6, by_odeint_off_the_shelf);
+    all.back().points.push_back({fmt::format("h/{}", part), [=, &problem] {
+                                   Scenario scenario = problem.scenario;
+                                   scenario.step_rub /= part;
+                                   Observer null_observer;
+                                   PublishedMethod method(scenario, start);
+                                   method.advance(scenario.until, null_observer);
+                                   return RunEnd{method.instant(), method.counters()};
+                                 }});
+#ifdef ROTOR_GSL
+  add("GSL rk8pd", 4, 11, [=, &problem](double tolerance) {
+    return GslMethod<PaperChart, PaperChart>(problem.scenario, tolerance, start)
+        .run(problem.scenario.until);
+  });
+  add("GSL rk8pd in our coordinates", 4, 11, [=, &problem](double tolerance) {
+    return GslMethod<FlightChart<double>, ContactChart<double>>(problem.scenario, tolerance, start)
+        .run(problem.scenario.until);
+  });
+#endif
+  return all;
+}
+
+/// Each point for so long or so often, in turns, so that a slow spell of the machine hits all
+/// alike.
+void measure(std::vector<Curve>& all, const Problem& problem, const State<double>& exact) {
+  constexpr double seconds = 0.1;
+  constexpr int rounds = 50;
+  std::map<const Point*, double> spent_s;
+  for (int round = 0; round < rounds; ++round)
+    for (Curve& curve : all)
+      for (Point& point : curve.points)
+        if (double& spent = spent_s[&point]; spent < seconds)
+          spent += point.measure(problem, exact);
+}
+
+/// How many times longer the others take than the first for the same error; nothing is
+/// extrapolated.
+void print_ratios(const std::vector<Curve>& all) {
+  constexpr int first = 1, last = 10;
+  fmt::print("{:<31}", "time at equal error, relative");
+  for (int digits = first; digits <= last; ++digits) fmt::print(" {:>7}", power_of_ten(digits));
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    fmt::print("\n{:<31}", all[i].method);
+    for (int digits = first; digits <= last; ++digits) {
+      const double error = std::pow(10, -digits),
+                   ratio = all[i].time_at(error) / all.front().time_at(error);
+      fmt::print(" {:>7}", std::isnan(ratio) ? "-" : fmt::format("{:.1f}", ratio));
+    }
+  }
+  fmt::print("\n- : the method has not reached that error with any of its settings.\n");
 }
 
 int main(const Arguments& arguments) {
   if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER");
   const std::filesystem::path folder = arguments[0];
   std::filesystem::create_directories(folder);
-  const std::vector<Peer> installed = peers();
-  const std::vector<Problem> all = problems();
-  std::vector<Outcome> exact;
-  for (const Problem& problem : all) exact.push_back(by_reference(problem));
-
-  Measurement measurement(0.1);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+#ifndef ROTOR_GSL
+  fmt::print("Without GSL, which make deps-bench installs.\n");
+#endif
+  std::string csv =
+      "# Run time against error, from make bench\n"
+      "problem,method,setting,error_state,time_s,right_hand_sides\n";
+  for (const Problem& problem : problems()) {
+    const State<double> exact = rounded(by_events<Extended, Fehlberg78<State<Extended>, Extended>>(
+                                            problem, 1e-15L, problem.start)
+                                            .last)
+                                    .state;
     // The error of the reference, estimated by another stepper and tolerance.
-    const Outcome other = by_other_reference(all[i]);
-    measurement.add({.problem = all[i].name,
-                     .method = "reference",
-                     .setting = "",
-                     .error_state = std::max(1e-17, state_error(all[i], other, exact[i])),
-                     .error_event_s = event_error(other, exact[i]),
-                     .error_peak = peak_error(other, exact[i])});
-    enter_methods(all[i], installed, measurement);
-    measurement.run(all[i], exact[i]);
+    const Instant other = rounded(
+        by_events<Extended, Verner87<State<Extended>, Extended>>(problem, 1e-16L, problem.start)
+            .last);
+    csv += fmt::format("{},reference,,{:.3e},nan,0\n", problem.name,
+                       std::max(1e-17, state_error(problem, other.state, exact)));
+    std::vector<Curve> all = curves(problem);
+    measure(all, problem, exact);
+    fmt::print("\n{:<31} {:>6} {:>8} {:>10} {:>9}\n", problem.name, "set", "state", "time, ms",
+               "rhs");
+    for (const Curve& curve : all)
+      for (const Point& p : curve.points) {
+        fmt::print("{:<31} {:>6} {:>8.1e} {:>10.3f} {:>9}\n", curve.method, p.setting, p.error,
+                   1e3 * p.time_s, p.end.counters.right_hand_sides);
+        csv += fmt::format("{},{},{},{:.3e},{:.4e},{}\n", problem.name, curve.method, p.setting,
+                           p.error, p.time_s, p.end.counters.right_hand_sides);
+      }
+    print_ratios(all);
+    std::fflush(stdout);
   }
-  print_ratios(measurement.rows());
   FileTransaction files;
-  files.write(folder / "work-precision.csv", to_csv(measurement.rows()));
+  files.write(folder / "work-precision.csv", csv);
   files.commit();
   return 0;
 }

@@ -4,9 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cctype>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
@@ -30,34 +28,19 @@ struct KnownRun {
   KnownValues values;
 };
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> cells;
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 /// Thirty random runs that did not influence the rule, and six on which earlier rules failed.
 std::vector<KnownRun> known_runs() {
-  std::ifstream file(ROTOR_REFERENCE_DATA "/random-runs.csv");
-  std::vector<std::string> names;
   std::vector<KnownRun> runs;
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with('#')) continue;
-    const std::vector<std::string> cells = cells_of(line);
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/random-runs.csv")) {
     KnownRun& run = runs.emplace_back();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto quantity = std::ranges::find(quantities(), names[i], &Quantity::name);
+    for (const std::string& name : row.headings()) {
+      const auto quantity = std::ranges::find(quantities(), name, &Quantity::name);
       if (quantity != quantities().end())
-        quantity->in(run.scenario) = std::stod(cells[i]);
-      else if (names[i] == "equations")
-        run.scenario.equations = parse_equations(cells[i]);
-      else if (!cells[i].empty())
-        run.values[names[i]] = std::stod(cells[i]);
+        quantity->in(run.scenario) = std::stod(row[name]);
+      else if (name == "equations")
+        run.scenario.equations = parse_equations(row[name]);
+      else if (!row[name].empty())
+        run.values[name] = std::stod(row[name]);
     }
   }
   return runs;

@@ -83,10 +83,6 @@ TEST(Reasons, AreViolatedWhereTheForceInRollingFalls) {
 // By the program: each example is a violation, and its forces have the counted ratio. The force in
 // rolling is not in a summary.
 TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
-  const auto summary = [&](const std::string& options) {
-    return nlohmann::json::parse(
-        rotor("run --json --stop-on outcome " + options + " 2>/dev/null").output);
-  };
   int tried = 0;
   for (const Set& set : sets)
     for (const Reason& reason : reasons()) {
@@ -94,8 +90,9 @@ TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
       if (example.empty() || reason.judged == Criterion::force) continue;
       ++tried;
       const std::size_t between = example.find("; "), value = example.rfind(' ', between - 1) + 1;
-      const auto less = summary(example.substr(0, between)),
-                 more = summary(example.substr(0, value) + example.substr(between + 2));
+      const std::string stop = "--stop-on outcome ";
+      const auto less = summary(stop + example.substr(0, between)),
+                 more = summary(stop + example.substr(0, value) + example.substr(between + 2));
       const bool less_rolls = less["outcome"] == "rolling",
                  more_rolls = more["outcome"] == "rolling";
       if (reason.judged == Criterion::decides) {

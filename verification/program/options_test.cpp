@@ -10,13 +10,13 @@
 #include <tuple>
 
 #include "figures/input/scenario_spec.hpp"
-#include "verification/support/run_summary.hpp"
+#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
 
 using Json = nlohmann::json;
-class Options : public RunSummary {
+class Options : public CommandLine {
  protected:
   Json inputs(const std::string& arguments) const { return summary(arguments)["inputs"]; }
 };

@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include "figures/input/names.hpp"
-#include "verification/support/run_summary.hpp"
+#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
 
 using Json = nlohmann::json;
 
-using RunCommand = RunSummary;
+using RunCommand = CommandLine;
 
 /// Whether a property of a schema allows a value.
 bool allows(const Json& property, const Json& value) {

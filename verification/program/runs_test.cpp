@@ -8,15 +8,15 @@
 #include "model/mechanics/mass_loss.hpp"
 #include "model/run/simulation.hpp"
 #include "model/scenario/start.hpp"
+#include "verification/support/command_line.hpp"
 #include "verification/support/random_runs.hpp"
-#include "verification/support/run_summary.hpp"
 
 namespace rotor {
 namespace {
 
 using Json = nlohmann::json;
-using Runs = RunSummary;
-using Stops = RunSummary;
+using Runs = CommandLine;
+using Stops = CommandLine;
 
 ScenarioSpec numbers(std::initializer_list<std::pair<const std::string, double>> stated) {
   ScenarioSpec spec;

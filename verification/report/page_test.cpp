@@ -206,7 +206,7 @@ TEST(Laws, FailWhereMoreIsLeftThanAllowed) {
   Law("a law that holds", 1e-3).expect_left(1e-3);
 }
 
-class TestResults : public InFolder {};
+class TestResults : public CommandLine {};
 
 TEST_F(TestResults, AreCountedWithTheWorstOfEachLaw) {
   const auto test = [](const std::string& name, const std::string& rest) {
@@ -227,7 +227,7 @@ TEST_F(TestResults, AreCountedWithTheWorstOfEachLaw) {
   EXPECT_EQ(tests_json({.tests = folder_ / "none"}).at("made"), false);
 }
 
-class Digitised : public InFolder {
+class Digitised : public CommandLine {
  protected:
   const std::vector<FigureCurve> curves_ = {
       {"run", "normal_force_N", "normal force", "kN", {{29.1, 0}, {29.2, -100}, {29.3, -100}}}};

@@ -278,7 +278,7 @@ def build(hand, candidates, count):
           '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'], 'CMake')
     with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
         changes = without_errors(changes, pool)
-    call(['cmake', '--build', BUILD, '--target', 'verification', 'rotor', 'stress'], 'The build')
+    call(['cmake', '--build', BUILD, '--target', 'verification', 'rotor', 'random-rotors'], 'The build')
     write_switched([])  # tests look at the sources, too
     kept = [change for change in changes if change.kind != 'by hand'][:count]
     return [change for change in changes if change.kind == 'by hand'] + kept
@@ -319,7 +319,7 @@ class Tests:
             environment = {**os.environ, 'LC_ALL': 'C', 'RC_PARAMS': 'seed=1', 'ROTOR_MUTANT': str(number), 'TMPDIR': folder}
             if reached:
                 environment['ROTOR_REACHED'] = reached
-            command = [BUILD / 'stress', 'rotors', '300', folder] if name == RANDOM_ROTORS else \
+            command = [BUILD / 'random-rotors', '300', folder] if name == RANDOM_ROTORS else \
                 [BUILD / 'verification', '--gtest_filter=' + name, '--gtest_fail_fast']
             process = subprocess.Popen(command, env=environment, cwd=folder, stdin=subprocess.DEVNULL,
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)

@@ -1,12 +1,14 @@
+/// `random-rotors COUNT FOLDER`: random rotors through the event-located method, with what they
+/// show in a folder. Fails if a run went wrong without saying so.
 #include <fmt/format.h>
 
 #include <map>
 
 #include "figures/data/files.hpp"
 #include "figures/input/names.hpp"
-#include "verification/robustness/stress.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/follow.hpp"
+#include "verification/support/program.hpp"
 #include "verification/support/random_scenarios.hpp"
 
 namespace rotor {
@@ -67,9 +69,9 @@ std::string describe(const Scenario& s, const Instant& at) {
   return text + fmt::format("speed={} equations={}", at.state[5], name_of(s.equations));
 }
 
-}  // namespace
-
-int stress_rotors(long count, const std::filesystem::path& folder) {
+int main(const Arguments& arguments) {
+  if (arguments.size() != 2) throw std::runtime_error("needs: COUNT FOLDER");
+  const long count = std::stol(arguments[0]);
   std::string flagged = "rotor,refusal,finite,penetration,residual,parameters\n";
   std::map<std::string, long> refusals;
   long touch_downs = 0, right_hand_sides = 0, reruns = 0;
@@ -108,9 +110,14 @@ int stress_rotors(long count, const std::filesystem::path& folder) {
       missed, Inspection::allowed_penetration, unbalanced, Inspection::allowed_residual);
   for (const auto& [reason, number] : refusals) fmt::print("  refused {}: {}\n", number, reason);
   FileTransaction files;
-  files.write(folder / "flagged-rotors.csv", flagged);
+  files.write(std::filesystem::path(arguments[1]) / "flagged-rotors.csv", flagged);
   files.commit();
   return failed == 0 ? 0 : 1;
 }
 
+}  // namespace
 }  // namespace rotor
+
+int main(int argc, char** argv) {
+  return rotor::run_program("random-rotors", rotor::main, argc, argv);
+}

@@ -1,3 +1,4 @@
+/// `stable-steps FOLDER`: the limits of stability of the published method's step.
 #include <fmt/format.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -5,7 +6,7 @@
 
 #include "figures/data/files.hpp"
 #include "model/methods/published_method.hpp"
-#include "verification/robustness/stress.hpp"
+#include "verification/support/program.hpp"
 
 namespace rotor {
 namespace {
@@ -90,13 +91,17 @@ std::string stability_limits() {
   return csv;
 }
 
-}  // namespace
-
-int stress_steps(const std::filesystem::path& folder) {
+int main(const Arguments& arguments) {
+  if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER");
   FileTransaction files;
-  files.write(folder / "stability.csv", stability_limits());
+  files.write(std::filesystem::path(arguments[0]) / "stability.csv", stability_limits());
   files.commit();
   return 0;
 }
 
+}  // namespace
 }  // namespace rotor
+
+int main(int argc, char** argv) {
+  return rotor::run_program("stable-steps", rotor::main, argc, argv);
+}

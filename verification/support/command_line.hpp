@@ -1,24 +1,39 @@
 /// Tests of the program as its users see it.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "verification/support/in_folder.hpp"
-
 namespace rotor {
 
-class CommandLine : public InFolder {
+namespace fs = std::filesystem;
+
+/// A folder for each test, removed afterwards.
+class CommandLine : public testing::Test {
  protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("rotor-test-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path write(std::string_view name, std::string_view content) const {
+    std::ofstream(folder_ / name) << content;
+    return folder_ / name;
+  }
+
   struct Outcome {
     int status;
     std::string output;
@@ -39,6 +54,13 @@ class CommandLine : public InFolder {
   }
 
   Outcome rotor(const std::string& arguments) const { return shell("$rotor " + arguments); }
+
+  /// What `rotor run --json` prints.
+  nlohmann::json summary(const std::string& arguments) const {
+    const Outcome outcome = rotor("run --json " + arguments + " 2>messages");
+    EXPECT_EQ(outcome.status, 0) << arguments << ": " << content("messages");
+    return outcome.status == 0 ? nlohmann::json::parse(outcome.output) : nlohmann::json();
+  }
 
   /// The content of a file in the folder.
   std::string content(std::string_view name) const {
@@ -70,6 +92,8 @@ class CommandLine : public InFolder {
     EXPECT_EQ(output.find('\n'), output.size() - 1) << output;
     EXPECT_EQ(files(), before) << arguments;
   }
+
+  fs::path folder_;
 };
 
 }  // namespace rotor
