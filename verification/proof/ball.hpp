@@ -4,6 +4,7 @@
 
 #include <arb.h>
 
+#include <concepts>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,20 +12,24 @@
 
 namespace proof {
 
-/// Something that cannot be decided: neither that it is true, nor that it is false.
+/// What cannot be decided: neither that something happens, nor that it does not.
 struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws std::logic_error: the prover would be used wrongly.
+inline void require(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(what);
+}
+
 class Ball {
  public:
-  /// Bits to which operations round midpoints.
+  /// Bits of the midpoints that operations round to.
   static inline long bits = 128;
 
   Ball() { arb_init(a_); }
-  Ball(long n) : Ball() { arb_set_si(a_, n); }   // NOLINT: numbers in formulas
-  Ball(int n) : Ball(static_cast<long>(n)) {}    // NOLINT
-  Ball(double x) : Ball() { arb_set_d(a_, x); }  // NOLINT: exact
+  Ball(std::integral auto n) : Ball() { arb_set_si(a_, static_cast<long>(n)); }  // NOLINT
+  Ball(double x) : Ball() { arb_set_d(a_, x); }  // NOLINT: numbers in formulas, exact
   /// A number as printed, such as "0.15e-3". Throws std::invalid_argument if it is not a number.
   explicit Ball(const std::string& decimal) : Ball() {
     if (arb_set_str(a_, decimal.c_str(), bits) != 0)
@@ -53,14 +58,15 @@ class Ball {
   static Ball pi() { return made(arb_const_pi, bits); }
   static Ball power_of_two(long n) { return made(arb_mul_2exp_si, Ball(1).a_, n); }
 
-  /// Whether it holds for all numbers of both. Overlapping balls are neither less nor greater.
+  /// Whether that is so of all numbers of both. Balls that overlap are neither less nor greater,
+  /// nor is what is not a number: only what a comparison affirms is certain.
   friend bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.a_, b.a_) != 0; }
   friend bool operator>(const Ball& a, const Ball& b) { return b < a; }
   bool contains(const Ball& b) const { return arb_contains(a_, b.a_) != 0; }
   bool is_finite() const { return arb_is_finite(a_) != 0; }
 
-  /// Exact numbers: the midpoint, the radius, the ends and the greatest absolute value, the last
-  /// four rounded outwards.
+  /// Exact numbers: the midpoint, the radius, the ends, and the greatest absolute value, of which
+  /// the last four are rounded outwards.
   Ball middle() const { return made(arb_get_mid_arb, a_); }
   Ball radius() const { return made(arb_get_rad_arb, a_); }
   Ball lower() const { return end(arb_get_lbound_arf); }
@@ -73,18 +79,13 @@ class Ball {
   /// All numbers from -size to size.
   static Ball within(const Ball& size) { return made(arb_add_error, size.a_); }
 
-  /// The ends as decimals with that many digits, rounded outwards; a count unchanged.
-  std::pair<std::string, std::string> decimal_ends(int digits) const;
-
  private:
-  template <class Function, class... Arguments>
-  static Ball made(const Function& function, const Arguments&... arguments) {
+  static Ball made(const auto& function, const auto&... arguments) {
     Ball result;
     function(result.a_, arguments...);
     return result;
   }
-  template <class Function>
-  Ball end(const Function& function) const {
+  Ball end(const auto& function) const {
     Ball result;
     function(arb_midref(result.a_), a_, bits);
     return result;
@@ -99,14 +100,15 @@ using Row = std::vector<Ball>;
 using Matrix = std::vector<Row>;
 
 /// The sum of the products a[i] b[i], i = 0 ... count - 1; of b[-i] if the step is -1.
-Ball dot(const Ball* a, const Ball* b, std::size_t count, long b_step = 1);
-inline Ball dot(const Row& a, const Row& b) { return dot(a.data(), b.data(), a.size()); }
-
-/// Encloses the inverse. Throws Undecided if there may be none.
-Matrix inverse(const Matrix& a);
-/// Nearly orthonormal columns with exact entries, from columns with exact entries: the first has
-/// the direction of the longest column, the second that of the longest remainder of the others, and
-/// so on.
-Matrix orthonormal(Matrix columns);
+inline Ball dot(const Ball* a, const Ball* b, std::size_t count, long b_step = 1) {
+  Ball sum;
+  arb_dot(sum.get(), nullptr, 0, a->get(), 1, b->get(), b_step, static_cast<long>(count),
+          Ball::bits);
+  return sum;
+}
+inline Ball dot(const Row& a, const Row& b) {
+  require(a.size() == b.size(), "an inner product of rows of different lengths");
+  return dot(a.data(), b.data(), a.size());
+}
 
 }  // namespace proof
