@@ -14,55 +14,31 @@
 namespace rotor {
 namespace {
 
-/// Splits a text into the cells of its rows.
-class CsvReader {
- public:
-  explicit CsvReader(std::istream& stream) : stream_(stream) {}
+/// Skips lines of provenance. Counts lines.
+void skip_comments(std::istream& stream, int& line) {
+  std::string ignored;
+  for (; stream.peek() == '#'; ++line) std::getline(stream, ignored);
+}
 
-  /// The cells of the next row, none at the end.
-  std::vector<std::string> next() {
-    std::vector<std::string> cells;
-    while (stream_.peek() == '#') skip_line();
-    if (stream_.peek() == std::istream::traits_type::eof()) return cells;
-    line_ = next_line_;
-    do cells.push_back(cell());
-    while (last_ == ',');
-    return cells;
+/// The cells of the next row. Counts lines.
+std::vector<std::string> next_row(std::istream& stream, int& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (char c = 0; stream.get(c);) {
+    if (c == '\n') ++line;
+    if (c == '"' && quoted && stream.peek() == '"')
+      cells.back() += static_cast<char>(stream.get());
+    else if (c == '"')
+      quoted = !quoted;
+    else if (quoted || (c != ',' && c != '\n'))
+      cells.back() += c;
+    else if (c == ',')
+      cells.emplace_back();
+    else
+      break;
   }
-
-  int line() const { return line_; }  ///< of the row that was read last
-
- private:
-  void skip_line() {
-    std::string ignored;
-    std::getline(stream_, ignored);
-    ++next_line_;
-  }
-
-  std::string cell() {
-    std::string text;
-    bool quoted = false;
-    for (char c = 0; stream_.get(c);) {
-      if (c == '\n') ++next_line_;
-      if (c == '"' && quoted && stream_.peek() == '"') {
-        text += static_cast<char>(stream_.get());
-      } else if (c == '"') {
-        quoted = !quoted;
-      } else if (!quoted && (c == ',' || c == '\n')) {
-        last_ = c;
-        return text;
-      } else {
-        text += c;
-      }
-    }
-    last_ = '\n';
-    return text;
-  }
-
-  std::istream& stream_;
-  int line_ = 0, next_line_ = 1;
-  char last_ = '\n';  ///< what ended the last cell
-};
+  return cells;
+}
 
 }  // namespace
 
@@ -94,10 +70,8 @@ std::string csv_row(std::string_view name, std::span<const double> values) {
   return row + '\n';
 }
 
-std::string to_csv(const std::vector<std::string>& provenance,
-                   const std::vector<std::string_view>& headings,
-                   const std::vector<NamedTable>& tables) {
-  std::string csv = csv_head(provenance, headings);
+std::string csv_rows(const std::vector<NamedTable>& tables) {
+  std::string csv;
   for (const auto& [name, table] : tables)
     for (std::size_t i = 0; i < table.rows(); ++i) csv += csv_row(name, table.row(i));
   return csv;
@@ -137,12 +111,16 @@ std::vector<CsvRow> read_csv(const std::filesystem::path& file) {
 }
 
 std::vector<CsvRow> read_csv(std::istream& stream, const std::string& name) {
-  CsvReader reader(stream);
-  const auto headings = std::make_shared<std::vector<std::string>>(reader.next());
+  int next_line = 1;
+  skip_comments(stream, next_line);
+  const auto headings = std::make_shared<std::vector<std::string>>(next_row(stream, next_line));
   std::vector<CsvRow> rows;
-  for (auto cells = reader.next(); !cells.empty(); cells = reader.next())
-    rows.emplace_back(fmt::format("{}:{}", name, reader.line()), headings, std::move(cells));
-  return rows;
+  for (;;) {
+    skip_comments(stream, next_line);
+    if (stream.peek() == std::istream::traits_type::eof()) return rows;
+    const int line = next_line;
+    rows.emplace_back(fmt::format("{}:{}", name, line), headings, next_row(stream, next_line));
+  }
 }
 
 }  // namespace rotor

@@ -1,6 +1,8 @@
-/// Comma-separated values (RFC 4180), below lines of provenance that start with "#".
+/// Tables of numbers, and comma-separated values (RFC 4180), below lines of provenance that start
+/// with "#".
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
@@ -9,9 +11,29 @@
 #include <string_view>
 #include <vector>
 
-#include "figures/data/table.hpp"
-
 namespace rotor {
+
+/// Rows of numbers, one after the other.
+class Table {
+ public:
+  explicit Table(std::size_t columns) : columns_(columns) {}
+
+  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return values_.size() / columns_; }
+  std::span<const double> row(std::size_t i) const { return {&values_[i * columns_], columns_}; }
+  void add(double value) { values_.push_back(value); }
+  void add(std::span<const double> row) { values_.insert(values_.end(), row.begin(), row.end()); }
+
+ private:
+  std::size_t columns_;
+  std::vector<double> values_;
+};
+
+/// Rows with the same name in their first column.
+struct NamedTable {
+  std::string name;
+  Table table;
+};
 
 /// A text as a field, in quotes if it needs them.
 std::string csv_field(std::string_view text);
@@ -27,10 +49,7 @@ std::string csv_head(const std::vector<std::string>& provenance,
 /// A row: a name, then numbers.
 std::string csv_row(std::string_view name, std::span<const double> values);
 
-/// Head and rows. The first heading is for the tables' names, the others are for their columns.
-std::string to_csv(const std::vector<std::string>& provenance,
-                   const std::vector<std::string_view>& headings,
-                   const std::vector<NamedTable>& tables);
+std::string csv_rows(const std::vector<NamedTable>& tables);
 
 /// A row that was read from a CSV file. Throws std::runtime_error with file and line.
 class CsvRow {

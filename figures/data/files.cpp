@@ -148,19 +148,11 @@ void FileTransaction::require_distinct(const std::vector<fs::path>& files, const
     if (!its.empty() && its == of_source)
       throw std::runtime_error(fmt::format(
           "{}: cannot be written: the runs are read from this file", shown(file.string())));
-    if (!its.empty() && std::find(identities.begin(), identities.end(), its) != identities.end())
+    if (!its.empty() && contains(identities, its))
       throw std::runtime_error(fmt::format("{}: cannot be written: it is the file of two outputs",
                                            shown(file.string())));
     identities.push_back(its);
   }
-}
-
-OutputFile& FileTransaction::open(const fs::path& file) {
-  return *files_.emplace_back(std::make_unique<OutputFile>(file));
-}
-
-void FileTransaction::write_to_all(std::string_view text) {
-  for (const auto& file : files_) file->write(text);
 }
 
 void FileTransaction::commit() {

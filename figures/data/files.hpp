@@ -51,9 +51,13 @@ class FileTransaction {
   static void require_distinct(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& source = {});
 
-  OutputFile& open(const std::filesystem::path& file);
+  OutputFile& open(const std::filesystem::path& file) {
+    return *files_.emplace_back(std::make_unique<OutputFile>(file));
+  }
   void write(const std::filesystem::path& file, std::string_view text) { open(file).write(text); }
-  void write_to_all(std::string_view text);
+  void write_to_all(std::string_view text) {
+    for (const auto& file : files_) file->write(text);
+  }
   void commit();
 
  private:

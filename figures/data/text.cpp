@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -67,7 +66,6 @@ void print_message(std::string_view message) {
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 
-/// The text as a number, if it is one from end to end.
 std::optional<double> number_in(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
     return std::nullopt;  // strtod would accept blanks, nan, hexadecimal
@@ -102,10 +100,6 @@ std::string duration(double seconds) {
   if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 172'800) return fmt::format("{:.0f} h", seconds / 3600);
   return fmt::format("{:.3g} days", seconds / 86'400);
-}
-
-double time_to_go_s(double elapsed_s, double done, double all) {
-  return elapsed_s * (all - done) / done;
 }
 
 }  // namespace rotor

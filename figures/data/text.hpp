@@ -1,6 +1,8 @@
 /// Texts and times as messages show them.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,10 +28,13 @@ std::string unless_number(const std::string& text);
 /// "; did you mean NAME?" if one of the names was probably meant; otherwise empty.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
 
+/// Whether a value is among others.
+template <class Values, class Value>
+bool contains(const Values& values, const Value& value) {
+  return std::find(std::begin(values), std::end(values), value) != std::end(values);
+}
+
 /// A time, in seconds, minutes, hours or days.
 std::string duration(double seconds);
-
-/// The remaining time at the present rate.
-double time_to_go_s(double elapsed_s, double done, double all);
 
 }  // namespace rotor

@@ -2,44 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace rotor {
 namespace {
 
-/// A column's least and greatest value, and the first rows with them.
+/// The first rows with a column's least and greatest value.
 struct Range {
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  std::size_t least_row = 0, greatest_row = 0;
-};
+  std::size_t least = 0, greatest = 0;
 
-Range range_of(const Table& table, std::size_t column) {
-  Range range;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double value = table.row(i)[column];
-    if (value < range.least) {
-      range.least = value;
-      range.least_row = i;
-    }
-    if (value > range.greatest) {
-      range.greatest = value;
-      range.greatest_row = i;
+  Range(const Table& table, std::size_t column) {
+    const auto at = [&](std::size_t row) { return table.row(row)[column]; };
+    for (std::size_t row = 1; row < table.rows(); ++row) {
+      const bool is_first = std::isnan(at(least)) && !std::isnan(at(row));
+      if (is_first || at(row) < at(least)) least = row;
+      if (is_first || at(row) > at(greatest)) greatest = row;
     }
   }
-  return range;
-}
+};
 
 /// One column, scaled so that its values lie between 0 and 1. A constant column and NaN become
 /// zero.
 std::vector<double> scaled(const Table& table, std::size_t column, const Range& range) {
-  const double length = range.greatest > range.least ? range.greatest - range.least : 1;
+  const double least = table.row(range.least)[column],
+               length = table.row(range.greatest)[column] - least;
   std::vector<double> values(table.rows());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double value = table.row(i)[column];
-    values[i] = std::isnan(value) ? 0 : (value - range.least) / length;
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const double value = table.row(i)[column]; length > 0 && !std::isnan(value))
+      values[i] = (value - least) / length;
   return values;
 }
 
@@ -94,14 +85,14 @@ void mark_corners(const Curves& curves, std::size_t first, std::size_t last, dou
 
 Table thinned(const Table& table, double tolerance) {
   if (table.rows() == 0) return table;
-  Curves curves{scaled(table, 0, range_of(table, 0)), {}};
+  Curves curves{scaled(table, 0, Range(table, 0)), {}};
   std::vector<char> needed(table.rows(), false);
   for (std::size_t column = 1; column < table.columns(); ++column) {
-    const Range range = range_of(table, column);
+    const Range range(table, column);
     curves.all.push_back(scaled(table, column, range));
     mark_gaps(table, column, needed);
     // Annotations quote the ends of the range: these rows are kept exactly.
-    needed[range.least_row] = needed[range.greatest_row] = true;
+    needed[range.least] = needed[range.greatest] = true;
   }
   // Piece by piece, because the time needed grows faster than the length of a piece.
   constexpr std::size_t piece_length = 512;
@@ -113,8 +104,7 @@ Table thinned(const Table& table, double tolerance) {
 
   Table result(table.columns());
   for (std::size_t row = 0; row < table.rows(); ++row)
-    if (needed[row])
-      for (const double value : table.row(row)) result.add(value);
+    if (needed[row]) result.add(table.row(row));
   return result;
 }
 

@@ -1,7 +1,7 @@
 /// Leaves out the rows of a table that its curves do not need.
 #pragma once
 
-#include "figures/data/table.hpp"
+#include "figures/data/csv.hpp"
 
 namespace rotor {
 

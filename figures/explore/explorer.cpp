@@ -6,12 +6,9 @@
 #include <array>
 #include <utility>
 
-#include "figures/data/interruption.hpp"
-#include "figures/record/recorder.hpp"
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
 #include "figures/results/run_result.hpp"
-#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -31,10 +28,8 @@ constexpr std::size_t most_rows = 1'000'000;
 /// Throws InputError if there are too many rows.
 void require_room(std::size_t rows) {
   if (rows == most_rows)
-    throw InputError(
-        fmt::format("--from, --until: the trace would have more than {} rows; show a "
-                    "shorter part",
-                    most_rows));
+    throw InputError("--from, --until: the trace would have more than {} rows; show a shorter part",
+                     most_rows);
 }
 
 /// Lists the works after each step in the window. To be added after the observer of the energy.
@@ -79,16 +74,13 @@ double beginning(const Settings& settings, const Scenario& scenario) {
   return scenario.loses_mass() ? std::max(0., loss_s - shown_before_loss_s) : 0;
 }
 
-nlohmann::ordered_json names_of(const std::vector<const Column*>& columns) {
+nlohmann::ordered_json headings_of(const std::vector<const Column*>& columns) {
   auto names = nlohmann::ordered_json::array();
   for (const Column* column : columns) names.push_back(column->name);
   return names;
 }
 
 }  // namespace
-
-Explorer::Explorer(std::vector<CsvRow> printed_inputs)
-    : printed_inputs_(std::move(printed_inputs)) {}
 
 Picture Explorer::picture(const Shot& shot, Observer& monitor) {
   const Scenario& scenario = shot.scenario;
@@ -106,10 +98,7 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
   EnergyObserver energy(scenario);
   WorkLog work_log(energy, shot.from_s);
   const bool knows_energy = scenario.method == Method::event;  // the motion between its steps
-  ObserverGroup observers;
-  observers.add(monitor);
-  observers.add(motion);
-  observers.add(events);
+  ObserverGroup observers = {&monitor, &motion, &events};
   if (knows_energy) {
     observers.add(energy);
     observers.add(work_log);
@@ -126,7 +115,7 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
   picture.metadata["until_s"] = scenario.until;
   picture.metadata["mass_loss_s"] = nullptr;
   if (scenario.loses_mass()) picture.metadata["mass_loss_s"] = scenario.parameters.mass_loss_time;
-  picture.metadata["motion"] = names_of(shot.columns);
+  picture.metadata["motion"] = headings_of(shot.columns);
   picture.metadata["works"] = works;
   return picture;
 }
@@ -167,15 +156,13 @@ std::string Explorer::trace(const Options& options, Observer& monitor) {
                     .window = {.from_s = beginning(settings, scenario)},
                     .columns = every_column(),
                     .runs = {{name, scenario}}};
-  std::string csv = csv_head(provenance("Trace of a run", scene), headings(name, scene.columns));
+  std::string csv = csv_head("Trace of a run", scene, name);
   std::size_t rows = 0;
   Recorder recorder(scene.window, scene.columns, scenario, sampling, [&](auto row) {
     require_room(rows++);
     csv += csv_row(name, row);
   });
-  ObserverGroup observers;
-  observers.add(monitor);
-  observers.add(recorder);
+  ObserverGroup observers = {&monitor, &recorder};
   const RunResult result =
       finish(run_ups_.checkpoint_before(scenario, monitor, scene.window.from_s), scenario,
              std::nullopt, observers);

@@ -5,11 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "figures/data/csv.hpp"
-#include "figures/data/table.hpp"
 #include "figures/explore/settings.hpp"
 #include "figures/record/columns.hpp"
-#include "figures/runs/run_ups.hpp"
 
 namespace rotor {
 
@@ -27,7 +24,8 @@ struct Picture {
 /// each step.
 class Explorer {
  public:
-  explicit Explorer(std::vector<CsvRow> printed_inputs);
+  explicit Explorer(std::vector<CsvRow> printed_inputs)
+      : printed_inputs_(std::move(printed_inputs)) {}
 
   /// Largest distance of its curves from the motion, relative to their range: half a pixel.
   Picture run(const Options& options, Observer& monitor, double closeness = 1e-3);

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "figures/data/text.hpp"
 #include "model/mechanics/mass_loss.hpp"
 
 namespace rotor {
@@ -14,7 +11,7 @@ std::vector<std::string> option_names() {
   std::vector<std::string> names = {"--no-mass-loss", "--from"};
   for (const InputQuantity& input_quantity : input_quantities())
     names.push_back(option_of(input_quantity.quantity.name));
-  for (const std::string_view name : named_inputs()) names.push_back(option_of(name));
+  for (const NamedInput& input : named_inputs()) names.push_back(option_of(input.name));
   return names;
 }
 
@@ -26,20 +23,20 @@ void set(Settings& settings, const std::string& option, const std::string& text)
   }
   if (option == "--from") {
     settings.from_s = number_in(text);
-    if (!settings.from_s) throw InputError(fmt::format("{}: {}", option, unless_number(text)));
+    if (!settings.from_s) throw InputError("{}: {}", option, unless_number(text));
     return;
   }
   for (const InputQuantity& input_quantity : input_quantities())
     if (is_called(input_quantity.quantity.name))
       return state_number(settings.spec, input_quantity.quantity, text);
-  for (const std::string_view name : named_inputs())
-    if (is_called(name)) try {
-        return state(settings.spec, name, text);
+  for (const NamedInput& input : named_inputs())
+    if (is_called(input.name)) try {
+        return input.state(settings.spec, text);
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", option, error.what()));
+        throw InputError("{}: {}", option, error.what());
       }
-  throw InputError(fmt::format("{}: there is no such option of run{}", shown(option),
-                               suggestion(option, option_names())));
+  throw InputError("{}: there is no such option of run{}", shown(option),
+                   suggestion(option, option_names()));
 }
 
 /// The quantity of a printed input; several inputs have the same one in different scenes.

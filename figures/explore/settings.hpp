@@ -2,14 +2,12 @@
 /// interpreted, and refused, exactly like the command line.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "figures/data/csv.hpp"
-#include "figures/input/scenario_spec.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {

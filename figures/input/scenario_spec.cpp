@@ -5,40 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
-#include "figures/data/text.hpp"
-#include "figures/runs/interruptible.hpp"
-#include "model/certified/digits.hpp"
+#include "model/certified/comparison.hpp"
 #include "model/mechanics/mass_loss.hpp"
-#include "model/scenario/start.hpp"
 
 namespace rotor {
 namespace {
 
 constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz";
 
-const std::vector<InputQuantity>& all_input_quantities() {
-  static const std::vector<InputQuantity> all = [] {
-    std::vector<InputQuantity> list;
-    const auto add = [&](std::string_view instead_of, Quantity quantity) {
-      list.push_back({quantity, instead_of});
-    };
-    for (const Quantity& quantity : quantities()) {
-      add("", quantity);
-      if (quantity.name == "stator_radius")
-        add(quantity.name,
-            {"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, 0, false});
-      if (quantity.name == "unbalance_factor")
-        add(quantity.name, {"lost_mass", "m_u", "kg", "mass that is lost", nullptr, 0, true});
-      if (quantity.name == "mass_loss_time")
-        add(quantity.name,
-            {mass_loss_speed, "f_1", "Hz", "speed at the mass loss", nullptr, 0, false});
-    }
-    return list;
-  }();
-  return all;
-}
+constexpr std::array alternatives = {
+    InputQuantity{{"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, 0},
+                  "stator_radius"},
+    InputQuantity{{"lost_mass", "m_u", "kg", "mass that is lost", nullptr, 0, true},
+                  "unbalance_factor"},
+    InputQuantity{{mass_loss_speed, "f_1", "Hz", "speed at the mass loss", nullptr, 0},
+                  "mass_loss_time"}};
 
 std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
   const auto found = spec.numbers.find(name);
@@ -49,8 +31,7 @@ void state_lost_mass(Parameters& p, double lost_mass) {
   if (!(p.eccentricity > 0))
     throw InputError("lost_mass: a rotor without eccentricity has no unbalance to increase");
   if (!(lost_mass < p.mass))
-    throw InputError(
-        fmt::format("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass));
+    throw InputError("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass);
   p.lost_mass = lost_mass;
   p.unbalance_factor = lost_mass > 0 ? MassLoss<double>::unbalance_factor(p) : 1;
 }
@@ -62,8 +43,8 @@ constexpr double default_rub_s = 0.25;
 Scenario numbers_of(const ScenarioSpec& spec) {
   for (const InputQuantity& s : input_quantities())
     if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
-      throw InputError(fmt::format("{} and {}: one determines the other; state one of them",
-                                   s.quantity.name, s.instead_of));
+      throw InputError("{} and {}: one determines the other; state one of them", s.quantity.name,
+                       s.instead_of);
   if (spec.digits && number(spec, "tolerance"))
     throw InputError("digits and tolerance: the first determines the second; state one of them");
   Scenario scenario;
@@ -89,8 +70,7 @@ Scenario numbers_of(const ScenarioSpec& spec) {
   const auto until = number(spec, "until");
   if (!p.loses_mass) {
     for (const std::string_view name : {std::string_view("mass_loss_time"), mass_loss_speed})
-      if (number(spec, name))
-        throw InputError(fmt::format("{}: there is no mass loss in this run", name));
+      if (number(spec, name)) throw InputError("{}: there is no mass loss in this run", name);
     if (!until) throw InputError("until: must be stated for a run without mass loss");
   } else if (at_speed || (scenario.start_speed_Hz > 0 && !number(spec, "mass_loss_time"))) {
     p.mass_loss_time = 0;
@@ -101,13 +81,23 @@ Scenario numbers_of(const ScenarioSpec& spec) {
 
 }  // namespace
 
-std::span<const InputQuantity> input_quantities() { return all_input_quantities(); }
+const std::vector<InputQuantity>& input_quantities() {
+  static const std::vector<InputQuantity> all = [] {
+    std::vector<InputQuantity> list;
+    for (const Quantity& quantity : quantities()) {
+      list.push_back({quantity, ""});
+      for (const InputQuantity& other : alternatives)
+        if (other.instead_of == quantity.name) list.push_back(other);
+    }
+    return list;
+  }();
+  return all;
+}
 
 const InputQuantity* find_input_quantity(std::string_view name) {
-  const auto& all = all_input_quantities();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const InputQuantity& s) { return s.quantity.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  for (const InputQuantity& input : input_quantities())
+    if (input.quantity.name == name) return &input;
+  return nullptr;
 }
 
 std::string_view determined_by(std::string_view name) {
@@ -156,24 +146,24 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
   if (const auto speed = number(spec, mass_loss_speed)) {
     check(scenario);
     if (*speed < scenario.start_speed_Hz)
-      throw InputError(fmt::format("{} = {} Hz: the run starts at {} Hz already", mass_loss_speed,
-                                   *speed, scenario.start_speed_Hz));
+      throw InputError("{} = {} Hz: the run starts at {} Hz already", mass_loss_speed, *speed,
+                       scenario.start_speed_Hz);
     Interruptible monitor;
     const auto until = number(spec, "until");
     const SpeedReached reached = run_ups.time_at_speed(scenario, *speed, until, monitor);
     if (is_interrupted()) throw Interrupted();
     if (!reached.time_s)
-      throw InputError(fmt::format(
+      throw InputError(
           "{} = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most {:.6g} Hz",
           mass_loss_speed, *speed, reached.looked_until_s,
-          reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz));
+          reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz);
     p.mass_loss_time = *reached.time_s;
     if (p.mass_loss_time > 0) scenario.mass_loss_speed_Hz = *speed;
     if (spec.digits && *speed == p.motor_off_Hz)
-      throw InputError(fmt::format(
+      throw InputError(
           "digits and {}: at {} Hz, motor_off_hz, the mass loss and the end of the drive coincide; "
           "state mass_loss_time",
-          mass_loss_speed, *speed));
+          mass_loss_speed, *speed);
     scenario.until = until.value_or(p.mass_loss_time + default_rub_s);
   }
   check(scenario);
@@ -182,28 +172,37 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
 
 void check_numbers(const ScenarioSpec& spec) { check_numbers(numbers_of(spec)); }
 
-std::span<const std::string_view> named_inputs() {
-  static constexpr std::array<std::string_view, 4> all = {"equations", "velocity_jump",
-                                                          "gravity_moment", "method"};
+std::span<const NamedInput> named_inputs() {
+  using Spec = ScenarioSpec;
+  using Text = std::string_view;
+  constexpr Scenario standard{};
+  static constexpr std::array all = {
+      NamedInput{"equations", name_of(standard.equations),
+                 "published (as printed: twice, whole) or consistent (once, balanced)",
+                 [](Spec& s, Text name) { s.equations = parse_name<Equations>(name); }},
+      NamedInput{"velocity_jump", name_of(standard.equations.velocity_jump),
+                 "once or twice: how often the mass loss adds Delta_vy to the velocity of C",
+                 [](Spec& s, Text name) { s.velocity_jump = parse_name<VelocityJump>(name); }},
+      NamedInput{"gravity_moment", name_of(standard.equations.gravity_moment),
+                 "whole (as printed) or balanced by the springs except for the part due to the "
+                 "eccentricity",
+                 [](Spec& s, Text name) { s.gravity_moment = parse_name<GravityMoment>(name); }},
+      NamedInput{"method", name_of(standard.method),
+                 "event (located contacts, error control) or rk4 (the paper's fixed steps)",
+                 [](Spec& s, Text name) { s.method = parse_name<Method>(name); }}};
   return all;
+}
+
+const NamedInput* find_named_input(std::string_view name) {
+  for (const NamedInput& input : named_inputs())
+    if (input.name == name) return &input;
+  return nullptr;
 }
 
 int parse_digits(double number) {
   if (!(number >= 1 && number <= most_digits && number == std::floor(number)))
-    throw InputError(
-        fmt::format("digits = {}: must be a whole number from 1 to {}", number, most_digits));
+    throw InputError("digits = {}: must be a whole number from 1 to {}", number, most_digits);
   return static_cast<int>(number);
-}
-
-void state(ScenarioSpec& spec, std::string_view input_quantity, std::string_view name) {
-  if (input_quantity == "equations")
-    spec.equations = parse_equations(name);
-  else if (input_quantity == "velocity_jump")
-    spec.velocity_jump = parse_velocity_jump(name);
-  else if (input_quantity == "gravity_moment")
-    spec.gravity_moment = parse_gravity_moment(name);
-  else
-    spec.method = parse_method(name);
 }
 
 std::string option_of(std::string_view name) {
@@ -215,8 +214,8 @@ std::string option_of(std::string_view name) {
 void state_number(ScenarioSpec& spec, const Quantity& quantity, const std::string& text) {
   const auto value = number_in(text);
   if (!value || !quantity.allows(*value))
-    throw InputError(fmt::format("{}: must be {}, not {}", option_of(quantity.name),
-                                 quantity.range(), shown(text)));
+    throw InputError("{}: must be {}, not {}", option_of(quantity.name), quantity.range(),
+                     shown(text));
   spec.numbers.insert_or_assign(std::string(quantity.name), *value);
 }
 

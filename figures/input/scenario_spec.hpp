@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "figures/input/names.hpp"
 #include "figures/runs/run_ups.hpp"
@@ -19,7 +20,7 @@ struct InputQuantity {
 };
 
 /// In the order in which they are documented.
-std::span<const InputQuantity> input_quantities();
+const std::vector<InputQuantity>& input_quantities();
 const InputQuantity* find_input_quantity(std::string_view name);
 /// The name of the number or choice that this one determines: itself, or the one it replaces.
 std::string_view determined_by(std::string_view name);
@@ -51,10 +52,13 @@ void check_numbers(const ScenarioSpec& spec);
 /// A stated number of digits. Throws InputError, stating what is allowed.
 int parse_digits(double number);
 
-/// The inputs that are stated by a name: equations, velocity_jump, gravity_moment, method.
-std::span<const std::string_view> named_inputs();
-/// States one of them. Throws InputError, listing the names.
-void state(ScenarioSpec& spec, std::string_view input_quantity, std::string_view name);
+/// An input that is stated by a name. `state` throws InputError, listing the names.
+struct NamedInput {
+  std::string_view name, standard, meaning;
+  void (*state)(ScenarioSpec& spec, std::string_view name);
+};
+std::span<const NamedInput> named_inputs();
+const NamedInput* find_named_input(std::string_view name);
 
 /// The option of a number or a choice: its name with dashes.
 std::string option_of(std::string_view name);

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <optional>
 #include <utility>
 
-#include "figures/data/text.hpp"
 #include "figures/input/toml_file.hpp"
 
 namespace rotor {
@@ -42,7 +40,7 @@ class SceneReader : TomlFile {
     std::vector<std::string> names;
     if (const toml::array* array = node->as_array())
       for (const toml::node& item : *array) names.push_back(item.value_or<std::string>(""));
-    if (names.empty() || std::find(names.begin(), names.end(), "") != names.end())
+    if (names.empty() || contains(names, ""))
       fail(*node, "columns", "must be a list of names of columns, in quotes");
     if (names.front() != "time_s" || names.size() == 1)
       fail(*node, "columns", "must start with \"time_s\" and have another column");
@@ -66,7 +64,7 @@ class SceneReader : TomlFile {
       if (!name || name->empty()) fail(*table, "name", "every [[run]] needs a name");
       const auto same = [&](const SceneRun& other) { return other.name == *name; };
       if (std::any_of(all.begin(), all.end(), same))
-        fail(*table, "name", fmt::format("there is a run \"{}\" already", shown(*name)));
+        fail(*table, "name", "there is a run \"{}\" already", shown(*name));
       all.push_back(
           run(*name, base.overridden_by(stated_in(*this, *table, {"name"})), *table, "run"));
     }
@@ -78,8 +76,8 @@ class SceneReader : TomlFile {
     for (const SceneRun& run : runs) names.push_back(run.name);
     std::erase_if(runs, [&](const SceneRun& run) { return run.name != overrides_.run; });
     if (runs.empty())
-      throw InputError(fmt::format("{}: choose one of its runs with --run: {}", path().string(),
-                                   fmt::join(names, ", ")));
+      throw InputError("{}: choose one of its runs with --run: {}", path().string(),
+                       fmt::join(names, ", "));
   }
 
   /// Whether options may move the end: --until, or others if the scene does not state the end.
@@ -115,10 +113,9 @@ class SceneReader : TomlFile {
         });
     if (!lies_in_runs || (stated_until && from >= until))
       fail(in.empty() ? static_cast<const toml::node&>(root) : *root.get("window"), "window",
-           fmt::format(
-               "must lie inside the run, with 0 <= from_s < until_s <= {} s; it extends from "
-               "{} s to {} s",
-               shortest, from, until));
+           "must lie inside the run, with 0 <= from_s < until_s <= {} s; it extends from {} s to "
+           "{} s",
+           shortest, from, until);
     if (!stated_until) return {.from_s = from};  // to the end of each run
     return {.from_s = from, .length_s = until - from};
   }
@@ -168,8 +165,8 @@ Window stated_window(Window window, std::optional<double> from_s, std::optional<
   for (const SceneRun& run : runs) {
     const double end_s = run.scenario.until;
     if (!(from >= 0 && from < std::min(until, end_s)))
-      throw InputError(fmt::format("--from {}: must lie inside the run, from 0 s to {} s", from,
-                                   std::min(until, end_s)));
+      throw InputError("--from {}: must lie inside the run, from 0 s to {} s", from,
+                       std::min(until, end_s));
   }
   return {.from_s = from, .length_s = until - from};
 }
@@ -181,11 +178,10 @@ std::vector<const Column*> parse_columns(const std::vector<std::string>& names) 
     if (!column) {
       std::vector<std::string> allowed;
       for (const Column& known : all_columns()) allowed.emplace_back(known.name);
-      throw InputError(fmt::format("there is no column \"{}\"{}; there are: {}", shown(name),
-                                   suggestion(name, allowed), fmt::join(allowed, ", ")));
+      throw InputError("there is no column \"{}\"{}; there are: {}", shown(name),
+                       suggestion(name, allowed), fmt::join(allowed, ", "));
     }
-    if (std::find(columns.begin(), columns.end(), column) != columns.end())
-      throw InputError(fmt::format("duplicate column \"{}\"", name));
+    if (contains(columns, column)) throw InputError("duplicate column \"{}\"", name);
     columns.push_back(column);
   }
   return columns;

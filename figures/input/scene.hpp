@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "figures/input/names.hpp"
 #include "figures/input/scenario_spec.hpp"
 #include "figures/record/recorder.hpp"
 

@@ -8,8 +8,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "figures/data/text.hpp"
-
 namespace rotor {
 namespace {
 
@@ -30,12 +28,12 @@ long line_with_a_deep_key(const std::string& text) {
 TomlFile::TomlFile(std::filesystem::path file) : file_(std::move(file)) {
   const std::string text = content();
   if (const long line = line_with_a_deep_key(text); line > 0)
-    throw InputError(fmt::format("{}:{}: a key has more than 200 parts", file_.string(), line));
+    throw InputError("{}:{}: a key has more than 200 parts", file_.string(), line);
   try {
     root_ = toml::parse(text, file_.string());
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}", file_.string(), error.source().begin.line,
-                                 one_line(error.description())));
+    throw InputError("{}:{}: {}", file_.string(), error.source().begin.line,
+                     one_line(error.description()));
   }
 }
 
@@ -43,9 +41,8 @@ std::string TomlFile::content() const {
   constexpr std::uintmax_t most = 1U << 20U;
   std::error_code error;
   const auto refuse = [&](std::string_view reason) {
-    throw InputError(fmt::format("{}: cannot be read: {}",
-                                 file_.empty() ? "a scene file without a name" : file_.string(),
-                                 reason));
+    throw InputError("{}: cannot be read: {}",
+                     file_.empty() ? "a scene file without a name" : file_.string(), reason);
   };
   const auto status = std::filesystem::status(file_, error);
   if (!std::filesystem::exists(status)) refuse("there is no such file");
@@ -58,18 +55,15 @@ std::string TomlFile::content() const {
   return text;
 }
 
-void TomlFile::fail(const toml::node& at, std::string_view key, std::string_view message) const {
-  throw InputError(
-      fmt::format("{}:{}: {}: {}", file_.string(), at.source().begin.line, shown(key), message));
+void TomlFile::refuse(const toml::node& at, std::string_view key, std::string_view reason) const {
+  throw InputError("{}:{}: {}: {}", file_.string(), at.source().begin.line, shown(key), reason);
 }
 
 void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const {
   for (const auto& [key, node] : table)
-    if (std::find(allowed.begin(), allowed.end(), key.str()) == allowed.end())
-      fail(node, key.str(),
-           fmt::format("unknown key{}; allowed here: {}",
-                       suggestion(key.str(), {allowed.begin(), allowed.end()}),
-                       fmt::join(allowed, ", ")));
+    if (!contains(allowed, key.str()))
+      fail(node, key.str(), "unknown key{}; allowed here: {}",
+           suggestion(key.str(), {allowed.begin(), allowed.end()}), fmt::join(allowed, ", "));
 }
 
 std::optional<double> TomlFile::number(const toml::node& node) {
@@ -80,15 +74,14 @@ std::optional<double> TomlFile::number(const toml::node& node) {
 std::optional<std::string> TomlFile::text(const toml::table& in, std::string_view key) const {
   auto found = value<std::string>(in, key, "a string in quotes");
   if (found && *found != one_line(*found))
-    fail(*in.get(key), key,
-         fmt::format("must be one line, without control characters; not \"{}\"", shown(*found)));
+    fail_at(in, key, "must be one line, without control characters; not \"{}\"", shown(*found));
   return found;
 }
 
 std::optional<double> TomlFile::time(const toml::table& in, std::string_view key) const {
   const auto found = value<double>(in, key, "a number (s)");
   if (found && !(std::isfinite(*found) && *found >= 0))
-    fail(*in.get(key), key, fmt::format("must be a finite number not below 0 s, not {}", *found));
+    fail_at(in, key, "must be a finite number not below 0 s, not {}", *found);
   return found;
 }
 
@@ -106,8 +99,7 @@ std::vector<const toml::table*> TomlFile::tables(const toml::table& in,
   const toml::node* node = in.get(key);
   if (!node) return all;
   const toml::array* array = node->as_array();
-  if (!array || !array->is_array_of_tables())
-    fail(*node, key, fmt::format("must be given as [[{}]]", key));
+  if (!array || !array->is_array_of_tables()) fail(*node, key, "must be given as [[{}]]", key);
   for (const toml::node& item : *array) all.push_back(item.as_table());
   return all;
 }
@@ -115,27 +107,26 @@ std::vector<const toml::table*> TomlFile::tables(const toml::table& in,
 ScenarioSpec stated_in(const TomlFile& file, const toml::table& table, TomlFile::Keys other_keys) {
   TomlFile::Keys allowed = std::move(other_keys);
   for (const InputQuantity& s : input_quantities()) allowed.push_back(s.quantity.name);
-  const auto named = named_inputs();
   allowed.push_back("no_mass_loss");
   allowed.push_back("digits");
-  allowed.insert(allowed.end(), named.begin(), named.end());
+  for (const NamedInput& input : named_inputs()) allowed.push_back(input.name);
   file.expect_keys(table, allowed);
 
   ScenarioSpec stated;
   for (const auto& [quantity, instead_of] : input_quantities())
     if (const auto number = file.value<double>(table, quantity.name, quantity.range())) {
       if (!quantity.allows(*number))
-        file.fail(*table.get(quantity.name), quantity.name,
-                  fmt::format("must be {}, not {}", quantity.range(), *number));
+        file.fail(*table.get(quantity.name), quantity.name, "must be {}, not {}", quantity.range(),
+                  *number);
       stated.numbers.emplace(quantity.name, *number);
     }
   if (const auto none = file.value<bool>(table, "no_mass_loss", "true or false"))
     stated.loses_mass = !*none;
   if (const auto digits = file.value<double>(table, "digits", "a number"))
     stated.digits = file.at(*table.get("digits"), "digits", [&] { return parse_digits(*digits); });
-  for (const std::string_view key : named)
-    if (const auto name = file.text(table, key))
-      file.at(*table.get(key), key, [&] { state(stated, key, *name); });
+  for (const NamedInput& input : named_inputs())
+    if (const auto name = file.text(table, input.name))
+      file.at(*table.get(input.name), input.name, [&] { input.state(stated, *name); });
   return stated;
 }
 

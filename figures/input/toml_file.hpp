@@ -25,8 +25,17 @@ class TomlFile {
   const std::filesystem::path& path() const { return file_; }
   std::string content() const;
 
+  template <class... Args>
   [[noreturn]] void fail(const toml::node& at, std::string_view key,
-                         std::string_view message) const;
+                         fmt::format_string<Args...> text, Args&&... args) const {
+    refuse(at, key, fmt::format(text, std::forward<Args>(args)...));
+  }
+  /// Of a key that the table has.
+  template <class... Args>
+  [[noreturn]] void fail_at(const toml::table& in, std::string_view key,
+                            fmt::format_string<Args...> text, Args&&... args) const {
+    refuse(*in.get(key), key, fmt::format(text, std::forward<Args>(args)...));
+  }
 
   void expect_keys(const toml::table& table, const Keys& allowed) const;
 
@@ -40,7 +49,7 @@ class TomlFile {
       found = number(*node);
     else if (node->is_boolean() == std::is_same_v<T, bool>)
       found = node->value<T>();
-    if (!found) fail(*node, key, std::string("must be ") + std::string(kind));
+    if (!found) fail(*node, key, "must be {}", kind);
     return found;
   }
   /// The node as a double, if it is a number, whole or not.
@@ -60,11 +69,14 @@ class TomlFile {
     try {
       return parse();
     } catch (const std::exception& error) {
-      fail(node, key, error.what());
+      fail(node, key, "{}", error.what());
     }
   }
 
  private:
+  [[noreturn]] void refuse(const toml::node& at, std::string_view key,
+                           std::string_view reason) const;
+
   std::filesystem::path file_;
   toml::table root_;
 };

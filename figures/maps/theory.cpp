@@ -13,7 +13,6 @@
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
-#include "figures/data/text.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "model/theory/accident.hpp"
 

@@ -1,13 +1,67 @@
-/// The commands. All throw std::exception, stating what is wrong, where, and what is allowed; then
-/// nothing is written.
+/// The commands, and what can be stated on the command line; empty: not stated. All throw
+/// std::exception, stating what is wrong, where, and what is allowed; then nothing is written.
 #pragma once
+
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "figures/input/scene.hpp"
 #include "figures/program/drawing.hpp"
-#include "figures/program/options.hpp"
+#include "figures/runs/production.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {
+
+/// Options of several commands.
+struct CommonOptions {
+  ScenarioSpec equations_and_method;
+};
+
+struct FigureOptions : CommonOptions {
+  std::vector<int> numbers;  ///< all if empty
+  std::string out = "build/figures";
+  std::string scenes;  ///< folder with figNN.toml
+};
+
+struct PlotOptions : CommonOptions {
+  std::string file;  ///< a scene, a sweep, or a sweep's results
+  std::string out;   ///< the file's name with .svg, if empty
+  std::optional<double> from_s, until_s;
+  bool spectrum = false;
+  std::string column;  ///< of a sweep; empty: the largest normal force
+};
+
+struct SweepOptions {
+  std::string file, out;
+  int jobs = 0;  ///< threads; 0: as many as there are cores
+  bool dry_run = false;
+};
+
+/// The case to run or estimate.
+struct CaseOptions : CommonOptions {
+  std::string scene, run_name;
+  ScenarioSpec numbers;  ///< and whether mass is lost
+  bool json = false;
+};
+
+struct RunOptions : CaseOptions {
+  std::string trace, events;  ///< files to write
+  std::vector<std::string> columns;
+  std::optional<double> from_s;
+  std::optional<double> every_s;  ///< equal intervals; adaptive if neither this nor rows is stated
+  std::optional<long> rows;
+  std::optional<StopOn> stop_on;
+  bool json_schema = false;
+  static constexpr double usual_budget_s = 300;
+  std::optional<double> budget_s;  ///< of each run with guaranteed digits
+  bool estimate_error = false;
+  bool energy = false;        ///< by cause, in the summary
+  bool keep_partial = false;  ///< keep what was computed before an interruption
+};
 
 /// `rotor figure` writes the data of the paper's figures.
 void write_figures(const FigureOptions& options);
@@ -31,5 +85,24 @@ void estimate_rotor(const CaseOptions& options);
 
 /// The scene with the runs that were requested.
 Scene scene_of(const CaseOptions& options);
+
+struct SceneTables {
+  std::map<int, std::vector<NamedTable>> of;  ///< one table per run, by the scenes' numbers
+  ProductionCost cost;
+};
+
+/// Runs what the scenes need, nothing twice, and thins the curves. Throws Interrupted when it is
+/// interrupted, and InputError if no part of a run lies in a window or digits are requested.
+SceneTables compute_tables(const std::map<int, Scene>& scenes);
+
+/// Each name and value on its own line, or as JSON.
+void print_summary(const nlohmann::ordered_json& run, bool as_json, std::FILE* to);
+
+/// Several runs: one row each with the most important values, or all values as JSON.
+void print_summaries(const nlohmann::ordered_json& runs, bool as_json, std::FILE* to);
+
+/// Says on standard error which equations were used if none were stated.
+void say_which_equations(bool left_open);
+void say_which_equations(const std::vector<SceneRun>& runs);
 
 }  // namespace rotor

@@ -5,23 +5,19 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "figures/data/files.hpp"
 #include "figures/data/interruption.hpp"
-#include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
 
 namespace rotor {
@@ -40,7 +36,7 @@ const Format& format_of(const fs::path& out) {
   const std::string extension = out.extension().string();
   for (const Format& format : formats)
     if (format.extension == extension) return format;
-  throw InputError(fmt::format("--out {}: must end in .svg, .pdf or .png", shown(out.string())));
+  throw InputError("--out {}: must end in .svg, .pdf or .png", shown(out.string()));
 }
 
 /// Runs a program in a folder and returns its status. Throws if it cannot be started.

@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "figures/program/commands.hpp"
-#include "figures/program/summaries.hpp"
 #include "figures/results/laws.hpp"
 
 namespace rotor {

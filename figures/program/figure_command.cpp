@@ -4,9 +4,7 @@
 #include <filesystem>
 
 #include "figures/data/files.hpp"
-#include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
-#include "figures/program/scene_tables.hpp"
 #include "figures/results/provenance.hpp"
 
 namespace rotor {
@@ -17,20 +15,18 @@ namespace fs = std::filesystem;
 /// The scenes that were requested. A scene may state its own equations and methods.
 std::map<int, Scene> read_scenes(const FigureOptions& options) {
   if (!fs::is_directory(options.scenes))
-    throw InputError(fmt::format("--scenes {}: there is no such folder", shown(options.scenes)));
+    throw InputError("--scenes {}: there is no such folder", shown(options.scenes));
   const std::map<int, fs::path> files = figure_files(options.scenes);
   if (files.empty())
-    throw InputError(
-        fmt::format("--scenes {}: there is no figNN.toml in this folder", shown(options.scenes)));
+    throw InputError("--scenes {}: there is no figNN.toml in this folder", shown(options.scenes));
   std::vector<int> all;
   for (const auto& [number, file] : files) all.push_back(number);
   std::map<int, Scene> scenes;
   for (const int number : options.numbers.empty() ? all : options.numbers) {
     if (!files.contains(number))
-      throw InputError(
-          fmt::format("figure {}: there is no {}; the figures are {}", number,
-                      (fs::path(options.scenes) / fmt::format("fig{:02}.toml", number)).string(),
-                      fmt::join(all, ", ")));
+      throw InputError("figure {}: there is no {}; the figures are {}", number,
+                       (fs::path(options.scenes) / fmt::format("fig{:02}.toml", number)).string(),
+                       fmt::join(all, ", "));
     scenes.emplace(number, read_scene(files.at(number), {options.equations_and_method, {}}));
   }
   return scenes;
@@ -48,8 +44,8 @@ void write_figures(const FigureOptions& options) {
   FileTransaction files;
   for (const auto& [number, scene] : scenes)
     files.write(file_of(number),
-                to_csv(provenance(fmt::format("Fig. {}: {}", number, scene.title), scene),
-                       headings("run", scene.columns), tables.at(number)));
+                csv_head(fmt::format("Fig. {}: {}", number, scene.title), scene, "run") +
+                    csv_rows(tables.at(number)));
   files.commit();
   print_message(
       fmt::format("data of {} figure(s): {} run-up(s), {} run(s) after them, {} right-hand sides",

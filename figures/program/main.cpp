@@ -1,4 +1,4 @@
-/// The command line. What it states is stored in the structures of options.hpp.
+/// The command line. What it states is stored in the structures of commands.hpp.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,6 @@
 #include <csignal>
 #include <cstring>
 
-#include "figures/data/interruption.hpp"
-#include "figures/data/text.hpp"
-#include "figures/input/scene.hpp"
 #include "figures/program/commands.hpp"
 
 namespace rotor {
@@ -42,40 +39,35 @@ CLI::Validator whole_number() {
           ""};
 }
 
-CLI::Validator a_number() { return {unless_number, "", ""}; }
-
-CLI::Validator not_empty(const char* what = "a file") {
-  return {[what](const std::string& text) -> std::string {
-            return text.empty() ? fmt::format("must name {}", what) : "";
-          },
-          "", ""};
+/// An option whose text is a name, and not empty.
+CLI::Option* add_name(CLI::App& command, const char* option, std::string& into, const char* meaning,
+                      const char* what = "a file") {
+  return command.add_option(option, into, meaning)
+      ->check({[what](const std::string& text) -> std::string {
+                 return text.empty() ? fmt::format("must name {}", what) : "";
+               },
+               "", ""});
 }
 
-/// An option whose text is a name.
-template <class Kind>
-void add_named(CLI::App& command, const char* option, std::optional<Kind>& into,
-               Kind (*parse)(std::string_view), Kind standard, const char* meaning) {
-  command
-      .add_option_function<std::string>(
-          option, [&into, parse](const std::string& text) { into = parse(text); }, meaning)
-      ->check(parsed_by(parse))
-      ->default_str(std::string(name_of(standard)));
+CLI::Option* add_seconds(CLI::App& command, const char* option, std::optional<double>& into,
+                         const char* meaning) {
+  return command.add_option(option, into, meaning)->type_name("s")->check({unless_number, "", ""});
 }
 
 void add_options(CLI::App& command, CommonOptions& options) {
-  ScenarioSpec& stated = options.equations_and_method;
-  const Scenario standard;
-  add_named(command, "--equations", stated.equations, parse_equations, standard.equations,
-            "published (as printed: twice, whole) or consistent (once, balanced)");
-  add_named(command, "--velocity-jump", stated.velocity_jump, parse_velocity_jump,
-            standard.equations.velocity_jump,
-            "once or twice: how often the mass loss adds Delta_vy to the velocity of C");
-  add_named(
-      command, "--gravity-moment", stated.gravity_moment, parse_gravity_moment,
-      standard.equations.gravity_moment,
-      "whole (as printed) or balanced by the springs except for the part due to the eccentricity");
-  add_named(command, "--method", stated.method, parse_method, standard.method,
-            "event (located contacts, error control) or rk4 (the paper's fixed steps)");
+  for (const NamedInput& input : named_inputs())
+    command
+        .add_option_function<std::string>(
+            option_of(input.name),
+            [&options, &input](const std::string& name) {
+              input.state(options.equations_and_method, name);
+            },
+            std::string(input.meaning))
+        ->check(parsed_by([&input](const std::string& name) {
+          ScenarioSpec ignored;
+          input.state(ignored, name);
+        }))
+        ->default_str(std::string(input.standard));
 }
 
 constexpr const char* precedence =
@@ -85,9 +77,7 @@ void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = ROTOR_SCENES;
   command.add_option("numbers", options.numbers, "figures to write (default: all)")
       ->transform(whole_number());
-  command.add_option("--out", options.out, "folder for figNN.csv")
-      ->check(not_empty())
-      ->capture_default_str();
+  add_name(command, "--out", options.out, "folder for figNN.csv")->capture_default_str();
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->default_str("the paper's");
   add_options(command, static_cast<CommonOptions&>(options));
@@ -95,45 +85,32 @@ void add_options(CLI::App& command, FigureOptions& options) {
 }
 
 void add_options(CLI::App& command, PlotOptions& options) {
-  command
-      .add_option("file", options.file,
-                  "scene or sweep file (TOML), or the results of a sweep (CSV)")
-      ->required()
-      ->check(not_empty());
-  command
-      .add_option("--out", options.out,
-                  "picture: .svg, .pdf or .png (default: the file's name with .svg)")
-      ->check(not_empty());
-  const auto add_time = [&](const char* name, std::optional<double>& time, const char* meaning) {
-    command.add_option(name, time, meaning)->type_name("s")->check(a_number());
-  };
-  add_time("--from", options.from_s,
-           "start of what is drawn (default: the scene's window, or shortly before the first mass "
-           "loss)");
-  add_time("--until", options.until_s,
-           "end of what is drawn (default: the end of the window or the run)");
+  add_name(command, "file", options.file,
+           "scene or sweep file (TOML), or the results of a sweep (CSV)")
+      ->required();
+  add_name(command, "--out", options.out,
+           "picture: .svg, .pdf or .png (default: the file's name with .svg)");
+  add_seconds(command, "--from", options.from_s,
+              "start of what is drawn (default: the scene's window, or shortly before the first "
+              "mass loss)");
+  add_seconds(command, "--until", options.until_s,
+              "end of what is drawn (default: the end of the window or the run)");
   command.add_flag("--spectrum", options.spectrum,
                    "draw the spectrum of displacement and force in the stator's frame over that "
                    "time, with f, 2f, f_n and the whirl frequency marked");
-  command
-      .add_option("--column", options.column,
-                  "result of a sweep to draw beside the outcome (default: the largest normal "
-                  "force)")
-      ->check(not_empty("a column"));
+  add_name(command, "--column", options.column,
+           "result of a sweep to draw beside the outcome (default: the largest normal force)",
+           "a column");
   add_options(command, static_cast<CommonOptions&>(options));
   command.footer(precedence);
 }
 
 void add_options(CLI::App& command, SweepOptions& options) {
-  command
-      .add_option("file", options.file,
-                  "sweep file (TOML): parameters, and the quantities that vary")
-      ->required()
-      ->check(not_empty());
-  auto* out = command
-                  .add_option("--out", options.out,
-                              "write the results, one row per point, to this CSV file")
-                  ->check(not_empty());
+  add_name(command, "file", options.file,
+           "sweep file (TOML): parameters, and the quantities that vary")
+      ->required();
+  auto* out = add_name(command, "--out", options.out,
+                       "write the results, one row per point, to this CSV file");
   command.add_option("--jobs", options.jobs, "threads (default: one per core)")
       ->transform(whole_number())
       ->check(CLI::Range(1, 4096));
@@ -144,24 +121,19 @@ void add_options(CLI::App& command, SweepOptions& options) {
 }
 
 void add_options(CLI::App& command, CaseOptions& options) {
-  auto* scene = command
-                    .add_option("--scene", options.scene,
-                                "scene file (TOML); options override what it states")
-                    ->check(not_empty());
-  command.add_option("--run", options.run_name, "the [[run]] of the scene to run (default: all)")
-      ->check(not_empty("a run"))
+  auto* scene = add_name(command, "--scene", options.scene,
+                         "scene file (TOML); options override what it states");
+  add_name(command, "--run", options.run_name, "the [[run]] of the scene to run (default: all)",
+           "a run")
       ->needs(scene);
-  for (const InputQuantity& input_quantity : input_quantities()) {
-    const Quantity& quantity = input_quantity.quantity;
-    const std::string option = option_of(quantity.name);
-    const std::string meaning = fmt::format(
-        "{}{}{}{}", quantity.meaning, quantity.symbol.empty() ? "" : ", ", quantity.symbol,
-        input_quantity.instead_of.empty() ? ""
-                                          : ", instead of " + option_of(input_quantity.instead_of));
+  for (const auto& [quantity, instead_of] : input_quantities()) {
+    std::string meaning(quantity.meaning);
+    if (!quantity.symbol.empty()) meaning += fmt::format(", {}", quantity.symbol);
+    if (!instead_of.empty()) meaning += ", instead of " + option_of(instead_of);
     CLI::Option* const added = command.add_option_function<std::string>(
-        option,
-        [&options, &quantity](const std::string& text) {
-          state_number(options.numbers, quantity, text);
+        option_of(quantity.name),
+        [&options, &of = quantity](const std::string& text) {
+          state_number(options.numbers, of, text);
         },
         meaning);
     added->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit));
@@ -183,56 +155,41 @@ void add_options(CLI::App& command, RunOptions& options) {
   command
       .add_option_function<std::string>(
           "--stop-on",
-          [&options](const std::string& text) { options.stop_on = parse_stop_on(text); },
+          [&options](const std::string& text) { options.stop_on = parse_name<StopOn>(text); },
           "end the run early: outcome (once an event decides it), rolling (at the first maximum of "
           "the force in rolling) or rest (after a second below 0.1 Hz)")
-      ->check(parsed_by(parse_stop_on));
-  auto* trace = command
-                    .add_option("--trace", options.trace,
-                                "write the motion within the window to this CSV file; - is "
-                                "standard output")
-                    ->check(not_empty());
-  command
-      .add_option("--columns", options.columns,
-                  "columns of the trace, comma-separated (default: the scene's, or all); help "
-                  "lists them")
-      ->delimiter(',');
-  command
-      .add_option("--from", options.from_s,
-                  "start of the trace, which then extends to the end of the run (default: the "
-                  "scene's window, or from shortly before the mass loss)")
-      ->type_name("s")
-      ->check(a_number())
-      ->needs(trace);
-  auto* every =
-      command
-          .add_option("--every", options.every_s,
-                      "interval between rows of the trace, as spectra need it (default: as many "
-                      "rows as the curves need)")
-          ->type_name("s")
-          ->check(a_number())
-          ->needs(trace);
+      ->check(parsed_by(parse_name<StopOn>));
+  auto* trace =
+      add_name(command, "--trace", options.trace,
+               "write the motion within the window to this CSV file; - is standard output");
   command
       .add_option(
-          "--rows", options.rows,
-          "number of rows of the trace, at equal intervals from its start to its end; fewer "
-          "if the run stops early")
+          "--columns", options.columns,
+          "columns of the trace, comma-separated (default: the scene's, or all); help lists them")
+      ->delimiter(',');
+  add_seconds(command, "--from", options.from_s,
+              "start of the trace, which then extends to the end of the run (default: the scene's "
+              "window, or from shortly before the mass loss)")
+      ->needs(trace);
+  auto* every = add_seconds(command, "--every", options.every_s,
+                            "interval between rows of the trace, as spectra need it (default: as "
+                            "many rows as the curves need)")
+                    ->needs(trace);
+  command
+      .add_option("--rows", options.rows,
+                  "number of rows of the trace, at equal intervals from its start to its end; "
+                  "fewer if the run stops early")
       ->transform(whole_number())
       ->needs(trace)
       ->excludes(every);
-  command
-      .add_option("--events", options.events,
-                  "write time, kind, state, normal force and slip of the located events to this "
-                  "CSV file")
-      ->check(not_empty());
+  add_name(command, "--events", options.events,
+           "write time, kind, state, normal force and slip of the located events to this CSV file");
   auto* digits = command.add_option_function<double>(
       "--digits", [&options](double number) { options.numbers.digits = parse_digits(number); },
       "significant digits to guarantee for every value and event, instead of --tolerance; --json "
       "adds errors and events");
-  digits->check(a_number());
-  command.add_option("--budget", options.budget_s, "time allowed for the --digits of each run")
-      ->type_name("s")
-      ->check(a_number())
+  digits->check({unless_number, "", ""});
+  add_seconds(command, "--budget", options.budget_s, "time allowed for the --digits of each run")
       ->default_str(fmt::format("{}", RunOptions::usual_budget_s));
   command
       .add_flag("--estimate-error", options.estimate_error,
@@ -240,10 +197,9 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->excludes(digits);
   command.add_flag("--json-schema", options.json_schema,
                    "print the JSON schema of the summary instead, with the meaning of each key");
-  command.add_flag(
-      "--energy", options.energy,
-      "add to the summary where the energy goes from the mass loss on, until rolling and "
-      "until the end");
+  command.add_flag("--energy", options.energy,
+                   "add to the summary where the energy goes from the mass loss on, until rolling "
+                   "and until the end");
   command.add_flag("--keep-partial", options.keep_partial,
                    "when interrupted, write what has been computed, marked as cut short");
 }

@@ -3,12 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "figures/data/csv.hpp"
 #include "figures/input/toml_file.hpp"
 #include "figures/program/commands.hpp"
-#include "figures/program/drawing.hpp"
-#include "figures/program/scene_tables.hpp"
-#include "figures/program/summaries.hpp"
 #include "figures/results/provenance.hpp"
 
 namespace rotor {
@@ -24,7 +20,7 @@ void plot_motion(const Scene& scene, const Drawing& drawing) {
     const Parameters& p = run.scenario.parameters;
     drawing.write(  // one file per run, so that each is read only for its own curves
         fmt::format("run{}.csv", n),
-        to_csv(provenance(scene.title, scene), headings("run", scene.columns), {tables[n - 1]}));
+        csv_head(scene.title, scene, "run") + csv_rows({tables[n - 1]}));
     settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, numbered(run.name),
                             1000 * (p.stator_radius - p.rotor_radius));
   }

@@ -38,29 +38,9 @@ bool RunProgress::goes_on(const Progress& now) {
     line_.update([&](double elapsed_s) {
       return fmt::format("at {:.6g} s of {:.6g} s after {} steps in {}; about {} to go", now.time_s,
                          until_s_, steps_, duration(elapsed_s),
-                         duration(time_to_go_s(elapsed_s, now.time_s, until_s_)));
+                         duration(elapsed_s * (until_s_ - now.time_s) / now.time_s));
     });
   return Interruptible::goes_on(now);
-}
-
-void DigitsProgress::update(double time_s) {
-  if (time_s < last_s_) ++computation_;
-  last_s_ = time_s;
-  line_.update([&](double elapsed_s) {
-    return fmt::format("computation {} for {} digits is at {:.6g} s of {:.6g} s after {}",
-                       computation_, digits_, time_s, until_s_, duration(elapsed_s));
-  });
-}
-
-void SweepProgress::update(long done) {
-  if (done == begun_with_) return;
-  line_.update([&](double elapsed_s) {
-    const auto now = static_cast<double>(done - begun_with_),
-               then = static_cast<double>(all_ - begun_with_);
-    return fmt::format("{} of {} points in {}, {:.3g} per second; about {} to go", done, all_,
-                       duration(elapsed_s), now / elapsed_s,
-                       duration(time_to_go_s(elapsed_s, now, then)));
-  });
 }
 
 }  // namespace rotor

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "figures/runs/interruptible.hpp"
+#include "figures/runs/run_ups.hpp"
 
 namespace rotor {
 
@@ -38,34 +38,6 @@ class RunProgress : public Interruptible {
   ProgressLine line_;
   double until_s_;
   long steps_ = 0;
-};
-
-/// Progress of the successive computations of a run with guaranteed digits.
-class DigitsProgress {
- public:
-  DigitsProgress(int digits, double until_s) : digits_(digits), until_s_(until_s) {}
-
-  /// To be called after each step.
-  void update(double time_s);
-
- private:
-  ProgressLine line_;
-  int digits_;
-  double until_s_, last_s_ = 0;
-  int computation_ = 1;
-};
-
-/// Progress of a sweep.
-class SweepProgress {
- public:
-  SweepProgress(long done, long all) : begun_with_(done), all_(all) {}
-
-  /// To be called from time to time.
-  void update(long done);
-
- private:
-  ProgressLine line_;
-  long begun_with_, all_;
 };
 
 }  // namespace rotor

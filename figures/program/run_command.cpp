@@ -1,28 +1,15 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 
-#include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
-#include "figures/data/interruption.hpp"
-#include "figures/data/text.hpp"
-#include "figures/input/scene.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/program/summaries.hpp"
-#include "figures/record/recorder.hpp"
 #include "figures/results/certified_result.hpp"
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
-#include "figures/results/run_result.hpp"
-#include "figures/runs/run_ups.hpp"
-#include "model/results/stop_on.hpp"
-#include "model/run/simulation.hpp"
-#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -30,12 +17,11 @@ namespace {
 /// Refuses options that have no meaning with guaranteed digits.
 void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) {
   const auto refuse = [](bool is_asked, std::string_view what) {
-    if (is_asked) throw InputError(fmt::format("digits: {}", what));
+    if (is_asked) throw InputError("digits: {}", what);
   };
   if (!run.digits) return;
   if (options.budget_s && !(*options.budget_s > 0 && std::isfinite(*options.budget_s)))
-    throw InputError(
-        fmt::format("--budget {}: must be a finite number greater than 0 s", *options.budget_s));
+    throw InputError("--budget {}: must be a finite number greater than 0 s", *options.budget_s);
   refuse(options.stop_on.has_value(), "excludes --stop-on: where a run stops depends on its steps");
   refuse(!options.trace.empty(), "cannot be guaranteed in a --trace");
   refuse(!options.events.empty(), "excludes --events; --json has the events");
@@ -48,11 +34,11 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
 Scene requested_scene(const RunOptions& options) {
   Scene result = scene_of(options);
   if (result.runs.size() > 1 && !(options.trace.empty() && options.events.empty()))
-    throw InputError(fmt::format("{}: --trace and --events need a single run; choose it with --run",
-                                 options.scene));
+    throw InputError("{}: --trace and --events need a single run; choose it with --run",
+                     options.scene);
   if (result.runs.size() > 1 && !options.json && (options.energy || options.estimate_error))
-    throw InputError(fmt::format("{}: with several runs, --energy and --estimate-error need --json",
-                                 options.scene));
+    throw InputError("{}: with several runs, --energy and --estimate-error need --json",
+                     options.scene);
   if (options.budget_s && std::none_of(result.runs.begin(), result.runs.end(),
                                        [](const SceneRun& run) { return run.digits; }))
     throw InputError("digits: --budget needs a number of --digits");
@@ -76,8 +62,7 @@ double end_of(const Scene& scene) {
 }
 
 [[noreturn]] void refuse_empty_trace(const RunOptions& options) {
-  throw InputError(
-      fmt::format("--trace {}: no part of the run lies in the window", shown(options.trace)));
+  throw InputError("--trace {}: no part of the run lies in the window", shown(options.trace));
 }
 
 /// The interval between the rows of a trace, if it is to be constant.
@@ -85,23 +70,21 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
   if (!options.every_s && !options.rows) return std::nullopt;
   const char* const option = options.every_s ? "--every" : "--rows";
   if (scene.runs.front().scenario.method == Method::rk4)
-    throw InputError(
-        fmt::format("{}: only --method event knows the motion between its steps", option));
+    throw InputError("{}: only --method event knows the motion between its steps", option);
   if (scene.window.from_rolling_onset)
-    throw InputError(fmt::format("{}: needs a window that starts at a stated time", option));
+    throw InputError("{}: needs a window that starts at a stated time", option);
   const double length_s = end_of(scene) - scene.window.from_s;
   constexpr double most_rows = 1e9;
   if (options.every_s) {
     if (!(*options.every_s > 0 && std::isfinite(*options.every_s) &&
           length_s / *options.every_s < most_rows))
-      throw InputError(
-          fmt::format("--every {}: must be above 0 s, and large enough for less than {} rows",
-                      *options.every_s, most_rows));
+      throw InputError("--every {}: must be above 0 s, and large enough for less than {} rows",
+                       *options.every_s, most_rows);
     return options.every_s;
   }
   if (!(length_s > 0)) refuse_empty_trace(options);
   if (*options.rows < 2 || static_cast<double>(*options.rows) > most_rows)
-    throw InputError(fmt::format("--rows {}: must be from 2 to {}", *options.rows, most_rows));
+    throw InputError("--rows {}: must be from 2 to {}", *options.rows, most_rows);
   return length_s / static_cast<double>(*options.rows - 1);
 }
 
@@ -120,9 +103,17 @@ Printed certified_run(const RunOptions& options, const SceneRun& run) {
   const Clock::time_point start = Clock::now();
   const auto has_time = [&] { return Clock::now() - start < budget; };
   const auto found = [&] {
-    DigitsProgress progress(*run.digits, run.scenario.until);
+    ProgressLine line;
+    double last_s = 0;
+    int computation = 1;
     return run_to_digits(run.scenario, *run.digits, [&](double time_s) {
-      progress.update(time_s);
+      if (time_s < last_s) ++computation;
+      last_s = time_s;
+      line.update([&](double elapsed_s) {
+        return fmt::format("computation {} for {} digits is at {:.6g} s of {:.6g} s after {}",
+                           computation, *run.digits, time_s, run.scenario.until,
+                           duration(elapsed_s));
+      });
       return !is_interrupted() && has_time();
     });
   }();
@@ -167,15 +158,14 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   // Rows are written as they are computed, so that a long trace needs no memory.
   FileTransaction files;
   RunProgress progress(scenario.until);
-  ObserverGroup observers;
-  observers.add(progress);
+  ObserverGroup observers = {&progress};
   std::optional<EnergyObserver> energy;
   if (options.energy) observers.add(energy.emplace(scenario));
   std::optional<Recorder> trace;
   std::optional<Sampler> samples;
   if (!options.trace.empty()) {
     OutputFile& file = files.open(options.trace);
-    file.write(csv_head(provenance("Trace" + of_run, scene), headings("run", scene.columns)));
+    file.write(csv_head("Trace" + of_run, scene, "run"));
     const RowSink sink = [&](auto row) { file.write(csv_row(name, row)); };
     if (const auto every_s = distance(options, scene))
       observers.add(samples.emplace(scene.window.from_s, end_of(scene), *every_s, scene.columns,
@@ -188,7 +178,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     OutputFile& file = files.open(options.events);
     Scene log = scene;
     log.columns = EventLog::columns();
-    file.write(csv_head(provenance("Events" + of_run, log), headings("event", log.columns)));
+    file.write(csv_head("Events" + of_run, log, "event"));
     events.emplace(scenario,
                    [&](std::string_view event, auto row) { file.write(csv_row(event, row)); });
     observers.add(*events);

@@ -1,13 +1,9 @@
-#include "figures/program/scene_tables.hpp"
-
 #include <fmt/format.h>
 
 #include <deque>
 
-#include "figures/data/interruption.hpp"
-#include "figures/data/thinning.hpp"
+#include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/record/recorder.hpp"
 
 namespace rotor {
 namespace {
@@ -16,10 +12,10 @@ namespace {
 constexpr long most_rows = 2'000'000;
 
 [[noreturn]] void fail_as_too_long() {
-  throw InputError(fmt::format(
+  throw InputError(
       "more than {} rows are too many to draw; a shorter window has fewer, and rotor run --trace "
       "writes any number",
-      most_rows));
+      most_rows);
 }
 
 }  // namespace
@@ -34,9 +30,9 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
       if (run.digits)
-        throw InputError(fmt::format(
+        throw InputError(
             "{}: digits: cannot be guaranteed for curves; state a tolerance to draw them",
-            scene.file.string()));
+            scene.file.string());
       const Scenario& scenario = run.scenario;
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
       requests.push_back({scenario,
@@ -54,8 +50,8 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
   for (auto& [number, own] : tables.of)
     for (NamedTable& table : own) {
       if (table.table.rows() == 0)
-        throw InputError(fmt::format("{}: no part of the run \"{}\" lies in the window",
-                                     scenes.at(number).file.string(), table.name));
+        throw InputError("{}: no part of the run \"{}\" lies in the window",
+                         scenes.at(number).file.string(), table.name);
       table.table = thinned(table.table, thinning - sampling);
     }
   return tables;

@@ -6,11 +6,8 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-#include "figures/data/interruption.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/record/recorder.hpp"
-#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -109,16 +106,14 @@ void plot_spectrum(const Scene& scene, const Drawing& drawing) {
                           std::max({contact_Hz, p.motor_off_Hz, scenario.start_speed_Hz});
     const double samples = std::exp2(std::ceil(std::log2(std::max(wanted, 1024.))));
     if (samples > most_samples)
-      throw InputError(fmt::format(
+      throw InputError(
           "--spectrum: {} s need {:.2g} samples, and the limit is {:.2g}; state --from and --until",
-          length_s, wanted, most_samples));
+          length_s, wanted, most_samples);
     Signals signals;
     Sampler sampler(from_s, from_s + length_s, length_s / samples, Signals::columns(), scenario,
                     [&](auto row) { signals.add(row); });
     RunProgress progress(scenario.until);
-    ObserverGroup observers;
-    observers.add(progress);
-    observers.add(sampler);
+    ObserverGroup observers = {&progress, &sampler};
     static_cast<void>(run(scenario, observers));
     if (is_interrupted()) throw Interrupted();
     const auto rows = static_cast<double>(signals.force.size());

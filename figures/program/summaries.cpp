@@ -1,11 +1,9 @@
-#include "figures/program/summaries.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "figures/data/text.hpp"
+#include "figures/program/commands.hpp"
 #include "figures/results/certified_result.hpp"
 
 namespace rotor {

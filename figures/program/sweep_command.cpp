@@ -5,18 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <thread>
 
 #include "figures/data/files.hpp"
-#include "figures/data/interruption.hpp"
-#include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/program/summaries.hpp"
-#include "figures/sweep/block_scheduler.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/ranks.hpp"
 #include "figures/sweep/sweep_row.hpp"
@@ -63,8 +58,16 @@ class Writer {
   }
 
   void run(int threads, const std::function<Work()>& make_worker, Ranks& ranks) {
-    SweepProgress progress(written_, points_);
-    BlockScheduler scheduler(written_, points_, [&](std::string_view rows, long until) {
+    ProgressLine line;
+    const long before = written_;
+    const auto text = [&](double elapsed_s) {
+      const auto done = static_cast<double>(written_ - before),
+                 left = static_cast<double>(points_ - written_);
+      return fmt::format("{} of {} points in {}, {:.3g} per second; about {} to go",
+                         written_.load(), points_, duration(elapsed_s), done / elapsed_s,
+                         duration(elapsed_s * left / done));
+    };
+    BlockScheduler scheduler(before, points_, [&](std::string_view rows, long until) {
       journal_.write(rows);
       written_ = until;
     });
@@ -72,12 +75,12 @@ class Writer {
     try {
       work(scheduler, threads, make_worker, [&] {
         ranks.serve(scheduler);
-        progress.update(written_);
+        if (written_ > before) line.update(text);
       });
     } catch (...) {
       reason = std::current_exception();
     }
-    ranks.shut_down_workers(scheduler);
+    ranks.shut_down_workers();
     if (is_interrupted())
       throw Interrupted(
           fmt::format("interrupted; {} of {} points are in {}; the same command resumes from there",
@@ -106,17 +109,15 @@ class Writer {
 int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
 std::function<Work()> workers(const Sweep& sweep) {
-  return [&sweep]() -> Work {
-    return [row = std::make_shared<SweepRows>(sweep)](long n) { return (*row)(n); };
-  };
+  return [&sweep]() -> Work { return SweepRows(sweep); };
 }
 
 void require_sense(const SweepOptions& options, const Ranks& ranks) {
   if (options.out.empty()) throw InputError("--out is required, or --dry-run");
   if (options.out == "-" || (fs::exists(options.out) && !fs::is_regular_file(options.out)))
     throw InputError(
-        fmt::format("--out {}: must be a regular file: a sweep resumes from the journal next to it",
-                    shown(options.out)));
+        "--out {}: must be a regular file: a sweep resumes from the journal next to it",
+        shown(options.out));
   if (ranks.count() > 1 && options.jobs > 1)
     throw InputError("--jobs: under mpirun each rank works on one core");
 }
@@ -148,15 +149,13 @@ void write_sweep(const Sweep& sweep, const std::string& out) {
 
 void run_sweep(const SweepOptions& options) {
   Ranks ranks;
-  const std::optional<Sweep> sweep = [&]() -> std::optional<Sweep> {
-    try {
-      return read_sweep(options.file);
-    } catch (const std::exception&) {
-      if (ranks.is_first()) throw;
-      return std::nullopt;  // the first rank reports the error
-    }
-  }();
-  if (!sweep) return;
+  std::optional<Sweep> sweep;
+  try {
+    sweep = read_sweep(options.file);
+  } catch (const std::exception&) {
+    if (ranks.is_first()) throw;
+    return;  // the first rank reports the error
+  }
   if (options.dry_run) {
     if (ranks.is_first()) estimate(*sweep, options.jobs > 0 ? options.jobs : cores());
   } else if (ranks.is_first()) {

@@ -4,11 +4,7 @@
 #include <fstream>
 
 #include "figures/data/files.hpp"
-#include "figures/data/interruption.hpp"
-#include "figures/data/text.hpp"
 #include "figures/program/commands.hpp"
-#include "figures/program/drawing.hpp"
-#include "figures/program/summaries.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
 namespace rotor {
@@ -23,8 +19,8 @@ std::string sweep_above(const fs::path& results) {
   for (std::string line; file.peek() == '#' && std::getline(file, line);)
     if (line.starts_with("#   ")) text += line.substr(4) + '\n';
   if (text.empty())
-    throw InputError(fmt::format(
-        "{}: must be results of rotor sweep, with the sweep file above them", results.string()));
+    throw InputError("{}: must be results of rotor sweep, with the sweep file above them",
+                     results.string());
   return text;
 }
 
@@ -39,17 +35,12 @@ std::string settings_of(const char* letter, const Axis& axis, long stride) {
   std::string text = with_spaces(axis.quantity), listed;
   if (text.ends_with(" hz")) text.resize(text.size() - 3);
   if (!unit.empty()) text += fmt::format(", {}", unit);
-  if (const auto* const values = std::get_if<std::vector<double>>(&axis.values))
-    for (std::size_t n = 0; n < values->size(); ++n)
-      listed += fmt::format("{}'{:.4g}' {}", n > 0 ? ", " : "", (*values)[n], n);
-  const auto* const range = std::get_if<Range>(&axis.values);
+  for (std::size_t n = 0; n < axis.numbers.size(); ++n)
+    listed += fmt::format("{}'{:.4g}' {}", n > 0 ? ", " : "", axis.numbers[n], n);
   return fmt::format(
       "{0}_key = '{1}'; {0}_name = '{2}'; {0}_points = {3}; {0}_stride = {4}; {0}_log = {5}; "
-      "{0}_tics "
-      "= "
-      "\"{6}\"\n",
-      letter, axis.quantity, text, axis.points(), stride, range && range->logarithmic ? 1 : 0,
-      listed);
+      "{0}_tics = \"{6}\"\n",
+      letter, axis.quantity, text, axis.points(), stride, axis.range.logarithmic ? 1 : 0, listed);
 }
 
 /// Axes of numbers, the last one along x, and an axis of names with a panel for each.
@@ -59,15 +50,14 @@ std::string settings_of(const Sweep& sweep) {
   long stride = sweep.sample.count;
   const std::vector from_the_last(sweep.axes.rbegin(), sweep.axes.rend());
   for (const auto& axis : from_the_last) {
-    if (const auto* const values = std::get_if<std::vector<std::string>>(&axis.values)) {
+    if (!axis.names.empty()) {
       ++names;
       const auto& results = result_columns();
-      const bool is_result =
-          std::find(results.begin(), results.end(), axis.quantity) != results.end();
-      panels = fmt::format("panels = {}; of_panel = '{}{}'\n", values->size(), axis.quantity,
+      const bool is_result = contains(results, axis.quantity);
+      panels = fmt::format("panels = {}; of_panel = '{}{}'\n", axis.names.size(), axis.quantity,
                            is_result ? "_varied" : "");
-      for (std::size_t n = 0; n < values->size(); ++n)
-        panels += fmt::format("panel{} = '{}'\n", n, (*values)[n]);
+      for (std::size_t n = 0; n < axis.names.size(); ++n)
+        panels += fmt::format("panel{} = '{}'\n", n, axis.names[n]);
     } else {
       text += settings_of(numbers++ == 0 ? "x" : "y", axis, stride);
     }
@@ -83,16 +73,13 @@ std::string settings_of(const Sweep& sweep) {
 /// What is drawn beside the outcome.
 std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
   const std::vector<std::string> all = sweep.columns.empty() ? result_columns() : sweep.columns;
-  const auto has = [&](const std::string& name) {
-    return std::find(all.begin(), all.end(), name) != all.end();
-  };
+  const auto has = [&](const std::string& name) { return contains(all, name); };
   const std::string key = !stated.empty()              ? stated
                           : has("peak_normal_force_N") ? "peak_normal_force_N"
                           : all.front() == "outcome"   ? all.back()
                                                        : all.front();
   if (!has(key))
-    throw InputError(
-        fmt::format("--column {}: there is no such result{}", shown(key), suggestion(key, all)));
+    throw InputError("--column {}: there is no such result{}", shown(key), suggestion(key, all));
   return fmt::format("result = '{}'; has_outcome = {}; has_value = {}\n", key,
                      has("outcome") ? 1 : 0, key == "outcome" ? 0 : 1);
 }
@@ -103,8 +90,8 @@ void plot_sweep(const PlotOptions& options) {
   const ScenarioSpec& stated = options.equations_and_method;
   if (options.from_s || options.until_s || options.spectrum || stated.states_equations() ||
       stated.method)
-    throw InputError(fmt::format("{}: is a sweep; the only options for it are --out and --column",
-                                 shown(options.file)));
+    throw InputError("{}: is a sweep; the only options for it are --out and --column",
+                     shown(options.file));
   const Drawing drawing(options.file, options.out);
   const bool has_results = fs::path(options.file).extension() == ".csv";
   fs::path source = options.file, results = fs::absolute(options.file);
@@ -123,7 +110,8 @@ void plot_sweep(const PlotOptions& options) {
     } catch (const Interrupted&) {
       throw Interrupted(
           "interrupted; no picture has been drawn. rotor sweep --out NAME.csv can resume, and "
-          "rotor plot NAME.csv draws its results");
+          "rotor "
+          "plot NAME.csv draws its results");
     }
   }
   drawing.finish(settings + numbered(results.string()) + '\n', "sweep.gp");

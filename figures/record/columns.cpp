@@ -79,20 +79,6 @@ constexpr std::array table = {
 
 }  // namespace
 
-const Motion<double>& View::motion() {
-  if (!motion_) motion_ = at_.motion();
-  return *motion_;
-}
-
-const RimPoint<double>& View::rim_point() {
-  if (!rim_point_) rim_point_ = context_.ring.rim_point(motion());
-  return *rim_point_;
-}
-
-bool View::in_contact() const { return at_.touches(); }
-
-double View::normal_force() { return in_contact() ? context_.ring.touching_force(rim_point()) : 0; }
-
 double View::friction() {
   if (!in_contact()) return 0;
   if (at_.contact == ContactState::rolling && context_.rolls)
@@ -101,14 +87,6 @@ double View::friction() {
                                  normal_force());
   const int own = rim_point().slip_velocity > 0 ? 1 : -1;
   return ring().sliding_friction(normal_force(), at_.direction == 0 ? own : at_.direction);
-}
-
-Vector<double> View::bearing_force() {
-  return supports().bearing_force(motion().displacement, motion().velocity);
-}
-
-Vector<double> View::displacement_in_stator_frame() {
-  return in_stator_frame({at_.state[0], at_.state[1]}, at_.state[2]);
 }
 
 std::span<const Column> all_columns() { return table; }

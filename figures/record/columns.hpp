@@ -6,9 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/phases/phase.hpp"
 #include "model/scenario/instant.hpp"
-#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -30,13 +28,25 @@ class View {
   View(const Instant& at, const ColumnContext& context) : at_(at), context_(context) {}
 
   const Instant& at() const { return at_; }
-  const Motion<double>& motion();
-  const RimPoint<double>& rim_point();
-  bool in_contact() const;
-  double normal_force();           ///< F_n, N
-  double friction();               ///< F_tau, N
-  Vector<double> bearing_force();  ///< on the foundation, N
-  Vector<double> displacement_in_stator_frame();
+  const Motion<double>& motion() {
+    if (!motion_) motion_ = at_.motion();
+    return *motion_;
+  }
+  const RimPoint<double>& rim_point() {
+    if (!rim_point_) rim_point_ = ring().rim_point(motion());
+    return *rim_point_;
+  }
+  bool in_contact() const { return at_.touches(); }
+  /// F_n, N.
+  double normal_force() { return in_contact() ? ring().touching_force(rim_point()) : 0; }
+  double friction();  ///< F_tau, N
+  /// Of the supports on their foundation, N.
+  Vector<double> bearing_force() {
+    return supports().bearing_force(motion().displacement, motion().velocity);
+  }
+  Vector<double> displacement_in_stator_frame() {
+    return in_stator_frame({at_.state[0], at_.state[1]}, at_.state[2]);
+  }
   const Ring<double>& ring() const { return context_.ring; }
   const Supports<double>& supports() const { return context_.supports; }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "figures/results/run_result.hpp"
-#include "model/certified/digits.hpp"
+#include "model/certified/comparison.hpp"
 
 namespace rotor {
 

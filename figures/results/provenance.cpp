@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "figures/data/csv.hpp"
 #include "figures/results/laws.hpp"
 
 namespace rotor {
@@ -41,7 +42,7 @@ std::string prediction(const Scenario& scenario) {
 
 }  // namespace
 
-std::vector<std::string> provenance(const std::string& title, const Scene& scene) {
+std::string csv_head(const std::string& title, const Scene& scene, std::string_view names) {
   std::vector<std::string> lines = {title, "rotor " ROTOR_VERSION};
   for (const SceneRun& run : scene.runs)
     lines.push_back(fmt::format("{}: equations {}, method {}, {}", run.name,
@@ -50,16 +51,12 @@ std::vector<std::string> provenance(const std::string& title, const Scene& scene
   for (const SceneRun& run : scene.runs)
     if (const std::string said = prediction(run.scenario); !said.empty())
       lines.push_back(fmt::format("{}: by closed forms, {}", run.name, said));
-  for (const Column* column : scene.columns)
+  std::vector<std::string_view> headings = {names};
+  for (const Column* column : scene.columns) {
     lines.push_back(fmt::format("{}: {}", column->name, column->meaning));
-  return lines;
-}
-
-std::vector<std::string_view> headings(std::string_view names,
-                                       const std::vector<const Column*>& columns) {
-  std::vector<std::string_view> all = {names};
-  for (const Column* column : columns) all.push_back(column->name);
-  return all;
+    headings.push_back(column->name);
+  }
+  return csv_head(lines, headings);
 }
 
 }  // namespace rotor

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "figures/input/names.hpp"
-#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -126,8 +125,7 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
                  Observer& others) {
   Simulation& simulation = way.simulation;
   SummaryObserver& summary = way.summary;
-  ObserverGroup observers;
-  observers.add(others);
+  ObserverGroup observers = {&others};
   std::optional<StopObserver> stop;
   if (stop_on) observers.add(stop.emplace(*stop_on, scenario));
   observers.on_instant(simulation.instant());
@@ -177,19 +175,17 @@ Json summary_schema() {
            type("object"));
   describe("events", "Only with --digits: name, time and state of each event, and of the end",
            type("array"));
-  describe(
-      "energy_J",
-      "Only with --energy, from just before the mass loss on: work of each cause, negative where "
-      "the rotor loses energy, and the energies stored at the end of each span; residual is "
-      "the error of the balance",
-      type("object"));
-  const Json estimate = {
-      {"description",
-       "With --digits, instead of a number: its value and error bound, null if nothing is known "
-       "about the error"},
-      {"required", {"value", "error"}},
-      {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
-      {"additionalProperties", false}};
+  describe("energy_J",
+           "Only with --energy, from just before the mass loss on: work of each cause, negative "
+           "where the rotor loses energy, and the energies stored at the end of each span; "
+           "residual is the error of the balance",
+           type("object"));
+  const Json estimate = {{"description",
+                          "With --digits, instead of a number: its value and error bound, null if "
+                          "nothing is known about the error"},
+                         {"required", {"value", "error"}},
+                         {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
+                         {"additionalProperties", false}};
   return {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "Summary of a run, as `rotor run --json` prints it"},
@@ -243,17 +239,17 @@ std::vector<Remark> remarks(const RunResult& result) {
     all.push_back(
         {fmt::format("the run was to stop at {}, which was not reached by {:.6g} s{}",
                      name_of(*early.stop_on), summary.final_time_s,
-                     !spins_freely              ? ""
-                     : result.end.last.motor_on ? "; the motor still drives"
-                                                : "; without contact only the "
-                                                  "damping of its whirl brakes the rotor"),
+                     !spins_freely ? ""
+                     : result.end.last.motor_on
+                         ? "; the motor still drives"
+                         : "; without contact only the damping of its whirl brakes the rotor"),
          Of::missed_goal});
   }
   if (const double start = result.scenario.start_speed_Hz;
       start > 0 && start < p.motor_off_Hz && p.torque > 0)
     all.push_back(
-        {fmt::format("the motor still drives at start_speed_hz = {} Hz, up to "
-                     "motor_off_hz = {} Hz; torque = 0 turns it off",
+        {fmt::format("the motor still drives at start_speed_hz = {} Hz, up to motor_off_hz = {} "
+                     "Hz; torque = 0 turns it off",
                      start, p.motor_off_Hz)});
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back({fmt::format("the rotor touched the ring {} times before the mass loss",
@@ -275,11 +271,10 @@ std::vector<Remark> remarks(const RunResult& result) {
   for (const auto& [length, name] :
        {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
     if (displacement - clearance > large * length)
-      all.push_back(
-          {fmt::format("the ring is indented by {:.2g} of the {}: the model's linear contact is "
-                       "valid only below {}",
-                       (displacement - clearance) / length, name, large),
-           Of::limit});
+      all.push_back({fmt::format("the ring is indented by {:.2g} of the {}: the model's linear "
+                                 "contact is valid only below {}",
+                                 (displacement - clearance) / length, name, large),
+                     Of::limit});
   return all;
 }
 

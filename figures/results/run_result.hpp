@@ -9,8 +9,6 @@
 #include "figures/runs/run_ups.hpp"
 #include "model/results/energy.hpp"
 #include "model/results/stop_on.hpp"
-#include "model/results/summary.hpp"
-#include "model/run/simulation.hpp"
 
 namespace rotor {
 

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "model/scenario/observer_group.hpp"
-
 namespace rotor {
 namespace {
 

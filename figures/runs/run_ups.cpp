@@ -1,9 +1,6 @@
 #include "figures/runs/run_ups.hpp"
 
 #include <algorithm>
-#include <limits>
-
-#include "model/scenario/observer_group.hpp"
 
 namespace rotor {
 namespace {
@@ -60,9 +57,7 @@ RunUpCheckpoint RunUps::follow(std::vector<RunUpCheckpoint>& checkpoints, double
                                       });
   const RunUpCheckpoint& last = *(later - 1);
   RunUpCheckpoint way = last;
-  ObserverGroup observers;
-  observers.add(monitor);
-  observers.add(way.summary);
+  ObserverGroup observers = {&monitor, &way.summary};
   way.simulation.run_up(until_s, observers);
   const long on_the_way = steps(last) - steps(checkpoints.front());
   const bool is_far = steps(way) - steps(last) >= least_steps + on_the_way / parts_of_way;

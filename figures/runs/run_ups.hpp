@@ -5,11 +5,17 @@
 #include <list>
 #include <vector>
 
+#include "figures/data/interruption.hpp"
 #include "model/results/summary.hpp"
-#include "model/run/simulation.hpp"
 #include "model/run/time_at_speed.hpp"
 
 namespace rotor {
+
+/// Ends a run at an interruption.
+class Interruptible : public Observer {
+ public:
+  bool goes_on(const Progress& /*now*/) override { return !is_interrupted(); }
+};
 
 /// A run and its summary up to the present instant.
 struct RunUpCheckpoint {

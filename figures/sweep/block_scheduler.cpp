@@ -43,19 +43,10 @@ void BlockScheduler::stop(std::exception_ptr reason) {
   changed_.notify_all();
 }
 
-void BlockScheduler::rethrow_if_stopped() {
-  const std::lock_guard lock(mutex_);
-  if (reason_) std::rethrow_exception(reason_);
-}
-
-bool BlockScheduler::is_dealt_out() {
-  const std::lock_guard lock(mutex_);
-  return next_ == until_ || reason_;
-}
-
 bool BlockScheduler::is_finished() {
   const std::lock_guard lock(mutex_);
-  return due_ == until_ || reason_;
+  if (reason_) std::rethrow_exception(reason_);
+  return due_ == until_;
 }
 
 std::string rows_of(const Block& block, const Work& work) {
@@ -80,16 +71,18 @@ void work(BlockScheduler& scheduler, int threads, const std::function<Work()>& m
   } catch (const std::system_error&) {  // no more threads
     if (all.empty()) scheduler.stop(std::current_exception());
   }
+  std::exception_ptr reason;
   try {
     while (!scheduler.is_finished()) {
       meanwhile();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   } catch (...) {
-    scheduler.stop(std::current_exception());
+    reason = std::current_exception();
+    scheduler.stop(reason);
   }
   for (std::thread& thread : all) thread.join();
-  scheduler.rethrow_if_stopped();
+  if (reason) std::rethrow_exception(reason);
 }
 
 }  // namespace rotor

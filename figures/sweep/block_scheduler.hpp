@@ -36,10 +36,9 @@ class BlockScheduler {
 
   /// Distributes no further blocks. Keeps the first reason.
   void stop(std::exception_ptr reason);
-  void rethrow_if_stopped();
 
-  bool is_dealt_out();  ///< no block is left
-  bool is_finished();   ///< all rows have been passed on, or it was stopped
+  /// Whether all rows have been passed on. Throws the reason if it was stopped.
+  bool is_finished();
 
  private:
   static constexpr long block_size = 4, most_out = 16384;

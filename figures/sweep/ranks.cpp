@@ -7,7 +7,6 @@
 #include <cstring>
 #include <stdexcept>
 #include <thread>
-#include <utility>
 
 #ifdef ROTOR_MPI
 #include <mpi.h>
@@ -19,9 +18,14 @@ namespace rotor {
 
 namespace {
 
-/// What other ranks send: the two numbers of a block and its rows, or why they cannot continue. A
-/// block without points only asks for more.
-enum Tag : int { rows_of_block = 1, failure = 2, dealt_block = 3 };
+/// The first rank sends blocks, the others send their rows after them, or why they cannot continue;
+/// `end` says that nothing is left.
+enum Tag : int { block_and_rows = 1, failure = 2, end = 3 };
+
+struct Message {
+  int from, tag;
+  std::string content;
+};
 
 /// The number of blocks sent to a rank in advance, so that it never waits for an answer.
 constexpr int ahead = 4;
@@ -32,23 +36,24 @@ bool is_launched() {
                      [](const char* variable) { return std::getenv(variable) != nullptr; });
 }
 
-void pause() { std::this_thread::sleep_for(std::chrono::microseconds(100)); }
-
 /// A message that has arrived, if any. Polls, because MPI keeps a core busy while it waits.
-std::optional<MPI_Status> next_message() {
+std::optional<Message> next_message() {
   int is_there = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status);
-  return is_there ? std::optional(status) : std::nullopt;
-}
-
-std::string receive(const MPI_Status& from) {
+  if (!is_there) return std::nullopt;
   int size = 0;
-  MPI_Get_count(&from, MPI_CHAR, &size);
-  std::string message(static_cast<std::size_t>(size), '\0');
-  MPI_Recv(message.data(), size, MPI_CHAR, from.MPI_SOURCE, from.MPI_TAG, MPI_COMM_WORLD,
+  MPI_Get_count(&status, MPI_CHAR, &size);
+  Message message{status.MPI_SOURCE, status.MPI_TAG,
+                  std::string(static_cast<std::size_t>(size), '\0')};
+  MPI_Recv(message.content.data(), size, MPI_CHAR, message.from, message.tag, MPI_COMM_WORLD,
            MPI_STATUS_IGNORE);
   return message;
+}
+
+Message wait_for_message() {
+  for (;; std::this_thread::sleep_for(std::chrono::microseconds(100)))
+    if (auto message = next_message()) return *message;
 }
 
 void send(const std::string& message, int to, Tag tag) {
@@ -56,14 +61,13 @@ void send(const std::string& message, int to, Tag tag) {
 }
 
 std::string packed(const Block& block, const std::string& rows = "") {
-  const std::array<long, 2> numbers = {block.from, block.until};
-  return std::string(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers)) + rows;
+  return std::string(reinterpret_cast<const char*>(&block), sizeof(block)) + rows;
 }
 
 Block block_in(const std::string& message) {
-  std::array<long, 2> numbers{};
-  std::memcpy(numbers.data(), message.data(), sizeof(numbers));
-  return {numbers[0], numbers[1]};
+  Block block{};
+  std::memcpy(&block, message.data(), sizeof(block));
+  return block;
 }
 
 }  // namespace
@@ -74,7 +78,7 @@ Ranks::Ranks() {
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &threads);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &count_);
-  shutdowns_ = ahead * (count_ - 1);
+  out_.resize(static_cast<std::size_t>(count_));
 }
 
 Ranks::~Ranks() {
@@ -87,55 +91,42 @@ bool Ranks::broadcast(bool word) const {
   return number != 0;
 }
 
-void Ranks::answer(BlockScheduler& scheduler, int rank) {
-  const auto block = scheduler.next_if_due();
-  if (!block && !scheduler.is_dealt_out()) return waiting_.push_back(rank);
-  if (!block) --shutdowns_;
-  send(packed(block.value_or(Block{0, 0})), rank, dealt_block);
-}
-
 void Ranks::serve(BlockScheduler& scheduler) {
   if (count_ == 1) return;
-  for (const int rank : std::exchange(waiting_, {})) answer(scheduler, rank);
   while (const auto message = next_message()) {
-    const std::string content = receive(*message);
-    if (message->MPI_TAG == failure) {
-      scheduler.stop(std::make_exception_ptr(std::runtime_error(content)));
-      continue;
-    }
-    const Block block = block_in(content);
-    if (block.from < block.until) scheduler.take(block, content.substr(sizeof(long) * 2));
-    answer(scheduler, message->MPI_SOURCE);
+    --out_[static_cast<std::size_t>(message->from)];
+    if (message->tag == failure)
+      scheduler.stop(std::make_exception_ptr(std::runtime_error(message->content)));
+    else
+      scheduler.take(block_in(message->content), message->content.substr(sizeof(Block)));
   }
+  for (int rank = 1; rank < count_; ++rank)
+    for (int& out = out_[static_cast<std::size_t>(rank)]; out < ahead; ++out) {
+      const auto block = scheduler.next_if_due();
+      if (!block) return;
+      send(packed(*block), rank, block_and_rows);
+    }
 }
 
-void Ranks::shut_down_workers(BlockScheduler& scheduler) {
-  for (; shutdowns_ > 0; pause()) serve(scheduler);
+void Ranks::shut_down_workers() {
+  for (int rank = 1; rank < count_; ++rank) send("", rank, end);
+  for (int working = count_ - 1; working > 0;)
+    if (wait_for_message().tag == end) --working;
 }
 
 void work_for_first(const Work& work) {
   std::exception_ptr reason;
-  for (int n = 0; n < ahead; ++n) send(packed({0, 0}), 0, rows_of_block);
-  for (int shut_down = 0; shut_down < ahead;) {
-    const auto message = next_message();
-    if (!message) {
-      pause();
-      continue;
-    }
-    const Block block = block_in(receive(*message));
-    if (block.from == block.until) {
-      ++shut_down;
-      continue;
-    }
-    std::string rows;
+  for (Message message = wait_for_message(); message.tag != end; message = wait_for_message()) {
+    if (reason) continue;
+    const Block block = block_in(message.content);
     try {
-      if (!reason) rows = rows_of(block, work);
+      send(packed(block, rows_of(block, work)), 0, block_and_rows);
     } catch (const std::exception& error) {
       reason = std::current_exception();
       send(error.what(), 0, failure);
     }
-    send(packed(reason ? Block{0, 0} : block, rows), 0, rows_of_block);
   }
+  send("", 0, end);
   if (reason) std::rethrow_exception(reason);
 }
 
@@ -145,7 +136,7 @@ Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 bool Ranks::broadcast(bool word) const { return is_first() && word; }
 void Ranks::serve(BlockScheduler& /*scheduler*/) {}
-void Ranks::shut_down_workers(BlockScheduler& /*scheduler*/) {}
+void Ranks::shut_down_workers() {}
 void work_for_first(const Work& /*work*/) {}
 
 #endif

@@ -25,15 +25,12 @@ class Ranks {
   /// For the first rank: receives rows from the others and sends them blocks, as far as is possible
   /// without waiting.
   void serve(BlockScheduler& scheduler);
-  /// The same, until all others know that nothing is left.
-  void shut_down_workers(BlockScheduler& scheduler);
+  /// Waits until all others know that nothing is left.
+  void shut_down_workers();
 
  private:
-  void answer(BlockScheduler& scheduler, int rank);
-
   int rank_ = 0, count_ = 1;
-  std::vector<int> waiting_;  ///< ranks that asked when no block was due
-  int shutdowns_ = 0;         ///< still to be sent to the others
+  std::vector<int> out_;  ///< blocks that each rank has not answered yet
 };
 
 /// For all ranks but the first: works on blocks from the first one until none is left. Throws what

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "figures/input/scenario_spec.hpp"
@@ -20,12 +20,17 @@ struct Range {
   double at(long n) const;  ///< the ends exactly
 };
 
-/// A quantity and its values, one after the other.
+/// A quantity and its values, one after the other: names, or numbers, or those of a range.
 struct Axis {
-  std::string quantity;  ///< an input quantity, or a named input
-  std::variant<Range, std::vector<double>, std::vector<std::string>> values;
+  std::string quantity;
+  std::vector<std::string> names{};
+  std::vector<double> numbers{};
+  Range range{};
 
   long points() const;
+  double number(long n) const;
+  /// The least number and the greatest.
+  std::pair<double, double> ends() const;
 };
 
 enum class Distribution { uniform, log_uniform, normal };

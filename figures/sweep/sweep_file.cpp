@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figures/data/text.hpp"
 #include "figures/input/toml_file.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
@@ -30,8 +29,8 @@ class SweepReader : TomlFile {
     if (root().contains("columns")) sweep.columns = columns();
     sweep.base = stated_in(*this, table(root(), "parameters"), {});
     if (sweep.base.digits && sweep.stop_on)
-      fail(*table(root(), "parameters").get("digits"), "digits",
-           "needs stop_on = \"end\": where a run stops early depends on its steps");
+      fail_at(table(root(), "parameters"), "digits",
+              "needs stop_on = \"end\": where a run stops early depends on its steps");
     for (const toml::table* in : tables(root(), "axis")) sweep.axes.push_back(axis(*in));
     if (root().contains("sample")) sweep.sample = sample(table(root(), "sample"));
     require_points(sweep);
@@ -44,46 +43,41 @@ class SweepReader : TomlFile {
   static std::optional<StopOn> parse_stop(std::string_view name) {
     if (name == "end") return std::nullopt;
     try {
-      return parse_stop_on(name);
+      return parse_name<StopOn>(name);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}; or \"end\", the end of the run", error.what()));
+      throw InputError("{}; or \"end\", the end of the run", error.what());
     }
   }
 
+  const toml::array& list(const toml::table& in, std::string_view key) const {
+    const toml::array* const array = in.get(key)->as_array();
+    if (!array || array->empty()) fail_at(in, key, "must be a list that is not empty");
+    return *array;
+  }
+
   std::vector<std::string> columns() const {
-    const toml::node& node = *root().get("columns");
-    const toml::array* const array = node.as_array();
-    if (!array || array->empty()) fail(node, "columns", "must be a list that is not empty");
     const std::vector<std::string>& allowed = columns_on_request();
     std::vector<std::string> all;
-    for (const toml::node& item : *array) {
+    for (const toml::node& item : list(root(), "columns")) {
       const auto name = item.value_or<std::string>("");
-      if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
-        fail(item, "columns",
-             fmt::format("there is no result \"{}\"{}; there are: {}", shown(name),
-                         suggestion(name, allowed), fmt::join(allowed, ", ")));
-      if (std::find(all.begin(), all.end(), name) != all.end())
-        fail(item, "columns", fmt::format("duplicate column \"{}\"", name));
+      if (!contains(allowed, name))
+        fail(item, "columns", "there is no result \"{}\"{}; there are: {}", shown(name),
+             suggestion(name, allowed), fmt::join(allowed, ", "));
+      if (contains(all, name)) fail(item, "columns", "duplicate column \"{}\"", name);
       all.push_back(name);
     }
     return all;
   }
 
-  static bool is_named(std::string_view quantity) {
-    const auto named = named_inputs();
-    return std::find(named.begin(), named.end(), quantity) != named.end();
-  }
-
   std::string quantity(const toml::table& in) const {
     const auto name = text(in, "quantity");
     if (!name) fail(in, "quantity", "must be stated: it varies");
-    if (is_named(*name) || find_input_quantity(*name)) return *name;
-    std::vector<std::string> allowed(named_inputs().begin(), named_inputs().end());
-    for (const InputQuantity& input_quantity : input_quantities())
-      allowed.emplace_back(input_quantity.quantity.name);
-    fail(*in.get("quantity"), "quantity",
-         fmt::format("there is no quantity \"{}\"{}; there are: {}", shown(*name),
-                     suggestion(*name, allowed), fmt::join(allowed, ", ")));
+    if (find_named_input(*name) || find_input_quantity(*name)) return *name;
+    std::vector<std::string> allowed;
+    for (const NamedInput& input : named_inputs()) allowed.emplace_back(input.name);
+    for (const InputQuantity& input : input_quantities()) allowed.emplace_back(input.quantity.name);
+    fail_at(in, "quantity", "there is no quantity \"{}\"{}; there are: {}", shown(*name),
+            suggestion(*name, allowed), fmt::join(allowed, ", "));
   }
 
   double number(const toml::table& in, std::string_view key, const Quantity& quantity) const {
@@ -96,74 +90,59 @@ class SweepReader : TomlFile {
   void require_allowed(const toml::node& node, std::string_view key, double number,
                        const Quantity& quantity) const {
     if (!quantity.allows(number))
-      fail(node, key,
-           fmt::format("{} must be {}, not {}", quantity.name, quantity.range(), number));
+      fail(node, key, "{} must be {}, not {}", quantity.name, quantity.range(), number);
   }
 
   Axis axis(const toml::table& in) const {
     expect_keys(in, {"quantity", "from", "to", "points", "spacing", "values"});
-    Axis axis{quantity(in), {}};
-    if (const toml::node* values = in.get("values")) {
-      if (in.size() != 2) fail(*values, "values", "exclude from, to, points and spacing");
-      const toml::array* array = values->as_array();
-      if (!array || array->empty()) fail(*values, "values", "must be a list that is not empty");
-      if (is_named(axis.quantity)) {
-        axis.values = names(*array, axis.quantity);
-      } else {
-        const std::vector<double> all = numbers(*array, "values");
-        for (std::size_t i = 0; i < all.size(); ++i)
-          require_allowed((*array)[i], "values", all[i],
-                          find_input_quantity(axis.quantity)->quantity);
-        axis.values = all;
-      }
-    } else if (is_named(axis.quantity)) {
-      fail(in, "values", fmt::format("must be stated: {} has no range", axis.quantity));
-    } else {
-      axis.values = range(in, find_input_quantity(axis.quantity)->quantity);
+    Axis axis{quantity(in)};
+    const NamedInput* const named = find_named_input(axis.quantity);
+    const InputQuantity* const input = find_input_quantity(axis.quantity);
+    if (named && !in.contains("values"))
+      fail(in, "values", "must be stated: {} has no range", axis.quantity);
+    if (!in.contains("values")) {
+      axis.range = range(in, input->quantity);
+      return axis;
     }
+    if (in.size() != 2) fail_at(in, "values", "exclude from, to, points and spacing");
+    for (const toml::node& item : list(in, "values"))
+      if (named) {
+        axis.names.push_back(item.value_or<std::string>(""));
+        ScenarioSpec ignored;
+        at(item, "values", [&] { named->state(ignored, axis.names.back()); });
+      } else {
+        axis.numbers.push_back(listed_number(item, "values"));
+        require_allowed(item, "values", axis.numbers.back(), input->quantity);
+      }
     return axis;
   }
 
-  std::vector<std::string> names(const toml::array& array, const std::string& quantity) const {
-    std::vector<std::string> all;
-    for (const toml::node& item : array) {
-      all.push_back(item.value_or<std::string>(""));
-      ScenarioSpec ignored;
-      at(item, "values", [&] { state(ignored, quantity, all.back()); });
-    }
-    return all;
-  }
-
-  std::vector<double> numbers(const toml::array& array, std::string_view key) const {
-    std::vector<double> all;
-    for (const toml::node& item : array) {
-      const auto found = TomlFile::number(item);
-      if (!found) fail(item, key, "must be numbers");
-      all.push_back(*found);
-    }
-    return all;
+  double listed_number(const toml::node& item, std::string_view key) const {
+    const auto found = TomlFile::number(item);
+    if (!found) fail(item, key, "must be numbers");
+    return *found;
   }
 
   Range range(const toml::table& in, const Quantity& quantity) const {
     Range range{number(in, "from", quantity), number(in, "to", quantity), 0, false};
     if (!(range.from < range.until))
-      fail(*in.get("to"), "to", fmt::format("must be greater than from = {}", range.from));
+      fail_at(in, "to", "must be greater than from = {}", range.from);
     const std::string spacing = text(in, "spacing").value_or("linear");
     if (spacing != "linear" && spacing != "log")
-      fail(*in.get("spacing"), "spacing", R"(must be "linear" or "log")");
+      fail_at(in, "spacing", R"(must be "linear" or "log")");
     range.logarithmic = spacing == "log";
     if (range.logarithmic && !(range.from > 0))
-      fail(*in.get("from"), "from", "must be greater than 0 for equal ratios");
+      fail_at(in, "from", "must be greater than 0 for equal ratios");
     range.points = count(in, "points", 2);
     if (!std::isfinite(range.at(1)))
-      fail(*in.get("to"), "to", fmt::format("is too far from {} for equal steps", range.from));
+      fail_at(in, "to", "is too far from {} for equal steps", range.from);
     return range;
   }
 
   long count(const toml::table& in, std::string_view key, long least) const {
     const auto found = value<std::int64_t>(in, key, "a whole number");
     if (!found) fail(in, key, "must be stated");
-    if (*found < least) fail(*in.get(key), key, fmt::format("must be at least {}", least));
+    if (*found < least) fail_at(in, key, "must be at least {}", least);
     return static_cast<long>(*found);
   }
 
@@ -174,7 +153,7 @@ class SweepReader : TomlFile {
     if (in.contains("seed")) sample.seed = static_cast<unsigned long>(count(in, "seed", 0));
     const std::string method = text(in, "method").value_or("sobol");
     if (method != "sobol" && method != "random")
-      fail(*in.get("method"), "method", R"(must be "sobol" or "random")");
+      fail_at(in, "method", R"(must be "sobol" or "random")");
     sample.method = method == "sobol" ? Sampling::sobol : Sampling::random;
     for (const toml::table* over : tables(in, "over")) sample.over.push_back(draw(*over));
     if (sample.over.empty())
@@ -185,7 +164,8 @@ class SweepReader : TomlFile {
   Draw draw(const toml::table& in) const {
     expect_keys(in, {"quantity", "uniform", "log_uniform", "normal"});
     Draw draw{quantity(in), Distribution::uniform, 0, 0};
-    if (is_named(draw.quantity)) fail(in, "quantity", "only numbers can be drawn; use an [[axis]]");
+    if (find_named_input(draw.quantity))
+      fail(in, "quantity", "only numbers can be drawn; use an [[axis]]");
     if (in.size() != 2) fail(in, "sample.over", "needs one of: uniform, log_uniform, normal");
     const std::string_view key = in.contains("uniform")       ? "uniform"
                                  : in.contains("log_uniform") ? "log_uniform"
@@ -193,12 +173,10 @@ class SweepReader : TomlFile {
     const toml::node& node = *in.get(key);
     const toml::array* const array = node.as_array();
     if (!array || array->size() != 2)
-      fail(node, key,
-           fmt::format("must be {}", key == "normal" ? "[mean, deviation]" : "[from, to]"));
+      fail(node, key, "must be {}", key == "normal" ? "[mean, deviation]" : "[from, to]");
     const Quantity& of = find_input_quantity(draw.quantity)->quantity;
-    const std::vector<double> pair = numbers(*array, "sample.over");
-    draw.a = pair[0];
-    draw.b = pair[1];
+    draw.a = listed_number((*array)[0], "sample.over");
+    draw.b = listed_number((*array)[1], "sample.over");
     require_allowed(node, key, draw.a, of);
     if (key == "normal") {
       draw.distribution = Distribution::normal;
@@ -226,8 +204,8 @@ class SweepReader : TomlFile {
     for (const Axis& axis : sweep.axes) all *= static_cast<double>(axis.points());
     if (all > most_points)
       fail(root(), "points",
-           fmt::format("{:.6g} points are more than {:.6g}: their rows would take some {:.3g} GB",
-                       all, most_points, all * bytes_a_row / 1e9));
+           "{:.6g} points are more than {:.6g}: their rows would take some {:.3g} GB", all,
+           most_points, all * bytes_a_row / 1e9);
   }
 
   /// A quantity must not be stated or varied twice, or one would be ignored.
@@ -236,21 +214,18 @@ class SweepReader : TomlFile {
     for (const std::string& quantity : sweep.quantities()) {
       for (const std::string& other : varied)
         if (determined_by(other) == determined_by(quantity))
-          fail(root(), quantity, fmt::format("varies, and so does {}, which determines it", other));
+          fail(root(), quantity, "varies, and so does {}, which determines it", other);
       varied.push_back(quantity);
       for (const auto& [stated, number] : sweep.base.numbers)
         if (determined_by(stated) == determined_by(quantity))
-          fail(root(), quantity,
-               fmt::format("varies, but [parameters] states {}, which determines it", stated));
-      if (is_named(quantity) && table(root(), "parameters").contains(quantity))
+          fail(root(), quantity, "varies, but [parameters] states {}, which determines it", stated);
+      if (find_named_input(quantity) && table(root(), "parameters").contains(quantity))
         fail(root(), quantity, "varies, but [parameters] states it");
     }
     const auto is_stated = [&](const char* correction) {
-      return table(root(), "parameters").contains(correction) ||
-             std::find(varied.begin(), varied.end(), correction) != varied.end();
+      return table(root(), "parameters").contains(correction) || contains(varied, correction);
     };
-    if (std::find(varied.begin(), varied.end(), "equations") != varied.end() &&
-        is_stated("velocity_jump") && is_stated("gravity_moment"))
+    if (contains(varied, "equations") && is_stated("velocity_jump") && is_stated("gravity_moment"))
       fail(root(), "equations",
            "varies, but is determined by velocity_jump and gravity_moment, which are stated");
   }
@@ -258,20 +233,15 @@ class SweepReader : TomlFile {
   /// Checks the corners of the axes and draws; of a normal draw only the mean.
   void require_physical_corners(const Sweep& sweep) const {
     std::vector<Axis> ends;
-    for (const Axis& axis : sweep.axes) {
-      if (const auto* const range = std::get_if<Range>(&axis.values))
-        ends.push_back({axis.quantity, std::vector<double>{range->from, range->until}});
-      else if (const auto* const numbers = std::get_if<std::vector<double>>(&axis.values))
-        ends.push_back({axis.quantity,
-                        std::vector<double>{*std::min_element(numbers->begin(), numbers->end()),
-                                            *std::max_element(numbers->begin(), numbers->end())}});
-    }
+    for (const Axis& axis : sweep.axes)
+      if (axis.names.empty())
+        ends.push_back({axis.quantity, {}, {axis.ends().first, axis.ends().second}});
     if (ends.size() + sweep.sample.over.size() > most_dimensions)
-      fail(root(), "axis", fmt::format("more than {} quantities vary", most_dimensions));
-    for (const Draw& draw : sweep.sample.over)
-      ends.push_back({draw.quantity, draw.distribution == Distribution::normal
-                                         ? std::vector<double>{draw.a}
-                                         : std::vector<double>{draw.a, draw.b}});
+      fail(root(), "axis", "more than {} quantities vary", most_dimensions);
+    for (const Draw& draw : sweep.sample.over) {
+      ends.push_back({draw.quantity, {}, {draw.a}});
+      if (draw.distribution != Distribution::normal) ends.back().numbers.push_back(draw.b);
+    }
     Sweep corners{
         .title = {}, .text = {}, .base = sweep.base, .axes = std::move(ends), .sample = {}};
     const SweepPoints points(corners);
@@ -284,7 +254,7 @@ class SweepReader : TomlFile {
         std::vector<std::string> where;
         for (std::size_t i = 0; i < quantities.size(); ++i)
           where.push_back(fmt::format("{} = {}", quantities[i], corner.values[i]));
-        fail(root(), "corner", fmt::format("{}: {}", fmt::join(where, ", "), error.what()));
+        fail(root(), "corner", "{}: {}", fmt::join(where, ", "), error.what());
       }
     }
   }

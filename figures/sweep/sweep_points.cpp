@@ -35,11 +35,18 @@ double Range::at(long n) const {
 }
 
 long Axis::points() const {
-  const auto* const range = std::get_if<Range>(&values);
-  if (range) return range->points;
-  const auto* const numbers = std::get_if<std::vector<double>>(&values);
-  return static_cast<long>(numbers ? numbers->size()
-                                   : std::get<std::vector<std::string>>(values).size());
+  const std::size_t listed = names.size() + numbers.size();
+  return listed > 0 ? static_cast<long>(listed) : range.points;
+}
+
+double Axis::number(long n) const {
+  return numbers.empty() ? range.at(n) : numbers[static_cast<std::size_t>(n)];
+}
+
+std::pair<double, double> Axis::ends() const {
+  if (numbers.empty()) return {range.from, range.until};
+  const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
+  return {*least, *greatest};
 }
 
 double Draw::quantile(double share) const {
@@ -68,8 +75,7 @@ std::vector<std::string> Sweep::quantities() const {
 
 bool Sweep::leaves_equations_open() const {
   return !base.states_equations() && std::none_of(axes.begin(), axes.end(), [](const Axis& axis) {
-    return std::holds_alternative<std::vector<std::string>>(axis.values) &&
-           axis.quantity != "method";
+    return !axis.names.empty() && axis.quantity != "method";
   });
 }
 
@@ -107,14 +113,11 @@ SweepPoint SweepPoints::operator()(long n) const {
     const Axis& axis = sweep_.axes[i];
     const long of_axis = left % axis.points();
     left /= axis.points();
-    const auto index = static_cast<std::size_t>(of_axis);
-    if (const auto* const range = std::get_if<Range>(&axis.values)) {
-      point.values[i] = set(axis.quantity, range->at(of_axis));
-    } else if (const auto* const numbers = std::get_if<std::vector<double>>(&axis.values)) {
-      point.values[i] = set(axis.quantity, (*numbers)[index]);
+    if (axis.names.empty()) {
+      point.values[i] = set(axis.quantity, axis.number(of_axis));
     } else {
-      point.values[i] = std::get<std::vector<std::string>>(axis.values)[index];
-      state(point.spec, axis.quantity, point.values[i]);
+      point.values[i] = axis.names[static_cast<std::size_t>(of_axis)];
+      find_named_input(axis.quantity)->state(point.spec, point.values[i]);
     }
   }
   const std::vector<double> shares = this->shares(n % sweep_.sample.count);

@@ -7,10 +7,8 @@
 #include <sstream>
 
 #include "figures/data/csv.hpp"
-#include "figures/data/text.hpp"
 #include "figures/results/certified_result.hpp"
 #include "figures/results/laws.hpp"
-#include "figures/runs/interruptible.hpp"
 
 namespace rotor {
 namespace {
@@ -82,8 +80,7 @@ std::string sweep_head(const Sweep& sweep) {
   }
   std::vector<std::string> names = sweep.quantities();
   for (std::string& name : names)  // unlike a result of the same name, such as method
-    if (std::find(result_columns().begin(), result_columns().end(), name) != result_columns().end())
-      name += "_varied";
+    if (contains(result_columns(), name)) name += "_varied";
   const std::vector<std::string>& columns = columns_of(sweep);
   names.insert(names.end(), columns.begin(), columns.end());
   names.emplace_back("remarks");

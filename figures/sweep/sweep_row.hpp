@@ -2,7 +2,6 @@
 #pragma once
 
 #include "figures/results/run_result.hpp"
-#include "figures/runs/run_ups.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {

@@ -1,8 +1,10 @@
-/// A run computed several times in one precision, so that each computation shows the
-/// errors of the others.
+/// A run to a guaranteed number of significant digits, compared with exact arithmetic for the
+/// decimals that were stated: it is computed several times in one precision, so that each
+/// computation shows the errors of the others.
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -36,7 +38,6 @@ struct EventEstimate {
   std::vector<NamedEstimate> values;  ///< time and state
 };
 
-/// The course of a run is the sequence of its events, and its outcome.
 struct Comparison {
   /// The tolerances of two computations are smaller by these factors.
   static constexpr int finest = 100, other = 4;
@@ -75,5 +76,19 @@ std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
 /// of the tolerance, disturbed by more than rounding. 1 if that run takes another course.
 double estimated_relative_error(const Scenario& scenario, const Summary& summary,
                                 const GoesOn& goes_on);
+
+/// Decimal digits that a double can hold.
+constexpr int most_digits = std::numeric_limits<double>::digits10;
+
+/// How many significant digits of a value are certain.
+int sure_digits(const NamedEstimate& value);
+
+/// Whether the digits are reached: every value has them, and the course is certain.
+bool has_digits(const Comparison& comparison, int digits);
+
+/// The cheapest comparison that reaches so many digits: the first is in double precision, and its
+/// errors determine the next. If none reaches them, the last one. Empty if none was finished.
+std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
+                                        const GoesOn& goes_on);
 
 }  // namespace rotor

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/certified/comparison.hpp"
 #include "model/certified/computation.hpp"
-#include "model/certified/values.hpp"
 #include "model/integration/fehlberg.hpp"
 
 namespace rotor {

@@ -1,9 +1,7 @@
-#include "model/certified/digits.hpp"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "model/certified/comparison.hpp"
 #include "model/certified/quad.hpp"
 
 namespace rotor {

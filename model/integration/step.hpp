@@ -1,9 +1,10 @@
 /// Steps of an Odeint error stepper over a smooth autonomous system: their error, their dense
-/// output, and where within them a function of the unknowns becomes negative. Independent of the
-/// rotor.
+/// output, and the first event in them. Independent of the rotor.
 ///
 /// A system is called as system(x, rates, time). Its scale(x) returns the sizes to which the errors
-/// of the unknowns are relative, its bounds(from, to) what is known about a step beforehand.
+/// of the unknowns are relative, its bounds(from, to) what is known about a step beforehand. It has
+/// event functions, event(i, x) for i below event_count; an event is where one of them becomes
+/// negative. The `events` of its bounds are what is known about them.
 #pragma once
 
 #include <algorithm>
@@ -235,5 +236,30 @@ class Step {
   std::optional<Bounds> bounds_;
   std::optional<DenseOutput> dense_output_;
 };
+
+/// What is known about an event function over a whole step.
+template <class S>
+struct EventBound {
+  bool stays_positive = false;
+  std::optional<S> curvature{};  ///< bound on its second derivative
+};
+
+/// Which of the system's events ends a step, if one does. The step stops there.
+template <class S, class Stepper, class System>
+std::optional<std::size_t> first_event(Step<S, Stepper, System>& step) {
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < System::event_count; ++i) {
+    const EventBound<S>& bound = step.bounds().events[i];
+    if (bound.stays_positive) continue;
+    const auto value = [&step, i](const auto& x) { return step.system().event(i, x); };
+    // Only up to the stop, which an event found before may have moved.
+    if (const auto crossing = step.crossing(value, step.observe(value, step.start()),
+                                            step.observe(value, step.stop()), bound.curvature)) {
+      step.stop_at(*crossing);
+      first = i;
+    }
+  }
+  return first;
+}
 
 }  // namespace rotor

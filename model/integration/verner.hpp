@@ -149,13 +149,6 @@ class Verner87 {
     errors = sum(Index<verner::error_weights>(), State{});
   }
 
-  template <class System>
-  void do_step(System system, State& x, const S& t, const S& h) const {
-    State rates, errors;
-    system(x, rates, t);
-    do_step(system, State(x), rates, t, x, h, errors);
-  }
-
  private:
   template <std::size_t n>
   using Index = std::integral_constant<std::size_t, n>;

@@ -1,11 +1,9 @@
 /// Contact of the rotor's rim with the stator ring: a spring and a dashpot along the normal,
-/// Coulomb friction across it. Source:
-/// "Overcritical high-speed rotor systems, full annular rub and accident",
-/// Sec. 2.3, Eqs. (15)-(25).
+/// Coulomb friction across it. Source: "Overcritical high-speed rotor systems, full annular rub and
+/// accident", Sec. 2.3, Eqs. (15)-(25).
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "model/mechanics/rotor.hpp"

@@ -1,6 +1,5 @@
-/// Loss of a piece of the rim, on the side opposite to the unbalance. Source:
-/// "Overcritical high-speed rotor systems, full annular rub and accident",
-/// Sec. 2.2, Eqs. (5)-(14).
+/// Loss of a piece of the rim, on the side opposite to the unbalance. Source: "Overcritical
+/// high-speed rotor systems, full annular rub and accident", Sec. 2.2, Eqs. (5)-(14).
 #pragma once
 
 #include "model/mechanics/rotating_frame.hpp"

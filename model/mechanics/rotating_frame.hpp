@@ -1,6 +1,5 @@
 /// The paper's generalised coordinates: O in the axes O_a xy, which turn with the rotor, and the
-/// rotor's angle. Source:
-/// "Overcritical high-speed rotor systems, full annular rub and accident",
+/// rotor's angle. Source: "Overcritical high-speed rotor systems, full annular rub and accident",
 /// Sec. 2.1, Eqs. (1) and (3).
 #pragma once
 

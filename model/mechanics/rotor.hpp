@@ -1,7 +1,6 @@
 /// The rotor as a rigid body in the plane: kinetic energy, loads of the supports, equations of
-/// motion. Source:
-/// "Overcritical high-speed rotor systems, full annular rub and accident",
-/// Sec. 2.1, Eqs. (1)-(4).
+/// motion. Source: "Overcritical high-speed rotor systems, full annular rub and accident", Sec.
+/// 2.1, Eqs. (1)-(4).
 ///
 /// Everything is written with plane vectors, and so holds in any orthonormal basis: the paper's
 /// rotating axes O_a xy, the stator's axes O_a x_a y_a, or the radial and tangential directions of

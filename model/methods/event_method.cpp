@@ -1,4 +1,4 @@
-#include "model/methods/event_method.ipp"
+#include "model/methods/event_method.hpp"
 
 namespace rotor {
 template class EventMethod<double>;

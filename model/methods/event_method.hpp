@@ -1,22 +1,51 @@
 /// Integration with error control, phase by phase, each ending at a located event: no step
 /// straddles a jump, and every step has the full order of its Odeint stepper. Scalar (for higher
-/// precision) and stepper are template parameters. Definitions: event_method.ipp.
+/// precision) and stepper are template parameters.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <array>
 #include <optional>
+#include <stdexcept>
+#include <type_traits>
 #include <variant>
 
-#include "model/integration/first_event.hpp"
 #include "model/integration/verner.hpp"
-#include "model/methods/switch_limit.hpp"
-#include "model/phases/contact_chart.hpp"
-#include "model/phases/flight_chart.hpp"
+#include "model/methods/show_step.hpp"
+#include "model/phases/flight.hpp"
 #include "model/scenario/counters.hpp"
-#include "model/scenario/observer.hpp"
-#include "model/scenario/scenario.hpp"
 
 namespace rotor {
+
+/// A phase as a system of the integration library. Counts its evaluations.
+template <class S, class Phase>
+class PhaseSystem {
+ public:
+  using Unknowns = typename Phase::Unknowns;
+  static constexpr std::size_t event_count = Phase::event_count;
+
+  PhaseSystem(const Phase& phase, Counters& counters) : phase_(phase), counters_(counters) {}
+
+  const Phase& phase() const { return phase_; }
+
+  void operator()(const Unknowns& x, Unknowns& rates, const S& time) const {
+    ++counters_.right_hand_sides;
+    if constexpr (Phase::contact_in_rates) ++counters_.contact_evaluations;
+    phase_(x, rates, time);
+  }
+  S event(std::size_t i, const Unknowns& x) const {
+    if (phase_.guard_takes_loads(i)) ++counters_.contact_evaluations;
+    return phase_.guard(i, x);
+  }
+  using Point = rotor::Point<S, Unknowns>;
+  auto bounds(const Point& from, const Point& to) const { return phase_.bounds(from, to); }
+  Unknowns scale(const Unknowns& x) const { return phase_.scale(x); }
+
+ private:
+  const Phase& phase_;
+  Counters& counters_;
+};
 
 /// A run up to its present instant. A copy continues independently: runs that differ only later
 /// share their beginning. Throws std::runtime_error, with time and reason, if it cannot continue.
@@ -24,30 +53,58 @@ template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
 class EventMethod {
  public:
   /// Starts at an instant. `tolerance`: error allowed in a step, relative to the phases' scale.
-  EventMethod(const Scenario& scenario, const S& tolerance, const BasicInstant<S>& from);
+  EventMethod(const Scenario& scenario, const S& tolerance, const BasicInstant<S>& from)
+      : EventMethod(RotorSystem<S>(scenario.parameters, scenario.equations), tolerance, from) {}
 
   /// The same for a rotor whose numbers need not be doubles.
-  EventMethod(const RotorSystem<S>& rotor, const S& tolerance, const BasicInstant<S>& from);
+  EventMethod(const RotorSystem<S>& rotor, const S& tolerance, const BasicInstant<S>& from)
+      : control_(tolerance), rotor_(rotor) {
+    restart(from);
+    flight_step_ = S(0.01) / rotor_.flight_frequency(at_.state[5]);
+  }
 
   /// Runs to `until_s`, in contact or not.
-  void advance(const S& until_s, BasicObserver<S>& observer);
+  void advance(const S& until_s, BasicObserver<S>& observer) {
+    advance(until_s, observer, Extent::everything);
+  }
 
   /// Takes all whole steps that end before `until_s`, so that the steps do not depend on when other
   /// runs branch off.
-  void approach(const S& until_s, BasicObserver<S>& observer);
+  void approach(const S& until_s, BasicObserver<S>& observer) {
+    advance(until_s, observer, Extent::whole_steps);
+  }
 
   /// The same, and stops before the step that touches the ring.
-  void run_up(const S& until_s, BasicObserver<S>& observer);
+  void run_up(const S& until_s, BasicObserver<S>& observer) {
+    advance(until_s, observer, Extent::clear_whole_steps);
+  }
 
   /// Continues from another instant, such as one after a jump.
-  void restart(const BasicInstant<S>& from);
+  void restart(const BasicInstant<S>& from) {
+    at_ = from;
+    at_.event = Event::none;
+    rotor_.body = at_.body;
+    rotor_.motor_on = at_.motor_on;
+    chart_ = {};
+    phase_is_new_ = true;
+    switches_ = 0;
+    switches_since_s_ = at_.time_s;
+    if (at_.contact != ContactState::free) enter(resume_contact(rotor_, at_.state, at_.contact));
+  }
 
   /// The same motion with the ring of another scenario, whose run-up part is the same.
-  EventMethod with(const Scenario& scenario) const;
+  EventMethod with(const Scenario& scenario) const {
+    EventMethod branch = *this;
+    branch.rotor_.ring = Ring<S>(scenario.parameters);
+    return branch;
+  }
 
   /// Scales the first steps in flight and in contact, whatever the tolerance. To be called at the
   /// start.
-  void shorten_first_steps(const S& share);
+  void shorten_first_steps(const S& share) {
+    first_steps_ = share;
+    flight_step_ *= share;
+  }
   /// Disturbs the slip at each touch-down by a share. It is rounded there, and the velocity of O is
   /// the small difference between slip and velocity of the rim.
   void disturb_touch_downs(const S& share) { slip_disturbance_ = share; }
@@ -61,20 +118,119 @@ class EventMethod {
   using Point = rotor::Point<S, Unknowns>;
   enum class Extent { everything, whole_steps, clear_whole_steps };
 
-  void advance(const S& until_s, BasicObserver<S>& observer, Extent extent);
+  void advance(const S& until_s, BasicObserver<S>& observer, Extent extent) {
+    while (at_.time_s < until_s && !stopped_) {
+      const std::optional<Transition> next = follow_phase(until_s, observer, extent);
+      if (!next) return;
+      limit_switches();
+      observer.on_instant(at_);
+      enter(*next);
+      observer.on_instant(at_);
+      at_.event = Event::none;
+    }
+  }
+
+  void enter(const Transition& next) {
+    at_.contact = next.contact;
+    at_.event = next.event;
+    at_.direction = next.direction;
+    if (next.event == Event::motor_off) {
+      rotor_.motor_on = at_.motor_on = false;
+      if (auto* chart = std::get_if<FlightChart<S>>(&chart_)) chart->switch_motor_off(start_.x);
+    }
+  }
+
+  /// The chart of that kind; a new one where the last phase ended, if that had another kind.
+  template <class Chart>
+  Chart& chart() {
+    if (!std::holds_alternative<Chart>(chart_)) {
+      chart_.template emplace<Chart>(rotor_, at_.state);
+      start_.x = std::get<Chart>(chart_).unknowns(at_.state);
+      if constexpr (std::is_same_v<Chart, ContactChart<S>>) start_.x[4] *= 1 + slip_disturbance_;
+    }
+    return std::get<Chart>(chart_);
+  }
+
   std::optional<Transition> follow_phase(const S& until_s, BasicObserver<S>& observer,
                                          Extent extent);
+
   template <class Phase, class Chart>
   std::optional<Transition> follow(const Phase& phase, Chart& chart, S& step, const S& until_s,
-                                   BasicObserver<S>& observer, Extent extent);
-  void enter(const Transition& next);
-  template <class Chart>
-  Chart& chart();
+                                   BasicObserver<S>& observer, Extent extent) {
+    const PhaseSystem<S, Phase> system(phase, counters_);
+    if (phase_is_new_) {
+      chart.recentre(start_.x);
+      system(start_.x, start_.rates, S(0));
+      phase_is_new_ = false;
+    }
+    for (;;) {
+      const bool last = !(at_.time_s + step < until_s);
+      const Counters before = counters_;
+      if (last && extent != Extent::everything) {
+        at_.state = chart.state(start_.x);
+        return std::nullopt;
+      }
+      // The step is the difference of rounded times, so that times add up exactly.
+      Point end{.time = (last ? until_s : S(at_.time_s + step)) - at_.time_s};
+      const double error = control_.step(system, start_, end);
+      const S next_step = end.time * static_cast<S>(control_.step_factor(error));
+      if (!(error <= 1)) {
+        step = next_step;
+        if (at_.time_s + step > at_.time_s) continue;
+        fail(
+            fmt::format("no step is short enough: the motion is not finite, or the tolerance {} is "
+                        "below rounding",
+                        static_cast<double>(control_.tolerance())));
+      }
+      system(end.x, end.rates, S(0));
+      Step<S, Stepper, PhaseSystem<S, Phase>> taken(control_, system, start_, end);
+      const std::optional<std::size_t> event = first_event(taken);
+      Point stop = taken.stop();
+      const S end_s = last && !event ? until_s : S(at_.time_s + stop.time);
+      std::optional<Transition> next;
+      if (event) next = phase.next(*event, stop.x);
+      if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
+        counters_ = before;  // advance() takes this step
+        at_.state = chart.state(start_.x);
+        return std::nullopt;
+      }
+      constexpr long most_steps = 20'000'000;  // exceeded only if something is wrong
+      if (++counters_.steps > most_steps)
+        fail(fmt::format("{} steps have been taken, which is more than any run should need",
+                         most_steps));
+      if (!last) step = next_step;
+      show_step(taken, at_, end_s, observer);
+      at_.time_s = end_s;
+      start_ = {.time = S(0), .x = stop.x, .rates = stop.rates};
+      stopped_ =
+          !observer.goes_on({at_.time_s, chart.speed(start_.x), chart.whirl_angle(start_.x)});
+      if (event || last || stopped_) {
+        at_.state = chart.state(start_.x);
+        counters_.located_events += event.has_value();
+        phase_is_new_ = true;
+        return next;
+      }
+      if (chart.recentre(start_.x)) system(start_.x, start_.rates, S(0));
+    }
+  }
 
-  void count_step();
-  void require_progress(const S& step) const;
-  void limit_switches();
-  [[noreturn]] void fail(const std::string& reason) const;
+  /// Ends a run that makes no progress: it switches between phases more often than a motion can.
+  void limit_switches() {
+    constexpr int most = 1000;  // per shortest natural period
+    const S period = rotor_.radians_per_turn() / rotor_.contact_frequency(at_.state[5]);
+    if (at_.time_s - switches_since_s_ > period) {
+      switches_since_s_ = at_.time_s;
+      switches_ = 0;
+    }
+    if (++switches_ > most)
+      fail(fmt::format("more than {} changes between free, sliding and rolling within {} s", most,
+                       static_cast<double>(period)));
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw std::runtime_error(fmt::format("the event run ends at t = {:.9f} s: {}",
+                                         static_cast<double>(at_.time_s), reason));
+  }
 
   ErrorControl<S, Stepper> control_;
   RotorSystem<S> rotor_;
@@ -86,9 +242,48 @@ class EventMethod {
   S first_steps_{1};                    ///< factor on their usual length
   S slip_disturbance_{0};               ///< relative, at each touch-down
   Counters counters_;
-  SwitchLimit<S> switch_limit_;
+  int switches_ = 0;       ///< between phases,
+  S switches_since_s_{0};  ///< at most about a natural period ago
   bool stopped_ = false;
 };
+
+/// Runs through the present phase, to its end or that of the extent. Returns what follows the
+/// phase, if it has ended. Defined outside the class, so that `extern template` holds for the
+/// phases.
+template <class S, class Stepper>
+std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s,
+                                                                BasicObserver<S>& observer,
+                                                                Extent extent) {
+  const auto in = [&](const auto& phase, auto& chart, S& step) {
+    return follow(phase, chart, step, until_s, observer, extent);
+  };
+  if (at_.contact != ContactState::free && contact_step_ == 0)
+    contact_step_ = first_steps_ * S(0.1) / rotor_.contact_frequency(at_.state[5]);
+  switch (at_.contact) {
+    case ContactState::free: {
+      auto& chart = this->chart<FlightChart<S>>();
+      return in(FreeFlight<S>(rotor_, chart), chart, flight_step_);
+    }
+    case ContactState::indented: {
+      auto& chart = this->chart<ContactChart<S>>();
+      return in(IndentedFlight<S>(rotor_, chart), chart, contact_step_);
+    }
+    case ContactState::sliding: {
+      auto& chart = this->chart<ContactChart<S>>();
+      if (S(at_.direction) * chart.rim_point(start_.x).slip_velocity < 0)
+        start_.x = chart.without_slip(start_.x);  // negative only by rounding
+      return in(Sliding<S>(rotor_, chart, at_.direction), chart, contact_step_);
+    }
+    case ContactState::rolling: {
+      auto& chart = this->chart<ContactChart<S>>();
+      start_.x = chart.without_slip(start_.x);
+      const Rolling<S> rolling(rotor_, chart);
+      if (phase_is_new_ && rolling.has_no_grip(start_.x)) return rolling.break_away(start_.x);
+      return in(rolling, chart, contact_step_);
+    }
+  }
+  return std::nullopt;
+}
 
 extern template class EventMethod<double>;
 extern template class EventMethod<long double>;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <numbers>
@@ -10,37 +9,6 @@
 
 namespace rotor {
 namespace {
-
-/// Eqs. (3)-(4) with the contact of Eqs. (15)-(25), friction against the slip of this very stage.
-class RightHandSide {
- public:
-  RightHandSide(const Body<double>& body, const Supports<double>& supports,
-                const Ring<double>& ring, bool motor_on, Counters& counters)
-      : body_(body), supports_(supports), ring_(ring), motor_on_(motor_on), counters_(counters) {}
-
-  void operator()(const State<double>& q, State<double>& rates, double /*time*/) const {
-    ++counters_.right_hand_sides;
-    const auto motion = RotatingFrame<double>::motion(body_, q);
-    Loads<double> loads = supports_.loads(body_, motion, motor_on_);
-    if (!ring_.is_clear_of(motion)) loads += contact(motion);
-    rates = RotatingFrame<double>::rates(motion, q, acceleration(body_, motion, loads));
-  }
-
- private:
-  Loads<double> contact(const Motion<double>& motion) const {
-    ++counters_.contact_evaluations;
-    const auto k = ring_.rim_point(motion);
-    const double normal = ring_.normal_force(k);
-    const int direction = k.slip_velocity > 0 ? 1 : -1;  // Eq. (23)
-    return ring_.loads(k, {normal, ring_.sliding_friction(normal, direction)});
-  }
-
-  const Body<double>& body_;
-  const Supports<double>& supports_;
-  const Ring<double>& ring_;
-  bool motor_on_;
-  Counters& counters_;
-};
 
 void require_finite(const State<double>& state, double time_s, double step) {
   for (const double component : state)
@@ -72,22 +40,11 @@ void PublishedMethod::restart(const Instant& from) {
   whirl_angle_ = at_.contact == ContactState::free ? 0 : RotatingFrame<double>::angle(at_.state);
 }
 
-PublishedMethod PublishedMethod::with(const Scenario& scenario) const {
-  PublishedMethod branch = *this;
-  branch.scenario_ = scenario;
-  branch.ring_ = Ring<double>(scenario.parameters);
-  return branch;
-}
-
 void PublishedMethod::set_step(double step) {
   if (step == step_) return;
   step_ = step;
   origin_s_ = at_.time_s;
   steps_ = 0;
-}
-
-double PublishedMethod::step_end_s() const {
-  return origin_s_ + static_cast<double>(steps_ + 1) * step_;
 }
 
 void PublishedMethod::run_up(double until_s, Observer& observer) {
@@ -111,13 +68,30 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
   at_.time_s = until_s;
 }
 
+/// Eqs. (3)-(4) with the contact of Eqs. (15)-(25), friction against the slip of this very stage.
+void PublishedMethod::work_out_rates(const State<double>& q, State<double>& rates) {
+  ++counters_.right_hand_sides;
+  const auto motion = RotatingFrame<double>::motion(at_.body, q);
+  Loads<double> loads = supports_.loads(at_.body, motion, at_.motor_on);
+  if (!ring_.is_clear_of(motion)) {
+    ++counters_.contact_evaluations;
+    const auto k = ring_.rim_point(motion);
+    const double normal = ring_.normal_force(k);
+    const int direction = k.slip_velocity > 0 ? 1 : -1;  // Eq. (23)
+    loads += ring_.loads(k, {normal, ring_.sliding_friction(normal, direction)});
+  }
+  rates = RotatingFrame<double>::rates(motion, q, acceleration(at_.body, motion, loads));
+}
+
 /// Returns whether the step was taken: one that touches the ring only if it `may_touch`.
 bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Observer& observer) {
   boost::numeric::odeint::runge_kutta4<State<double>> stepper;
   const Counters before = counters_;
   State<double> state = at_.state;
-  stepper.do_step(RightHandSide(at_.body, supports_, ring_, at_.motor_on, counters_), state,
-                  at_.time_s, length);
+  const auto rates_of = [this](const State<double>& q, State<double>& rates, double /*time*/) {
+    work_out_rates(q, rates);
+  };
+  stepper.do_step(rates_of, state, at_.time_s, length);
   ++counters_.steps;
   require_finite(state, end_s, length);
   const ContactState contact = contact_state(state, length);

@@ -1,14 +1,11 @@
 /// The paper's integration: classical Runge-Kutta of fourth order with fixed steps, the friction's
 /// direction decided at every stage by Eq. (23). First order at every contact, and it chatters in
-/// rolling; kept exactly as published, for comparison. Source:
-/// "Overcritical high-speed rotor systems, full annular rub and accident",
-/// Sec. 3.
+/// rolling; kept exactly as published, for comparison. Source: "Overcritical high-speed rotor
+/// systems, full annular rub and accident", Sec. 3.
 #pragma once
 
-#include "model/mechanics/contact.hpp"
 #include "model/scenario/counters.hpp"
 #include "model/scenario/observer.hpp"
-#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -28,7 +25,12 @@ class PublishedMethod {
   void run_up(double until_s, Observer& observer);
 
   void restart(const Instant& from);
-  PublishedMethod with(const Scenario& scenario) const;
+  PublishedMethod with(const Scenario& scenario) const {
+    PublishedMethod branch = *this;
+    branch.scenario_ = scenario;
+    branch.ring_ = Ring<double>(scenario.parameters);
+    return branch;
+  }
 
   const Instant& instant() const { return at_; }
   const Counters& counters() const { return counters_; }
@@ -36,7 +38,8 @@ class PublishedMethod {
 
  private:
   void set_step(double step);
-  double step_end_s() const;
+  double step_end_s() const { return origin_s_ + static_cast<double>(steps_ + 1) * step_; }
+  void work_out_rates(const State<double>& q, State<double>& rates);
   bool take_step(double length, double end_s, bool may_touch, Observer& observer);
   ContactState contact_state(const State<double>& state, double step);
 

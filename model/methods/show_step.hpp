@@ -2,9 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <type_traits>
 #include <vector>
 

@@ -4,7 +4,6 @@
 
 #include "model/mechanics/mass_loss.hpp"
 #include "model/scenario/observer.hpp"
-#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "model/mechanics/rotating_frame.hpp"
 #include "model/phases/synchronous_motion.hpp"

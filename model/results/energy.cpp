@@ -24,15 +24,6 @@ Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<d
 
 }  // namespace
 
-EnergyObserver::EnergyObserver(const Scenario& scenario)
-    : supports_(scenario.parameters, scenario.equations),
-      ring_(scenario.parameters),
-      loses_mass_(scenario.loses_mass()) {}
-
-bool EnergyObserver::wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const {
-  return begun_;
-}
-
 void EnergyObserver::on_step(const DenseOutput& motion) {
   using Rule = boost::math::quadrature::gauss<double, 7>;  // exact for polynomials of degree 13
   const long parts = 1 + motion.arcs / 3;                  // of three radians

@@ -4,9 +4,7 @@
 
 #include <optional>
 
-#include "model/mechanics/contact.hpp"
 #include "model/scenario/observer.hpp"
-#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -19,8 +17,7 @@ struct EnergyBalance {
   double support_damping = 0;
   double contact_damping = 0;
   double friction = 0;
-  double mass_loss =
-      0;  ///< what left with the piece; as printed, more comes with the velocity jump
+  double mass_loss = 0;  ///< what left with the piece, less what the velocity jump adds as printed
   // Stored now:
   double kinetic = 0;
   double support_springs = 0;
@@ -37,10 +34,15 @@ struct EnergyBalance {
 /// The balance from just before the mass loss on, or in a run without one from its start on.
 class EnergyObserver : public Observer {
  public:
-  explicit EnergyObserver(const Scenario& scenario);
+  explicit EnergyObserver(const Scenario& scenario)
+      : supports_(scenario.parameters, scenario.equations),
+        ring_(scenario.parameters),
+        loses_mass_(scenario.loses_mass()) {}
 
   void on_instant(const Instant& at) override;
-  bool wants_dense_output(const double& from_s, const double& until_s) const override;
+  bool wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const override {
+    return begun_;
+  }
   void on_step(const DenseOutput& motion) override;
 
   bool has_begun() const { return begun_; }  ///< whether the balance has started

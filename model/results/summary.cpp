@@ -1,5 +1,6 @@
-#include "model/results/summary.ipp"
+#include "model/results/summary.hpp"
 
 namespace rotor {
+template class BasicOutcomeWatch<double>;
 template class BasicSummaryObserver<double>;
 }  // namespace rotor

@@ -2,14 +2,11 @@
 
 #include <array>
 #include <stdexcept>
-#include <utility>
 #include <variant>
 
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
 #include "model/methods/stages.hpp"
-#include "model/scenario/observer_group.hpp"
-#include "model/scenario/start.hpp"
 
 namespace rotor {
 namespace {

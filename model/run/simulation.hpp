@@ -8,7 +8,6 @@
 
 #include "model/scenario/counters.hpp"
 #include "model/scenario/observer.hpp"
-#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -23,7 +22,7 @@ struct RunEnding {
 /// and reason, if the run cannot continue.
 class Simulation {
  public:
-  explicit Simulation(const Scenario& scenario);  ///< from where the scenario starts
+  explicit Simulation(const Scenario& scenario);
   Simulation(const Scenario& scenario, const Instant& from);
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;

@@ -44,9 +44,9 @@ struct Quantity {
   std::string_view symbol;  ///< of the paper
   std::string_view unit;    ///< "" for a pure number
   std::string_view meaning;
-  double& (*in)(Scenario&);  ///< the number itself
-  double least;              ///< smallest allowed value
-  bool least_allowed;        ///< whether the value may be the least itself
+  double& (*in)(Scenario&);    ///< the number itself
+  double least;                ///< smallest allowed value
+  bool least_allowed = false;  ///< whether the value may be the least itself
   double greatest = std::numeric_limits<double>::infinity();  ///< greatest allowed value
 
   double of(Scenario scenario) const { return in(scenario); }

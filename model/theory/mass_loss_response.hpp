@@ -1,13 +1,5 @@
-/// The motion after a mass loss, as long as the rotor stays clear of the ring, in closed form.
-///
-/// At a constant speed w, and without gravity's moment, O obeys m z'' + d z' + k z = m e w^2
-/// e^{iwt} in the stator's axes, as a complex number. Before the loss z = s_0 e^{iwt} is the steady
-/// response. The loss changes m and e but not z. With the corrected equations z' does not change
-/// either; as printed, z' rises by Delta_vy across the rotor's axis. After the loss
-///
-///     z = s e^{iwt} + (a e^{i w_d t} + b e^{-i w_d t}) e^{-delta t},
-///
-/// and so |z| <= |s| + |a| + |b|: a rotor with a larger clearance cannot touch.
+/// The motion after a mass loss, as long as the rotor stays clear of the ring, in closed form,
+/// which README.md beside this file derives.
 #pragma once
 
 #include <algorithm>

@@ -1,36 +1,5 @@
-/// Where the rotor can whirl along the ring, in closed form.
-///
-/// O moves at the radius rho = c + Delta around O_a, at a constant rate. With
-/// w_n = sqrt(k/m) and N = k_t Delta:
-///
-/// **Backward**, at the rate Omega, without unbalance; friction F drives the whirl and brakes the
-/// rotor:
-///
-///     N = (m Omega^2 - k) rho,   m rho Omega' = F - d rho Omega,   I w' = -F r.
-///
-/// The first of these gives rho = c k_t / (k_t + k - m Omega^2): contact needs Omega > w_n, and rho
-/// is infinite at sqrt((k + k_t)/m). Sliding, F = mu N: the whirl grows where
-/// mu (m Omega^2 - k) > d Omega, that is above separatrix_rate(). That rate lies below the one at
-/// which rho is infinite if mu exceeds whip_friction(); then the whirl grows by itself, which the
-/// literature calls dry whip, until the rim rolls. Rolling, r w = Omega rho: without a motor the
-/// rotor slows down, and rho shrinks with it, by s = Omega/rho drho/dOmega = 2 m Omega^2 /
-/// (k + k_t - m Omega^2). Then m (rho Omega' + 2 rho' Omega) = F - d rho Omega and
-/// r w' = (1 + s) rho Omega', and so F = d rho Omega / (1 + m r^2/I (1 + 2s)/(1 + s)), which
-/// friction can supply if mu exceeds rolling_friction().
-///
-/// **Forward**, at the rotor's own speed, pressed on and dragged along by its unbalance. With C
-/// ahead of O by the angle phi, and w' = -mu N r / I slowing O down as well:
-///
-///     N = (m w^2 - k) rho + m w^2 e cos(phi),
-///     m w^2 e sin(phi) = d w rho + mu N (1 - m r rho / I).
-///
-/// Above synchronous_friction() there is no such phi with N > 0, and no forward rub can last. Up to
-/// it there is one, except that rings so wide that m r rho > I may need some friction as well, to
-/// balance the damping.
-///
-/// All of this is derived here. The literature asks the same questions of a rotor and a stator that
-/// may vibrate (Black 1968), of backward whirl (Jiang 2007) and of the onset of dry whip (Jiang and
-/// Ulbrich 2005); we have seen only the abstracts of these papers, not their formulas.
+/// Where the rotor can whirl along the ring, in closed form: backward, sliding or rolling, and
+/// forward with its unbalance. README.md beside this file derives the formulas.
 #pragma once
 
 #include <cmath>

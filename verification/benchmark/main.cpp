@@ -12,7 +12,7 @@
 
 #include "figures/data/files.hpp"
 #include "model/integration/fehlberg.hpp"
-#include "model/methods/event_method.ipp"
+#include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
 #include "verification/support/follow_with.hpp"
 #include "verification/support/program.hpp"

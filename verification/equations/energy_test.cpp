@@ -8,8 +8,8 @@
 
 #include "model/mechanics/mass_loss.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/observer_group.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
+#include "model/scenario/observer.hpp"
 #include "verification/support/law.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/short_run.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "model/results/summary.hpp"
-#include "model/scenario/observer_group.hpp"
+#include "model/scenario/observer.hpp"
 #include "model/theory/accident.hpp"
 #include "verification/support/bare.hpp"
 #include "verification/support/law.hpp"

@@ -10,8 +10,8 @@
 
 #include "figures/input/names.hpp"
 #include "figures/results/certified_result.hpp"
+#include "model/certified/comparison.hpp"
 #include "model/certified/comparison.ipp"
-#include "model/certified/digits.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/short_run.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
 
 namespace rotor {
 namespace {

@@ -38,7 +38,7 @@ std::vector<KnownRun> known_runs() {
       if (quantity != quantities().end())
         quantity->in(run.scenario) = std::stod(row[name]);
       else if (name == "equations")
-        run.scenario.equations = parse_equations(row[name]);
+        run.scenario.equations = parse_name<Equations>(row[name]);
       else if (!row[name].empty())
         run.values[name] = std::stod(row[name]);
     }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/integration/first_event.hpp"
+#include "model/integration/step.hpp"
 #include "model/integration/verner.hpp"
 
 namespace rotor {

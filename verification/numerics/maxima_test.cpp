@@ -8,7 +8,7 @@
 #include "figures/record/recorder.hpp"
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/observer_group.hpp"
+#include "model/scenario/observer.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/random_scenarios.hpp"
 

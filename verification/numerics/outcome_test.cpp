@@ -11,7 +11,7 @@
 #include "figures/results/run_result.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "model/run/time_at_speed.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"
 

@@ -10,7 +10,7 @@
 #include "figures/input/scene.hpp"
 #include "model/certified/quad.hpp"
 #include "model/integration/fehlberg.hpp"
-#include "model/methods/event_method.ipp"
+#include "model/methods/event_method.hpp"
 #include "model/methods/stages.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/program.hpp"

@@ -14,7 +14,7 @@ TEST(StressedRotors, AreFollowedToTheEndAndKeepTheBalanceOfTheirEnergy) {
   for (const CsvRow& row : read_csv(table)) {
     SCOPED_TRACE(row["what"]);
     const auto number = [&](const char* column) { return std::stod(row[column]); };
-    Scenario scenario{.equations = parse_equations(row["equations"]), .tolerance = 1e-9};
+    Scenario scenario{.equations = parse_name<Equations>(row["equations"]), .tolerance = 1e-9};
     for (const Quantity& quantity : quantities()) {
       if (quantity.name == "mass_loss_time") break;  // which is past, as all that follows
       quantity.in(scenario) = std::stod(row[quantity.name]);

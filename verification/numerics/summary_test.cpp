@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "model/run/simulation.hpp"
-#include "model/scenario/observer_group.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
+#include "model/scenario/observer.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
 #include "verification/paper/paper_runs.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/observers.hpp"

@@ -6,7 +6,7 @@
 
 #include "figures/data/text.hpp"
 #include "figures/input/scene.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {

@@ -9,7 +9,7 @@
 
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/observer_group.hpp"
+#include "model/scenario/observer.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/paper_figures.hpp"

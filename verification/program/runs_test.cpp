@@ -7,7 +7,7 @@
 #include "figures/results/run_result.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/random_runs.hpp"
 

@@ -7,7 +7,7 @@
 #include "figures/results/run_result.hpp"
 #include "figures/runs/production.hpp"
 #include "figures/runs/run_ups.hpp"
-#include "model/scenario/observer_group.hpp"
+#include "model/scenario/observer.hpp"
 
 namespace rotor {
 namespace {

@@ -14,7 +14,7 @@
 #include "figures/record/recorder.hpp"
 #include "figures/results/event_log.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/observer_group.hpp"
+#include "model/scenario/observer.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/observers.hpp"

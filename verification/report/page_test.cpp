@@ -11,7 +11,7 @@
 
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/observer_group.hpp"
+#include "model/scenario/observer.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/law.hpp"

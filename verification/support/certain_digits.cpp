@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "figures/results/certified_result.hpp"
-#include "model/certified/values.hpp"
+#include "model/certified/computation.hpp"
 
 namespace rotor {
 

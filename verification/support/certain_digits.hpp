@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "model/certified/digits.hpp"
+#include "model/certified/comparison.hpp"
 
 namespace rotor {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "model/run/simulation.hpp"
-#include "model/scenario/start.hpp"
+#include "model/scenario/instant.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/random_scenarios.hpp"
 #include "verification/support/summary_of.hpp"

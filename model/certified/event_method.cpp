@@ -1,5 +1,0 @@
-#include "model/methods/event_method.ipp"
-
-namespace rotor {
-template class EventMethod<long double>;
-}  // namespace rotor
