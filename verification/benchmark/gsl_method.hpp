@@ -1,6 +1,6 @@
 /// GSL as a peer: its adaptive Dormand-Prince steps of order 8 (rk8pd) through the same phases of
-/// the motion. GSL knows no events: after each step the guards are looked at, and a root is found
-/// by repeating the step.
+/// the motion. GSL has no events: the guards are evaluated after each step, and a root is found by
+/// repeating the step.
 #pragma once
 
 #include <gsl/gsl_errno.h>
@@ -44,7 +44,7 @@ class PaperChart {
   Unknowns scale(double length, double frequency, double speed) const {
     return {length, length, 1, length * frequency, length * frequency, speed};
   }
-  /// The slip is none of these coordinates: it stays as small as the integrator keeps it.
+  /// The slip is not one of these coordinates: it is only as small as the integrator keeps it.
   Unknowns without_slip(const Unknowns& x) const { return x; }
 
  private:
@@ -63,7 +63,7 @@ class GslMethod {
     rotor_.motor_on = at_.motor_on;
   }
 
-  /// Throws std::runtime_error if GSL gives up.
+  /// Throws std::runtime_error if GSL fails.
   RunEnd run(double until_s) {
     while (at_.time_s < until_s) switch (at_.contact) {
         case ContactState::free:
@@ -82,7 +82,7 @@ class GslMethod {
   }
 
  private:
-  /// To the end of a phase, where one of its guards becomes negative, or until then.
+  /// Integrates to the end of a phase, where one of its guards becomes negative, or to `until_s`.
   template <class Phase, class Chart, class... Direction>
   void pass(double until_s, Direction... direction) {
     const Chart chart(rotor_, at_.state);
@@ -98,7 +98,7 @@ class GslMethod {
     if (next.event == Event::motor_off) rotor_.motor_on = at_.motor_on = false;
   }
 
-  /// The guard that became negative, or their number if none did.
+  /// Returns the guard that became negative, or their number if none did.
   template <class Phase, class Unknowns>
   std::size_t integrate(const Phase& phase, Unknowns& x, double until_s) {
     Task<Phase> task{phase, counters_};
@@ -129,7 +129,7 @@ class GslMethod {
         return phase.guard(i, x);
       };
       const double before = phase.guard(i, start);
-      double part = 0;  // a phase may begin on the far side by rounding
+      double part = 0;  // a phase may start on the far side by rounding
       if (before > 0) {
         boost::uintmax_t evaluations = 50;
         part = boost::math::tools::toms748_solve(guard_after, 0., 1., before, after,

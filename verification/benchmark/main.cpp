@@ -61,7 +61,7 @@ std::vector<Problem> problems() {
   return all;
 }
 
-/// An instant with its digits cut.
+/// An instant rounded to double precision.
 Instant rounded(const BasicInstant<Extended>& at) {
   Instant result{.time_s = static_cast<double>(at.time_s),
                  .body = {static_cast<double>(at.body.mass), static_cast<double>(at.body.inertia),
@@ -74,8 +74,8 @@ Instant rounded(const BasicInstant<Extended>& at) {
   return result;
 }
 
-/// Of the position relative to the clearance, of the velocity relative to itself and clearance
-/// times speed, of the speed relative to itself: the largest.
+/// The largest error of the position relative to the clearance, of the velocity relative to itself
+/// and clearance times speed, and of the speed relative to itself.
 double state_error(const Problem& problem, const State<double>& a, const State<double>& exact) {
   const double length = Ring<double>(problem.scenario.parameters).clearance;
   const auto& [q1, q2, q3, v1, v2, w] = exact;
@@ -86,21 +86,21 @@ double state_error(const Problem& problem, const State<double>& a, const State<d
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What this program has had of the processor, whatever else runs on the machine.
+/// Processor time of this program, which the load of the machine hardly affects.
 double processor_s() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// One setting of a method. What failed has no error.
+/// One setting of a method. NaN: failed.
 struct Point {
   std::string setting;
   std::function<RunEnd()> solve;
   RunEnd end{};
   double error = none, time_s = std::numeric_limits<double>::infinity();
 
-  /// Returns how long it took, s.
+  /// Returns the time that it took, s.
   double measure(const Problem& problem, const State<double>& exact) {
     const double begin_s = processor_s();
     try {
@@ -118,8 +118,7 @@ struct Curve {
   std::string method;
   std::vector<Point> points;
 
-  /// The time at which it reaches an error, between two of its points in logarithms; none if it
-  /// never does.
+  /// The run time at which it reaches an error, interpolated logarithmically; NaN if it never does.
   double time_at(double wanted) const {
     const Point* above = nullptr;
     for (const Point& point : points) {
@@ -130,7 +129,7 @@ struct Curve {
         const double part = std::log(above->error / wanted) / std::log(above->error / point.error);
         return above->time_s * std::pow(point.time_s / above->time_s, part);
       } else {
-        return point.time_s;  // its coarsest setting is better than that
+        return point.time_s;  // even its coarsest setting is better
       }
     }
     return none;
@@ -139,7 +138,7 @@ struct Curve {
 
 std::string power_of_ten(int minus_exponent) { return fmt::format("1e-{}", minus_exponent); }
 
-/// What there is to compare, the event method with its usual stepper first.
+/// The methods to compare; the event method is the first.
 std::vector<Curve> curves(const Problem& problem) {
   std::vector<Curve> all;
   const Instant start = rounded(problem.start);
@@ -175,8 +174,8 @@ std::vector<Curve> curves(const Problem& problem) {
   return all;
 }
 
-/// Each point for so long or so often, in turns, so that a slow spell of the machine hits all
-/// alike.
+/// Measures each point for a time or a number of rounds, in turns, so that a slow period of the
+/// machine affects all equally.
 void measure(std::vector<Curve>& all, const Problem& problem, const State<double>& exact) {
   constexpr double seconds = 0.1;
   constexpr int rounds = 50;
@@ -188,8 +187,7 @@ void measure(std::vector<Curve>& all, const Problem& problem, const State<double
           spent += point.measure(problem, exact);
 }
 
-/// How many times longer the others take than the first for the same error; nothing is
-/// extrapolated.
+/// Run times of the others relative to the first at the same error, without extrapolation.
 void print_ratios(const std::vector<Curve>& all) {
   constexpr int first = 1, last = 10;
   fmt::print("{:<31}", "time at equal error, relative");
@@ -202,7 +200,7 @@ void print_ratios(const std::vector<Curve>& all) {
       fmt::print(" {:>7}", std::isnan(ratio) ? "-" : fmt::format("{:.1f}", ratio));
     }
   }
-  fmt::print("\n- : the method has not reached that error with any of its settings.\n");
+  fmt::print("\n- : the method does not reach that error with any of its settings.\n");
 }
 
 int main(const Arguments& arguments) {

@@ -24,12 +24,12 @@ namespace {
 using Unknowns = std::array<Quad, 6>;
 using Verner = Verner87<Unknowns, Quad>;
 using Fehlberg = Fehlberg78<Unknowns, Quad>;
-using Numbers = std::vector<std::pair<std::string, Quad>>;
+using Numbers = std::vector<std::pair<std::string, std::optional<Quad>>>;
 
 const GoesOn always = [](double /*time_s*/) { return true; };
 const Quad best_tolerance("1e-24");
 
-/// All values, with the names of for_each_named.
+/// All values, with the names of for_each_named; empty if the run has no such value.
 template <class Stepper>
 Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
   const auto computed = compute<Quad, Stepper>(scenario, {tolerance}, always);
@@ -38,7 +38,7 @@ Numbers numbers(const Scenario& scenario, const Quad& tolerance) {
                  {"events", computed.events.size()}};
   const auto add = [&](const std::string& where, const auto& values) {
     for (const NamedValue<Quad>& value : values)
-      if (value.value) all.emplace_back(where + std::string(value.name), *value.value);
+      all.emplace_back(where + std::string(value.name), value.value);
   };
   add("", values_of(computed.summary, scenario.parameters));
   for (std::size_t i = 0; i < computed.events.size(); ++i)
@@ -54,9 +54,11 @@ bool is_tabled(const std::string& name) { return !name.starts_with("event") || n
 double distance(const Numbers& a, const Numbers& b) {
   if (a.size() != b.size()) return 1;
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (is_tabled(a[i].first) && a[i].second != b[i].second)
-      largest = std::max(largest, static_cast<double>(Quad(abs(b[i].second / a[i].second - 1))));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!is_tabled(a[i].first) || a[i].second == b[i].second) continue;
+    if (!a[i].second || !b[i].second) return 1;
+    largest = std::max(largest, static_cast<double>(Quad(abs(*b[i].second / *a[i].second - 1))));
+  }
   return largest;
 }
 
@@ -94,7 +96,7 @@ void write(const std::string& file) {
       put(std::string(quantity.name), fmt::format("{}", quantity.of(scenario)));
     put("equations", std::string(name_of(scenario.equations)));
     for (const auto& [name, value] : best)
-      if (is_tabled(name)) put(name, value.str(20, std::ios_base::fmtflags{}));
+      if (is_tabled(name)) put(name, value ? value->str(20, std::ios_base::fmtflags{}) : "");
   };
   RandomRuns runs(17);
   while (rows.size() < count) add(runs.scenario());
@@ -118,7 +120,7 @@ std::string row_of(long n, const Scenario& scenario) {
   constexpr std::chrono::seconds cancellation(10);
   KnownValues exact;
   for (const auto& [name, value] : numbers<Verner>(scenario, best_tolerance))
-    exact[name] = static_cast<double>(value);
+    exact[name] = value ? std::optional(static_cast<double>(*value)) : std::nullopt;
   std::string precisions, short_of, falsehoods;
   double worst = 0;
   for (const int digits : {3, 6, 9, 12}) {

@@ -39,8 +39,8 @@ std::vector<KnownRun> known_runs() {
         quantity->in(run.scenario) = std::stod(row[name]);
       else if (name == "equations")
         run.scenario.equations = parse_name<Equations>(row[name]);
-      else if (!row[name].empty())
-        run.values[name] = std::stod(row[name]);
+      else
+        run.values[name] = row[name].empty() ? std::nullopt : std::optional(std::stod(row[name]));
     }
   }
   return runs;

@@ -12,19 +12,19 @@
 
 namespace proof {
 
-/// What cannot be decided: neither that something happens, nor that it does not.
+/// Something that cannot be decided: neither that it is true, nor that it is false.
 struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws std::logic_error: the prover would be used wrongly.
+/// Throws std::logic_error, for a wrong use of the prover.
 inline void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }
 
 class Ball {
  public:
-  /// Bits of the midpoints that operations round to.
+  /// Bits to which operations round midpoints.
   static inline long bits = 128;
 
   Ball() { arb_init(a_); }
@@ -58,15 +58,14 @@ class Ball {
   static Ball pi() { return made(arb_const_pi, bits); }
   static Ball power_of_two(long n) { return made(arb_mul_2exp_si, Ball(1).a_, n); }
 
-  /// Whether that is so of all numbers of both. Balls that overlap are neither less nor greater,
-  /// nor is what is not a number: only what a comparison affirms is certain.
+  /// Whether it holds for all numbers of both. Overlapping balls are neither less nor greater, nor
+  /// is NaN: only a comparison that returns true is certain.
   friend bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.a_, b.a_) != 0; }
   friend bool operator>(const Ball& a, const Ball& b) { return b < a; }
   bool contains(const Ball& b) const { return arb_contains(a_, b.a_) != 0; }
   bool is_finite() const { return arb_is_finite(a_) != 0; }
 
-  /// Exact numbers: the midpoint, the radius, the ends, and the greatest absolute value, of which
-  /// the last four are rounded outwards.
+  /// Exact: the midpoint; and rounded outwards: the radius, the ends, the greatest absolute value.
   Ball middle() const { return made(arb_get_mid_arb, a_); }
   Ball radius() const { return made(arb_get_rad_arb, a_); }
   Ball lower() const { return end(arb_get_lbound_arf); }
@@ -74,6 +73,7 @@ class Ball {
   Ball size() const { return end(arb_get_abs_ubound_arf); }
   double to_double() const { return arf_get_d(arb_midref(a_), ARF_RND_NEAR); }
 
+  friend Ball max(const Ball& a, const Ball& b) { return made(arb_max, a.a_, b.a_, bits); }
   /// A ball that contains both.
   friend Ball hull(const Ball& a, const Ball& b) { return made(arb_union, a.a_, b.a_, bits); }
   /// All numbers from -size to size.

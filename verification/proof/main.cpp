@@ -7,14 +7,13 @@
 #include "verification/proof/rotor.hpp"
 
 int main(int argc, char** argv) {
-  using proof::Ball;
   CLI::App app("Proves what happens to the rotor, by ball arithmetic.", "prove");
   proof::Case of;
   for (auto& [name, input] : of.inputs)
     app.add_option("--" + name, input.value, "instead of " + input.value);
   std::string equations = "published";
   app.add_option("--equations", equations)->check(CLI::IsMember({"published", "consistent"}));
-  app.add_option("--bits", Ball::bits, "precision")->check(CLI::Range(32, 10000));
+  app.add_option("--bits", proof::Ball::bits, "precision")->check(CLI::Range(32, 10000));
   app.add_option("--rounding", of.rounding,
                  "width of all inputs: the share of their printed digits' rounding");
   CLI11_PARSE(app, argc, argv);
@@ -26,16 +25,14 @@ int main(int argc, char** argv) {
     const proof::Findings found = prove(of);
     const double cpu_s = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     mpfr_t lower, upper;
-    mpfr_inits2(Ball::bits, lower, upper, nullptr);
+    mpfr_inits2(proof::Ball::bits, lower, upper, nullptr);
     for (const auto& [quantity, value] : found) {
       arb_get_interval_mpfr(lower, upper, value.get());
-      const bool is_count = arb_is_int(value.get()) != 0;
-      const char* ends = is_count ? "%s,%.0RDf,%.0RUf" : "%s,%.16RDe,%.16RUe";
-      mpfr_printf(ends, quantity.c_str(), lower, upper);
-      std::printf(",%ld,%.3g,%s\n", Ball::bits, cpu_s, command.c_str());
+      mpfr_printf(arb_is_int(value.get()) != 0 ? "%s,%.0RDf,%.0RUf" : "%s,%.16RDe,%.16RUe",
+                  quantity.c_str(), lower, upper);
+      std::printf(",%ld,%.3g,%s\n", proof::Ball::bits, cpu_s, command.c_str());
     }
     mpfr_clears(lower, upper, nullptr);
-    return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prove: %s\n", error.what());
     return 1;

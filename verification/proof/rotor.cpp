@@ -41,7 +41,7 @@ struct Rotor : Flow {
   Plane unit{sine_and_cosine.second, sine_and_cosine.first};
 
   explicit Rotor(const Case& of_run) : of(of_run) {
-    scale = {1, 1, 100, 100, 100, 1e4, 1};  // errors that do about as much in flight
+    scale = {1, 1, 100, 100, 100, 1e4, 1};  // errors with about the same effect in flight
   }
   Term input(const std::string& name) {
     const auto& [value, rounding] = of.inputs.at(name);
@@ -50,7 +50,7 @@ struct Rotor : Flow {
   std::vector<Term> state() const { return {z.x, z.y, phi, v.x, v.y, w, t}; }
 };
 
-/// After release, contact may leave the ring indented for a while.
+/// After a release the ring may stay indented for a while.
 enum class Contact { free, sliding, rolling, indented };
 
 struct Phase {
@@ -61,7 +61,7 @@ struct Phase {
   Phase in(Contact next, int slip = 0) const { return {next, slip, motor, mass_lost}; }
 };
 
-/// An event, the phase that follows it, and how often the guards of that vanish where it begins.
+/// An event, the phase after it, and the order of the zeros of its guards at the start.
 struct Switch {
   std::string event;
   Phase next;
@@ -82,7 +82,7 @@ struct Motion : Rotor {
     const Plane o = z - to_C, v_O = v - w * quarter_turn(to_C);
     displacement_squared = dot(o, o);
 
-    // Eq. (4), but with the moments about C. Gravity has a moment, though its force is left out.
+    // Eq. (4), but with the moments about C. Gravity has a moment, although its force is left out.
     Plane force = -k * o - d * v_O;
     Term moment = -(mass * g * (of.published ? z.y : to_C.y)) - cross(to_C, force);
     if (phase.motor) moment = moment + M_mot;
@@ -110,7 +110,7 @@ struct Motion : Rotor {
         if (phase.contact == Contact::sliding) {
           watch(phase.direction * slip, {"no_slip", phase.in(Contact::rolling)});
         } else {
-          // What keeps the slip: its rate without friction + F_tau / m_tau = 0, where
+          // F_tau keeps the slip constant: its rate without friction + F_tau / m_tau = 0, where
           // e_tau' = -e_n (e_tau . v_O) / rho.
           const Term alpha = moment / inertia;
           const Term without = dot(e_tau, force) / mass - alpha * dot(e_tau, quarter_turn(to_C)) +
@@ -125,11 +125,10 @@ struct Motion : Rotor {
         moment = moment + F_tau * lever;
       }
     }
-    Phase without_motor = phase, mass_lost = phase;
+    Phase without_motor = phase;
     without_motor.motor = false;
-    mass_lost.mass_lost = true;
     if (phase.motor) watch(two_pi * f_max - w, {"motor_off", without_motor});
-    if (!phase.mass_lost) watch(t_1 - t, {"mass_loss", mass_lost});
+    if (!phase.mass_lost) watch(t_1 - t, {"mass_loss", {.motor = phase.motor, .mass_lost = true}});
     watch(t_end - t, {"end", phase});
 
     const Plane a = force / mass;
@@ -149,10 +148,10 @@ class Run {
       throw Undecided("undecided at " + std::to_string(Ball::bits) +
                       " bits after t = " + std::to_string(reached_s) + " s: " + what.what());
     }
-    findings_.emplace_back("touch_downs", touch_downs_);
-    if (touch_downs_ > 0) findings_.emplace_back("peak_normal_force_N", force_.value());
-    findings_.emplace_back("max_displacement_m", sqrt(displacement_.value()));
-    return std::move(findings_);
+    found_.emplace_back("touch_downs", touch_downs_);
+    if (touch_downs_ > 0) found_.emplace_back("peak_normal_force_N", force_.value());
+    found_.emplace_back("max_displacement_m", sqrt(displacement_.value()));
+    return std::move(found_);
   }
 
  private:
@@ -164,14 +163,15 @@ class Run {
       displacement_.see(step, motion.displacement_squared, surely, at_most);
       if (phase.contact != Contact::free) force_.see(step, motion.pressure, surely, at_most);
     };
-    Switch now = motion.switches[follow(motion, set_, from.vanishing, step_length_, observer)];
+    Switch now = motion.switches[follow(motion, set_, step_length_, from.vanishing, observer)];
     decide(now, phase);
     note(motion, now.event);
     return now;
   }
 
-  /// At rest, or just after the loss in steady response to the unbalance: m w^2 e = (k - m w^2 + i
-  /// w d) o, in axes that turn with the rotor, at a speed that is constant.
+  /// At rest, or just after the loss in steady response to the unbalance: in axes that turn with
+  /// the constant speed m w^2 e = (k - m w^2 + i w d) o. The motor is on if all start below its
+  /// end.
   Phase start() {
     Rotor z(of_);
     const Term w = z.two_pi * z.f_0, spring = z.k - z.m * w * w, damper = z.d * w;
@@ -179,16 +179,14 @@ class Run {
     z.z = size * Plane{spring, -damper} + z.e * z.unit;
     z.v = w * quarter_turn(z.z);
     z.w = w;
-    Phase phase;
-    phase.motor = set_.range(z.f_max - z.f_0) > 0;
-    phase.mass_lost = set_.range(z.f_0) > 0;
+    const Phase phase{.motor = set_.range(z.f_max - z.f_0) > 0, .mass_lost = set_.range(z.f_0) > 0};
     jump(z);
     if (phase.mass_lost) lose_mass();
     return phase;
   }
 
-  /// O and the rotation go on as they are, and C is elsewhere. As printed, O is given Delta_vy
-  /// across the unbalance.
+  /// O and the rotation continue unchanged, and C is at another place. As printed, O also gets
+  /// Delta_vy across the unbalance.
   void lose_mass() {
     Rotor z(of_);
     const Plane shift = (z.e_1 - z.e) * z.unit;
@@ -201,7 +199,7 @@ class Run {
 
   void jump(const Rotor& to) { set_ = set_.with(set_.map(to.state()), to.scale); }
 
-  /// What depends on the state: which way the rim slides, and whether friction can hold it.
+  /// What depends on the state: the direction of sliding, and whether friction can hold the rim.
   void decide(Switch& now, const Phase& before) {
     if (now.event == "mass_loss" && before.contact != Contact::free)
       throw Undecided("the outcome of a mass loss in contact");
@@ -223,17 +221,15 @@ class Run {
   }
 
   void note(const Motion& motion, const std::string& event) {
-    const auto note = [&](const std::string& name, const Ball& x) {
-      findings_.emplace_back(name, x);
-    };
     const Ball time = set_.range(motion.t), speed_Hz = set_.range(motion.w) / (2 * Ball::pi());
-    if (event == "touch_down") note("touch_down_" + std::to_string(++touch_downs_) + "_s", time);
-    if (event == "motor_off") note("motor_off_s", time);
-    if (event == "mass_loss") note("speed_at_mass_loss_Hz", speed_Hz);
+    if (event == "touch_down")
+      found_.emplace_back("touch_down_" + std::to_string(++touch_downs_) + "_s", time);
+    if (event == "motor_off") found_.emplace_back("motor_off_s", time);
+    if (event == "mass_loss") found_.emplace_back("speed_at_mass_loss_Hz", speed_Hz);
     if (event != "rolling_onset" || std::exchange(rolled_, true)) return;
-    note("rolling_onset_s", time);
-    note("rolling_onset_speed_Hz", speed_Hz);
-    note("rolling_onset_force_N", set_.range(motion.pressure));
+    found_.emplace_back("rolling_onset_s", time);
+    found_.emplace_back("rolling_onset_speed_Hz", speed_Hz);
+    found_.emplace_back("rolling_onset_force_N", set_.range(motion.pressure));
   }
 
   const Case& of_;
@@ -242,7 +238,7 @@ class Run {
   Greatest force_, displacement_;
   long touch_downs_ = 0;
   bool rolled_ = false;
-  Findings findings_;
+  Findings found_;
 };
 
 }  // namespace

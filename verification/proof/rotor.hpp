@@ -1,7 +1,6 @@
-/// The rotor's equations, written independently: in the stator's axes, with the moments about C.
-/// Nothing here is shared with model/. Source:
-/// "Overcritical high-speed rotor systems, full annular rub and accident", Sec. 2, and the
-/// README of this folder for the Filippov system.
+/// The rotor's equations, written independently of model/: in the stator's axes, with the moments
+/// about C. Source: "Overcritical high-speed rotor systems, full annular rub and accident", Sec. 2,
+/// and the README of this folder for the Filippov system.
 #pragma once
 
 #include <map>
@@ -15,8 +14,8 @@ struct Input {
   std::string value, rounding;
 };
 
-/// A run about which something is to be proven: the paper's, if nothing else is said. Its inputs
-/// are named as the engine's options.
+/// A run about which something is to be proven; by default the paper's. Inputs have the names of
+/// the engine's options.
 struct Case {
   std::map<std::string, Input> inputs = {
       {"mass", {"5", "0.5"}},

@@ -1,6 +1,6 @@
 /// Formulas as lists of operations, and the Taylor series in time of their values along solutions
 /// of z' = f(z, p), with derivatives in any number of directions. Each coefficient encloses the
-/// exact one for all states z and parameters p of the balls that are given.
+/// exact one for all states z and parameters p of the given balls.
 #pragma once
 
 #include "verification/proof/ball.hpp"
@@ -15,23 +15,22 @@ struct Term {
   std::size_t index;
 };
 
-/// What would mix up formulas or inputs throws std::logic_error. Terms point at their tape: a copy
-/// of it is not theirs.
+/// Mixing up tapes or inputs throws std::logic_error. A copy's terms belong to the original.
 class Tape {
  public:
   enum class Kind { input, constant, sum, difference, product, quotient, root, sine, cosine };
 
-  /// The inputs of a series, in the order in which they are made: the states, before all other
-  /// terms, and the parameters.
+  /// The inputs of a series, in the order of their creation: the states, before all other terms,
+  /// and the parameters.
   Term state() {
     require(operations_.size() == states_.size(), "a state that is made after other terms");
-    return states_.emplace_back(add({.kind = Kind::input, .a = inputs_++}));
+    return states_.emplace_back(add({.kind = Kind::input, .a = states_.size()}));
   }
   /// Within `half` of `centre`; a constant, if that is zero.
   Term parameter(const Ball& centre, const Ball& half) {
     if (!(half > 0)) return constant(centre);
     parameters_.emplace_back(centre, half);
-    return add({.kind = Kind::input, .a = inputs_++, .steady = true});
+    return add({.kind = Kind::input, .a = inputs() - 1, .steady = true});
   }
   Term constant(const Ball& value) {
     return add({.kind = Kind::constant, .steady = true, .value = value});
@@ -63,9 +62,9 @@ class Tape {
   friend class Series;
   struct Operation {
     Kind kind;
-    std::size_t a = 0, b = 0;  // operands, or the number of an input; b also: the rate of a
-                               // state, a sine or a cosine
-    bool steady = false;       // constant in time
+    // Operands, or the number of an input; b is the rate of a state and of a sine.
+    std::size_t a = 0, b = 0;
+    bool steady = false;  // constant in time
     Ball value{};
   };
 
@@ -73,6 +72,7 @@ class Tape {
     operations_.push_back(operation);
     return {this, operations_.size() - 1};
   }
+  std::size_t inputs() const { return states_.size() + parameters_.size(); }
   std::size_t own(Term term) const {
     require(term.tape == this, "a term of another tape");
     return term.index;
@@ -81,7 +81,6 @@ class Tape {
   std::vector<Operation> operations_;
   std::vector<Term> states_;
   std::vector<std::pair<Ball, Ball>> parameters_;
-  std::size_t inputs_ = 0;
   bool has_rates_ = false;
 };
 
@@ -103,7 +102,7 @@ class Series {
         order_(order),
         width_(width),
         coefficients_(tape.operations_.size() * width_ * (order + 1)) {
-    require(inputs.size() == tape.inputs_, "another number of inputs than the formulas have");
+    require(inputs.size() == tape.inputs(), "another number of inputs than the formulas have");
     require(order == 0 || tape.has_rates_, "a series in time of states without rates");
     for (const Row& input : inputs)
       require(input.size() >= width, "an input with too few derivatives");
@@ -128,7 +127,7 @@ class Series {
   }
 
   /// The k-th coefficient of a product, or its derivative, from the coefficients known so far. The
-  /// others are zero, as are those of what is constant in time.
+  /// others are zero, as are those of constants.
   Ball of_product(std::size_t a, std::size_t b, std::size_t k, std::size_t d) const {
     const std::size_t first = tape_->operations_[b].steady ? k : 0;
     const std::size_t last = tape_->operations_[a].steady ? 0 : k;

@@ -1,4 +1,4 @@
-/// Validated integration: sets of states that contain every solution which starts in a set, from
+/// Validated integration: sets of states that contain every solution that starts in a set, from
 /// switch to switch. The method is Lohner's: Taylor series about the centre of the set, their
 /// derivatives over all of it, and the remainder over a box that is proven to contain the step.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace proof {
 
-/// A motion: states, whose rates the tape knows, and guards that are positive as long as it lasts.
+/// A motion: states with rates on the tape, and guards that are positive as long as it lasts.
 struct Flow {
   Tape tape;
   std::vector<Term> guards;
@@ -20,8 +20,8 @@ struct Flow {
 /// The solutions from a set over a step.
 class Step {
  public:
-  /// The length is that which is asked for, or shorter, until the remainder of each state is within
-  /// the tolerance, relative to the state.
+  /// The length is the requested one, or shorter: the remainder of each state is within the
+  /// tolerance, relative to the state.
   Step(const Flow& flow, const StateSet& set, const Ball& length,
        std::size_t order = static_cast<std::size_t>(3 * Ball::bits / 10),
        const Ball& tolerance = Ball::power_of_two(-Ball::bits))
@@ -31,18 +31,10 @@ class Step {
         at_centre_(flow.tape, set.values, order, 1),
         over_set_(flow.tape, set.all(), order, set.directions.size()),
         over_box_(at_centre_) {
-    for (int tries = 0; tries < 100; ++tries) {
-      if (const Matrix inputs = box(); !inputs.empty()) {
-        over_box_ = Series(flow.tape, inputs, order + 1, 1);
-        if (std::ranges::all_of(flow.tape.states(), [&](Term z) {
-              const Ball remainder = over_box_(z, order + 1) * pow(length_, order + 1);
-              return Ball::within(over_box_(z, 0).size() * tolerance).contains(remainder);
-            }))
-          return;
-      }
+    for (int tries = 0; !enclose(tolerance); ++tries) {
+      if (tries == 100) throw Undecided("whether any step is short enough");
       length_ = (length_ * 0.8).middle();
     }
-    throw Undecided("no step is short enough");
   }
 
   const Ball& length() const { return length_; }
@@ -76,21 +68,20 @@ class Step {
     return set_.with(forms, flow_.scale);
   }
 
-  /// Until when a term is proven positive, if it and `vanishing` derivatives less one are zero at
-  /// the start.
+  /// Time until which a term is proven positive, if the term and its first `vanishing` - 1
+  /// derivatives are zero at the start.
   Ball positive_until(Term term, std::size_t vanishing) const {
-    if (vanishing == 0) return first_doubt(term, 0, length_, 12);
+    Ball since = vanishing > 0 ? length_ : Ball(0);
     // As long as the first derivative that is not zero is positive, so are the others.
-    Ball since = length_;
-    for (int halvings = 0; halvings < 30; ++halvings) {
-      if (between(term, 0, since, vanishing) > 0) return first_doubt(term, since, length_, 12);
+    for (int tries = 1; vanishing > 0 && !(between(term, 0, since, vanishing) > 0); ++tries) {
+      if (tries == 30) return 0;
       since = (since / 2).middle();
     }
-    return 0;
+    return first_doubt(term, since, length_, 12);
   }
 
-  /// A ball of the times at which a term vanishes that is positive until `clear`: of all solutions,
-  /// and of each but one. None if that cannot be proven.
+  /// A ball of the times at which a term, positive until `clear`, vanishes: exactly once for every
+  /// solution. None if that cannot be proven.
   std::optional<Ball> crossing(Term term, const Ball& clear) const {
     const Ball rounding = length_ * Ball::power_of_two(8 - Ball::bits);
     Ball about = clear, move = length_;  // Newton, at the centre
@@ -101,17 +92,16 @@ class Step {
     }
     const Ball value = range(term, about), rate = range(term, about, 1);
     const Ball until = (about + 2 * (value / rate).size() + 16 * rounding).upper();
-    if (about < clear || !(until < length_)) return std::nullopt;
     // Interval Newton: between `clear`, where the term is positive, and `until` each solution has
     // one zero, since the slope is negative and no zero that it allows is as late as `until`.
-    const Ball slope = between(term, clear, until, 1);
-    if (!(range(term, clear) > 0) || !(slope < 0)) return std::nullopt;
-    const Ball zeros = about - value / slope;
-    if (!(zeros < until)) return std::nullopt;
+    const Ball slope = between(term, clear, until, 1), zeros = about - value / slope;
+    if (about < clear || !(until < length_) || !(range(term, clear) > 0) || !(slope < 0) ||
+        !(zeros < until))
+      return std::nullopt;
     return zeros.lower() < clear ? hull(clear, zeros.upper()) : zeros;
   }
 
-  /// The set on the surface where the term vanishes: at its crossing, t + tau, a solution is where
+  /// The set on the surface where the term vanishes: at its crossing, t + tau, a solution is at
   /// z + z' tau = z - (z' / g') g, with z and g at t and the rates at times in between.
   StateSet section(Term term, const Ball& crossing) const {
     const Ball time = crossing.middle();
@@ -128,9 +118,10 @@ class Step {
   }
 
  private:
-  /// Contains all solutions over the length, if it is found: if start + [0, h] f(box) is inside of
-  /// the box, then they cannot leave it (Picard).
-  Matrix box() const {
+  /// Finds a box that contains all solutions over the length: if start + [0, h] f(box) is inside
+  /// it, they cannot leave it (Picard). Returns whether the remainders over the box are small.
+  bool enclose(const Ball& tolerance) {
+    const std::size_t last = at_centre_.order() + 1;
     const Ball times = hull(0, length_);
     const Matrix start = set_.all();
     Matrix box = start;
@@ -140,17 +131,23 @@ class Step {
       for (const Term z : flow_.tape.states()) {
         Ball& x = box[z.index][0];
         const Ball reach = start[z.index][0] + times * at(z, 1);
-        if (!reach.is_finite()) return {};
+        if (!reach.is_finite()) return false;
         inside = inside && x.contains(reach);
         x = reach;
       }
-      if (inside) return box;
+      if (inside) {
+        over_box_ = Series(flow_.tape, box, last, 1);
+        return std::ranges::all_of(flow_.tape.states(), [&](Term z) {
+          const Ball remainder = over_box_(z, last) * pow(length_, last);
+          return Ball::within(over_box_(z, 0).size() * tolerance).contains(remainder);
+        });
+      }
       for (const Term z : flow_.tape.states()) {
         Ball& x = box[z.index][0];
         x = x + Ball::within(x.radius() / 5 + x.size() * Ball::power_of_two(-Ball::bits));
       }
     }
-    return {};
+    return false;
   }
 
   /// Where, between two times, a term is first not proven positive; the end, if nowhere.
@@ -168,13 +165,14 @@ class Step {
   Series at_centre_, over_set_, over_box_;
 };
 
-/// Follows a flow until a guard vanishes, for all solutions the same one; maps the set to there and
-/// returns the guard. Guards that are zero at the start, with so many of their first derivatives
-/// less one, are named in `vanishing`. The observer sees each step, of which it is sure that the
-/// motion lasts until a time, and not beyond another. Throws Undecided.
+/// Follows a flow until a guard vanishes, the same one for all solutions; maps the set to there and
+/// returns the guard. `vanishing` has the order of each guard's zero at the start. The observer
+/// sees each step; the motion is certain to last until `surely`, and not beyond `at_most`. Throws
+/// Undecided.
 inline std::size_t follow(
-    const Flow& flow, StateSet& set, std::vector<std::size_t> vanishing, Ball& step_length,
-    const std::function<void(const Step&, const Ball& surely, const Ball& at_most)>& observer) {
+    const Flow& flow, StateSet& set, Ball& step_length, std::vector<std::size_t> vanishing = {},
+    const std::function<void(const Step&, const Ball& surely, const Ball& at_most)>& observer =
+        [](auto&...) {}) {
   vanishing.resize(flow.guards.size());
   const Ball shortest = step_length * Ball::power_of_two(-40);
   for (;;) {
@@ -194,7 +192,7 @@ inline std::size_t follow(
         return g;
       }
     }
-    // As far as nothing happens, if that is anywhere.
+    // Up to where no guard vanishes, if possible.
     if (clear * 1024 > step.length()) {
       observer(step, clear, clear);
       step_length = (step.length() * 1.3).middle();
@@ -210,10 +208,10 @@ inline std::size_t follow(
 /// A ball of the greatest value of a term along solutions, or of 0 if that is greater.
 class Greatest {
  public:
-  /// What comes after `surely` may be, up to `at_most`.
+  /// The motion may continue after `surely`, up to `at_most`.
   void see(const Step& step, Term term, const Ball& surely, const Ball& at_most) {
     see_part(step, term, 0, surely, 40);
-    raise(upper_, step.between(term, surely, at_most).upper());
+    upper_ = max(upper_, step.between(term, surely, at_most).upper());
   }
   Ball value() const { return hull(lower_, upper_); }
 
@@ -222,22 +220,17 @@ class Greatest {
     Ball range = step.between(term, from, until);
     if (range < lower_) return;
     const Ball middle = ((from + until) / 2).middle(), there = step.range(term, middle);
-    raise(lower_, there.lower());
+    lower_ = max(lower_, there.lower());
     const Ball rate = step.between(term, from, until, 1);
     if (rate > 0 || rate < 0) {  // then the greatest value is at an end
       const Ball first = step.range(term, from), last = step.range(term, until);
-      raise(lower_, first.lower());
-      raise(lower_, last.lower());
+      lower_ = max(lower_, max(first.lower(), last.lower()));
       range = hull(first, last);
     } else if (depth > 0 && 9 * there.radius() < 8 * range.radius()) {  // or halving were of no use
       see_part(step, term, from, middle, depth - 1);
       return see_part(step, term, middle, until, depth - 1);
     }
-    raise(upper_, range.upper());
-  }
-  static void raise(Ball& greatest, const Ball& x) {
-    if (!x.is_finite()) throw Undecided("how great a value is");
-    if (x > greatest) greatest = x;
+    upper_ = max(upper_, range.upper());
   }
 
   Ball lower_, upper_;

@@ -1,5 +1,4 @@
-/// Sets of states that a few directions span, as Lohner keeps them: a centre, exact slopes, and an
-/// interval for each direction.
+/// Sets of states as Lohner keeps them: a centre, and intervals along the columns of a frame.
 #pragma once
 
 #include <arb_mat.h>
@@ -14,8 +13,8 @@ namespace proof {
 /// directions[d]. directions[0] is 1, so that dot(form, directions) contains all of the values.
 using Form = Row;
 
-/// States, and behind them parameters. The first directions are those of the parameters, one each,
-/// and remain; the others are a frame of the states, chosen anew after each step.
+/// States, followed by parameters. The first directions are those of the parameters, one each, and
+/// do not change; the others are a frame of the states, chosen again after each step.
 struct StateSet {
   std::vector<Form> values;
   Row directions = {1};
@@ -56,7 +55,7 @@ struct StateSet {
     return forms;
   }
 
-  /// The set of new states. Errors in proportion to `scale` weigh alike.
+  /// The set of new states. `scale` weights their errors.
   StateSet with(const std::vector<Form>& states, const Row& scale) const {
     const std::size_t n = directions.size() - frame_begin;
     require(states.size() == n && scale.size() == n, "a set of another number of states");
@@ -89,14 +88,14 @@ struct StateSet {
   }
 
  private:
-  /// About orthonormal columns, with exact entries, from others with such, by Gram and Schmidt: the
-  /// first has the direction of the longest column given, the second that of the longest of what
-  /// the first leaves of the others, and so on.
+  /// Nearly orthonormal columns with exact entries, from columns with exact entries, by Gram and
+  /// Schmidt: the first has the direction of the longest column, the second that of the longest
+  /// remainder of the others, and so on.
   static Matrix orthonormal(Matrix columns) {
     const std::size_t n = columns.size();
     const auto square = [](const Row& column) { return dot(column, column).middle(); };
     const auto shorter = [&](const Row& a, const Row& b) { return square(a) < square(b); };
-    // Where only rounding is left of a column, a unit vector that is longer takes its place.
+    // A column of which only rounding is left is replaced by a longer unit vector.
     const Ball longest = square(*std::max_element(columns.begin(), columns.end(), shorter));
     const Ball length =
         sqrt(longest) * Ball::power_of_two(-Ball::bits / 2) + Ball::power_of_two(-4 * Ball::bits);

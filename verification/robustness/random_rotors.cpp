@@ -1,5 +1,5 @@
-/// `random-rotors COUNT FOLDER`: random rotors through the event-located method, with what they
-/// show in a folder. Fails if a run went wrong without saying so.
+/// `random-rotors COUNT FOLDER` runs random rotors by the event-located method, and writes the
+/// results to a folder. Fails if a run was wrong without an error.
 #include <fmt/format.h>
 
 #include <map>

@@ -21,15 +21,15 @@ std::string falsehood(const Comparison& found, int digits, const KnownValues& kn
   is_count("events", static_cast<double>(found.events.size() - 1));
   for_each_named(found, [&](const std::string& name, const NamedEstimate& value) {
     const auto exact = known.find(name);
-    if (exact == known.end() || !value.estimate) {
-      if (name.starts_with("event")) return;  // which a table may leave out
-      if (is_course_sure && value.estimate.has_value() != (exact != known.end()))
+    if (exact == known.end()) return;
+    if (!exact->second || !value.estimate) {
+      if (is_course_sure && value.estimate.has_value() != exact->second.has_value())
         text += name + " exists or not; ";
       return;
     }
     const auto& [number, error] = *value.estimate;
     if (std::isinf(error)) return;
-    const double truth = exact->second, doubt = 2.3e-16 * std::abs(truth);  // of a double
+    const double truth = *exact->second, doubt = 2.3e-16 * std::abs(truth);  // of a double
     const double off = std::max(0., std::abs(number - truth) - doubt);
     if (error > 0) worst = std::max(worst, off / error);
     if (off > error) text += fmt::format("{} is {:.2e} off, not {:.2e}; ", name, off, error);
@@ -50,10 +50,11 @@ double true_error(const Summary& summary, const Parameters& p, const KnownValues
   double largest = 0;
   for (const NamedValue<double>& value : values_of(summary, p)) {
     const auto exact = known.find(std::string(value.name));
-    if (value.value.has_value() != (exact != known.end())) return 1;
-    if (value.value && *value.value != exact->second)
-      largest = std::max(largest, std::abs(*value.value - exact->second) /
-                                      std::max(std::abs(exact->second), value.size));
+    if (exact == known.end()) continue;
+    if (value.value.has_value() != exact->second.has_value()) return 1;
+    if (value.value && value.value != exact->second)
+      largest = std::max(largest, std::abs(*value.value - *exact->second) /
+                                      std::max(std::abs(*exact->second), value.size));
   }
   return std::min(1., largest);
 }

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "model/certified/comparison.hpp"
 
 namespace rotor {
 
-/// By the names of for_each_named, and the counts among them.
-using KnownValues = std::map<std::string, double>;
+/// By the names of for_each_named, and the counts among them; empty if the run has no such value.
+/// What is not among them is not known.
+using KnownValues = std::map<std::string, std::optional<double>>;
 
 /// What is wrong in a run with guaranteed digits: an error that is too small, or a wrong printed
 /// digit; empty if nothing is. `worst` is raised to the largest true error relative to the claimed
