@@ -164,6 +164,7 @@ DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
 $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
 	@figures/draw.sh $@ "data = '$<'; equations = '$(EQUATIONS)'; \
 	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" figures/paper/$*.gp
+$(OUT)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
 figures/paper/%.gp:
 	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))
 

@@ -8,7 +8,7 @@ shift 2
 export LC_ALL=C.UTF-8
 trap 'rm -f "$output.part"' EXIT
 gnuplot -d -e "output = '$output.part'; format = '${output##*.}'; \
-  printed_inputs = '$(dirname "$0")/../reference-data/printed-inputs.csv'; $settings" \
+  reference_data = '$(dirname "$0")/../reference-data'; $settings" \
   "$(dirname "$0")/paper/style.gp" "$@"
 # gnuplot does not report a full disk: a picture is complete if it has its end.
 if ! tail -c 16 "$output.part" | grep -aq '</svg>\|%%EOF\|IEND'; then

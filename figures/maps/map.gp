@@ -73,7 +73,7 @@ if (shows eq "outcome") {
 }
 top = 0.9; bottom = rows == 2 ? 0.19 : 0.28
 height = (top - bottom)/rows
-low = rows == 2 ? 0.03 : 0.04
+low = rows == 2 ? 0.025 : 0.035
 do for [p = 0:2*rows - 1] {
   at_left = p % 2 == 0; at_bottom = p/2 == rows - 1
   set lmargin at screen at_left ? 0.09 : 0.555
@@ -87,7 +87,7 @@ do for [p = 0:2*rows - 1] {
   set ylabel (at_left ? y_name : "") offset 0.5,0
   if (shows eq "force" && p == 2*rows - 1) {
     set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.175) size screen 0.4, screen 0.018
-    set cblabel "largest normal force, kN; white: no contact, or contact before the loss" offset 0,0.4
+    set cblabel "largest normal force, kN; white: no contact, or contact before the loss" offset 0,0.8
   }
   drawn = ""
   do for [i = 1:forms] {
@@ -114,8 +114,8 @@ do for [i = 1:classes] {
 }
 set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox
-set key at screen 0.5, screen low center center samplen 2.5 maxrows 2 width -6
+set key at screen 0.5, screen low center center samplen 2.5 maxrows (rows == 2 ? 1 : 2) width -6
 if (strlen(lines)) { eval "plot ".lines."NaN notitle" }
-set key at screen 0.5, screen 3*low center center samplen 1 maxrows 3 width -6
+set key at screen 0.5, screen (rows == 2 ? 0.09 : 0.12) center center samplen 1 maxrows 3 width -6
 if (shows eq "outcome") { eval "plot ".colours."NaN notitle" }
 unset multiplot

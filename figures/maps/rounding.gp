@@ -5,7 +5,7 @@ stats data using (1) nooutput name "all"
 panel = int(all_records)/2
 stats data every ::0::0 using "draws" nooutput name "draws"
 set multiplot title sprintf("{/:Bold Backward rolling over the rounding of the other inputs}: %d draws at each point", draws_max)
-set tics front out
+set tics front out; set xtics 40
 unset grid; unset key; unset colorbox
 set xrange [*:*] noextend; set yrange [*:*] noextend
 top = 0.9; bottom = 0.09; height = (top - bottom)/2

@@ -15,6 +15,6 @@ set label "dashed: paper 136 kN" at graph 0.03,first -136 offset 0,0.7 textcolor
 set label beside("speed at the mass loss", sprintf("%.1f Hz", f_max), "75 Hz") at graph 0.03,0.66 boxed front
 set label beside("largest |F_n|", F_min_y < 0 ? sprintf("%.1f kN at %.4f s", -F_min_y, F_pos_min_y) : "no contact", "136 kN") \
   at graph 0.03,0.4 boxed front
-eval mark_law("run", "graph 0.97,0.85 right")
+eval mark_law("run", "graph 0.97,0.05 right")
 plot data using "time_s":(column("normal_force_N")/1e3) with lines linetype 1 notitle \
   @digitised

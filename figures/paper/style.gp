@@ -64,9 +64,9 @@ set style textbox opaque noborder margins 0.4,0.4
 
 # "Fig. N" and its subject, with the parameters on a second line.
 if (!exists("equations")) equations = "published"
-of_set = equations eq "published" ? "" : "; {/:Bold ".equations." equations}"
+of_set = equations eq "published" ? "" : "; {/*0.85:Bold ".equations." equations}"
 caption(number, what, parameters) = \
-  sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s%s}", number, what, parameters, of_set)
+  sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s}%s", number, what, parameters, of_set)
 
 # The paper's number beside ours, for annotations.
 beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ours, paper)

@@ -34,7 +34,7 @@ test("forces of events are magnitudes", () => {
 
 test("a state is that between two rows, in milliseconds after the loss", () => {
   const motion = { time_s: [1, 2], speed_Hz: [100, 90], normal_force_N: [0, -8000], contact_state: [2, 0] };
-  assert.equal(inWords(stateAt(motion, 1.25), 1.2), "50.00 ms after the loss: rolling, 97.5 Hz, 2 kN");
+  assert.equal(inWords(stateAt(motion, 1.25), 1.2), "50.00\u00a0ms after the loss: rolling, 97.5\u00a0Hz, 2\u00a0kN");
   assert.equal(inMilliseconds(29.099, 29.1).toFixed(3), "-1.000");
 });
 
@@ -99,7 +99,7 @@ test("the story has six moments in their order, with the run's numbers", () => {
   const story = storyOf(rolling);
   assert.equal(story.length, 6);
   story.slice(1).forEach(({ time_s }, n) => assert.ok(time_s >= story[n].time_s, story[n].title));
-  const text = story.map((moment) => moment.title + moment.text).join(" ");
+  const text = story.map((moment) => moment.title + moment.text).join(" ").replaceAll("\u00a0", " ");
   for (const part of ["150 Hz", "15 times", "0.3 mm", "3.0 mm", "5.0 ms later", "7 impacts", "45.1 Hz", "455 kN", "9300 times"])
     assert.ok(text.includes(part), `${part}: ${text}`);
   const motion = { time_s: [29, 29.1, 29.2, 29.3], x_a_m: [5, 0, 1, 3], y_a_m: [0, 0, 2, 0] };

@@ -14,8 +14,7 @@ struct Input {
   std::string value, rounding;
 };
 
-/// A run about which something is to be proven; by default the paper's. Inputs have the names of
-/// the engine's options.
+/// A run about which something is to be proven. Inputs have the names of the engine's options.
 struct Case {
   std::map<std::string, Input> inputs = {
       {"mass", {"5", "0.5"}},

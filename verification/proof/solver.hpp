@@ -167,8 +167,7 @@ class Step {
 
 /// Follows a flow until a guard vanishes, the same one for all solutions; maps the set to there and
 /// returns the guard. `vanishing` has the order of each guard's zero at the start. The observer
-/// sees each step; the motion is certain to last until `surely`, and not beyond `at_most`. Throws
-/// Undecided.
+/// sees each step: the motion lasts until `surely`, at most until `at_most`. Throws Undecided.
 inline std::size_t follow(
     const Flow& flow, StateSet& set, Ball& step_length, std::vector<std::size_t> vanishing = {},
     const std::function<void(const Step&, const Ball& surely, const Ball& at_most)>& observer =

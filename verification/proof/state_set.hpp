@@ -88,9 +88,8 @@ struct StateSet {
   }
 
  private:
-  /// Nearly orthonormal columns with exact entries, from columns with exact entries, by Gram and
-  /// Schmidt: the first has the direction of the longest column, the second that of the longest
-  /// remainder of the others, and so on.
+  /// Nearly orthonormal columns with exact entries, by Gram and Schmidt from columns with exact
+  /// entries: each has the direction of the longest remainder of those that are left.
   static Matrix orthonormal(Matrix columns) {
     const std::size_t n = columns.size();
     const auto square = [](const Row& column) { return dot(column, column).middle(); };

@@ -33,11 +33,6 @@ std::vector<Frame> frames_of(const Picture& picture) {
   return frames;
 }
 
-double rounded(double value, int digits) {
-  const double scale = std::pow(10, digits);
-  return std::round(value * scale) / scale + 0;  // no -0
-}
-
 /// Coordinates in the picture: y_a to the right, x_a down. The rotor turns from x_a to y_a.
 Json drawn(const Frame& frame, const Parameters& p) {
   const double per_m = 100 / p.stator_radius;
@@ -92,7 +87,8 @@ Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
     Json still = drawn(frame, p);
     still["title"] = title;
     still["left"] = 244 * all.size();  // in a row
-    still["after_loss_ms"] = rounded(1e3 * (frame.time_s - p.mass_loss_time), 3);
+    still["after_loss_ms"] =
+        std::round(1e6 * (frame.time_s - p.mass_loss_time)) / 1e3 + 0;  // no -0
     still["force_kN"] = fmt::format("{:.0f}", -frame.normal_N / 1e3);
     still["speed_Hz"] = fmt::format("{:.1f}", frame.speed_Hz);
     all.push_back(still);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <regex>
 #include <sstream>
 
 #include "verification/report/document.hpp"
@@ -15,21 +15,34 @@ namespace {
 /// As keys of the document.
 constexpr std::array set_keys = {"as_printed", "corrected"};
 
+/// A statement, 1 if it is true and 0 if not, which its words explain in brackets.
+bool is_statement(const Number& number) {
+  return number.rule == "is" && number.says.find(" (1)") != std::string::npos;
+}
+
+std::string words_of(const Number& number) {
+  return is_statement(number) ? std::regex_replace(number.says, std::regex(" \\([01]\\)"), "")
+                              : number.says;
+}
+
 /// In a unit, without superfluous digits; in powers of ten if the paper has them.
 std::string shown(const std::optional<double>& value, const Number& number) {
-  if (!value || !std::isfinite(*value)) return "";
+  if (!value || !std::isfinite(*value)) return "–";
+  if (is_statement(number)) return *value == 1 ? "yes" : "no";
   const double size = std::abs(*value);
   const bool in_powers = number.printed.find('e') != std::string::npos;
   std::string text = size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
                      : size >= 1e4                          ? fmt::format("{:.0f}", *value)
-                     : in_powers && size < 1e-3             ? fmt::format("{:.2e}", *value)
-                                                            : fmt::format("{:.4g}", *value);
+                     : in_powers && size < 1e-2
+                         ? fmt::format("{:.2e}", *value)
+                         : fmt::format("{:.{}g}", *value, number.printed.empty() ? 3 : 4);
   if (const auto zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
   return text + ' ' + number.unit;
 }
 
 /// What the paper states: a number, or a word with its allowed width.
 std::string printed(const Number& number) {
+  if (is_statement(number)) return shown(std::stod(number.printed), number);
   if (!number.printed.empty()) return number.printed + ' ' + number.unit;
   const Allowed allowed = number.allowed();
   if (allowed.greatest() < 1e-3) return number.rule;
@@ -73,7 +86,7 @@ Json number_json(const Number& number) {
   });
   const auto here = here_of(reading);
   Json all = {{"id", number.id},
-              {"says", number.says},
+              {"says", words_of(number)},
               {"place", number.place},
               {"printed", printed(number)},
               {"least", allowed.least()},
@@ -105,16 +118,13 @@ bool is_worse(const Json& one, const Json& other) { return severity(one) > sever
 }  // namespace
 
 Json claims_json(const std::vector<Number>& numbers) {
-  std::map<std::string, Json> claims;
-  std::vector<std::string> order;
+  Json claims = Json::object();
   for (const Number& number : numbers) {
-    if (!claims.contains(number.claim)) {
-      order.push_back(number.claim);
+    if (!claims.contains(number.claim))
       claims[number.claim] = {{"claim", number.claim},    {"opens", Json()},
-                              {"changes", Json()},        {"says", number.says},
+                              {"changes", Json()},        {"says", words_of(number)},
                               {"figures", Json::array()}, {"place", number.place},
                               {"numbers", Json::array()}};
-    }
     Json& claim = claims[number.claim];
     std::istringstream figures(number.figures);
     for (int figure = 0; figures >> figure;)
@@ -127,8 +137,7 @@ Json claims_json(const std::vector<Number>& numbers) {
     for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set))
       claims[claim][set_keys[set]] = verdict_json(verdict);
   Json all = Json::array();
-  for (const std::string& id : order) {
-    Json& claim = claims[id];
+  for (Json& claim : claims) {
     Json& numbers_of = claim["numbers"];
     std::stable_sort(numbers_of.begin(), numbers_of.end(), is_worse);
     claim["as_printed"]["off"] = numbers_of[0]["as_printed"]["off"];

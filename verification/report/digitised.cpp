@@ -10,6 +10,12 @@
 namespace rotor {
 namespace {
 
+/// A point of a printed figure, in the units of its axes, and what the reading may be off by.
+struct ReadPoint {
+  std::string run, quantity, unit;
+  CurvePoint at, error;
+};
+
 const FigureCurve* find(const std::vector<FigureCurve>& curves, const ReadPoint& point) {
   const auto found = std::ranges::find_if(curves, [&](const FigureCurve& curve) {
     return curve.run == point.run && curve.quantity == point.quantity;
@@ -24,8 +30,8 @@ double distance_to_origin(const CurvePoint& a, const CurvePoint& b) {
   return std::hypot(a.x + along * dx, a.y + along * dy);
 }
 
-}  // namespace
-
+/// In units of the reading's errors: up to 1, the curve passes through what the reading leaves
+/// open.
 double distance_to(const FigureCurve& curve, const ReadPoint& point) {
   const auto scaled = [&](const CurvePoint& p) {
     return CurvePoint{(p.x - point.at.x) / point.error.x, (p.y - point.at.y) / point.error.y};
@@ -62,6 +68,8 @@ std::vector<ReadPoint> read_points(const std::filesystem::path& csv, int figure,
   }
   return points;
 }
+
+}  // namespace
 
 Json digitised_json(const std::filesystem::path& reference_data, int figure,
                     const std::vector<FigureCurve>& curves) {

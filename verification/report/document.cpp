@@ -23,14 +23,12 @@ std::vector<const Json*> all_of(const Json& claims) {
 /// Claims by their verdict in the equations as printed, the worst first.
 Json groups_json(const Json& claims) {
   Json groups = Json::array();
-  for (const auto& [verdict, mark] : {std::pair("refuted", "refuted"),
-                                      {"within rounding", "rounding"},
-                                      {"reproduced", "reproduced"}}) {
-    Json group = {{"verdict", verdict}, {"mark", mark}, {"claims", Json::array()}};
+  for (const std::string verdict : {"refuted", "within rounding", "reproduced"}) {
+    Json group = {{"verdict", verdict}, {"is_open", verdict != "reproduced"}};
     for (const Json& claim : claims)
       if (claim.at("as_printed").at("says") == verdict) group["claims"].push_back(claim);
     group["count"] = group["claims"].size();
-    group["is_open"] = verdict != std::string("reproduced");
+    group["mark"] = verdict == "within rounding" ? "rounding" : verdict;
     groups.push_back(group);
   }
   return groups;
@@ -39,13 +37,9 @@ Json groups_json(const Json& claims) {
 Json register_json(const std::filesystem::path& assumptions) {
   Json rows = Json::array();
   for (const CsvRow& row : read_csv(assumptions))
-    rows.push_back({{"id", row["id"]},
-                    {"taken", row["taken"]},
-                    {"other", row["other"]},
-                    {"quantity", row["quantity"]},
-                    {"unit", row["unit"]},
-                    {"value_taken", row["value_taken"]},
-                    {"value_other", row["value_other"]}});
+    for (Json& of = rows.emplace_back();
+         const char* column : {"taken", "other", "quantity", "unit", "value_taken", "value_other"})
+      of[column] = row[column];
   return rows;
 }
 

@@ -109,17 +109,10 @@ std::string moment_of(const Scenario& scenario) {
 Json runs_json(const Scene& scene) {
   Json runs = Json::array();
   for (const SceneRun& run : scene.runs)
-    runs.push_back(
-        {{"name", scene.runs.size() > 1 ? run.name : ""},
-         {"moment", moment_of(run.scenario)},
-         {"is_moment", run.scenario.method == Method::event && run.scenario.parameters.loses_mass},
-         {"method", name_of(run.scenario.method)},
-         {"friction", run.scenario.parameters.friction},
-         {"contact_stiffness", run.scenario.parameters.contact_stiffness},
-         {"mass_loss_s", run.scenario.parameters.loses_mass
-                             ? Json(run.scenario.parameters.mass_loss_time)
-                             : Json()},
-         {"until_s", run.scenario.until}});
+    runs.push_back({{"name", scene.runs.size() > 1 ? run.name : ""},
+                    {"moment", moment_of(run.scenario)},
+                    {"is_moment",
+                     run.scenario.method == Method::event && run.scenario.parameters.loses_mass}});
   return runs;
 }
 
@@ -153,7 +146,6 @@ Json figures_json(const Sources& sources, const Json& claims) {
                    {"scene", content_of(file)},
                    {"scene_file", "figures/paper/" + name + ".toml"},
                    {"claims", its_claims},
-                   {"has_claims", !its_claims.empty()},
                    {"digitised", digitised},
                    {"has_digitised", !digitised.empty()}});
   }

@@ -1,6 +1,7 @@
 /// The accident for the interactive part of the page: the paper's cases in the form of the engine's
 /// answers, and the map of outcomes with the laws of model/theory.
-#include <array>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -39,18 +40,13 @@ double last_change_s(const Json& run) {
   return last_s;
 }
 
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  static const std::string letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t n = 0; n < bytes.size(); n += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      three = three << 8U | (n + i < bytes.size() ? bytes[n + i] : 0U);
-    for (std::size_t i = 0; i < 4; ++i)
-      text += n + i > bytes.size() ? '=' : letters[three >> (18 - 6 * i) & 63U];
-  }
-  return text;
+std::string base64(std::string bytes) {
+  using namespace boost::archive::iterators;
+  using Letter = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  const std::size_t missing = (3 - bytes.size() % 3) % 3;
+  bytes.append(missing, 0);
+  std::string text(Letter(bytes.cbegin()), Letter(bytes.cend()));
+  return text.replace(text.size() - missing, missing, missing, '=');
 }
 
 /// Columns by their names, each in steps of a 65535th of its range: [least, greatest, steps].
@@ -66,11 +62,11 @@ Json quantised(const Table& all, const nlohmann::ordered_json& names, double unt
       greatest = std::max(greatest, table.row(row)[i]);
     }
     const double step = greatest > least ? (greatest - least) / 65535 : 1;
-    std::vector<std::uint8_t> bytes;
+    std::string bytes;
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const auto steps = static_cast<unsigned>(std::lround((table.row(row)[i] - least) / step));
-      bytes.push_back(static_cast<std::uint8_t>(steps));
-      bytes.push_back(static_cast<std::uint8_t>(steps >> 8U));
+      bytes += static_cast<char>(steps);
+      bytes += static_cast<char>(steps >> 8U);
     }
     columns[names[i].get<std::string>()] = {least, greatest, base64(bytes)};
   }

@@ -15,8 +15,8 @@ using kainjow::mustache::object;
 
 constexpr const char* minus = "\u2212";
 
-/// Symbols as printed: F_n with an index, mu and rho in Greek. Texts of several lines are sources,
-/// and do not change.
+/// Symbols as printed: F_n with an index, mu and rho in Greek, a number beside its unit.
+/// Texts of several lines are sources, and do not change.
 std::string in_html(const std::string& text) {
   std::string html = kainjow::mustache::html_escape(text);
   if (text.find('\n') != std::string::npos) return html;
@@ -25,6 +25,11 @@ std::string in_html(const std::string& text) {
         {"\\bmu\\b", "\u03bc"},
         {"\\brho\\b", "\u03c1"},
         {"\\bum\\b", "\u03bcm"},
+        {"\\bpi\\b", "\u03c0"},
+        {"\\^2\\b", "\u00b2"},
+        {"\\+-", "\u00b1"},
+        {"\\bx (?=\\d)", "\u00d7 "},
+        {"(\\d) (?=(k?N|k?Hz|J|mm|m?s|%)(?![A-Za-z]))", "$1\u00a0"},
         {"(\\b[A-Za-z]|\u0394)_([A-Za-z0-9]{1,4})(?![A-Za-z0-9_])", "$1<sub>$2</sub>"}})
     html = std::regex_replace(html, std::regex(plain), symbol);
   return html;
@@ -114,8 +119,8 @@ Json with_numbers(const Json& texts, const Json& values) {
   return with_numbers(texts, for_texts(values));
 }
 
-std::string render(const std::string& page_template, const Partials& partials,
-                   const Json& document) {
+std::string render(const std::string& page_template,
+                   const std::map<std::string, std::string>& partials, const Json& document) {
   mustache page(page_template);
   if (!page.is_valid()) throw std::invalid_argument(page.error_message());
   data all = for_page(document);

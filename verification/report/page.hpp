@@ -13,12 +13,9 @@ namespace rotor {
 /// a value.
 Json with_numbers(const Json& texts, const Json& values);
 
-/// Templates that others include, by name.
-using Partials = std::map<std::string, std::string>;
-
-/// The template, rendered. Items of lists know whether they are the first one; what is null or an
-/// empty text is not there.
-std::string render(const std::string& page_template, const Partials& partials,
-                   const Json& document);
+/// The template, rendered, with those that it includes by name. Items of lists know whether they
+/// are the first one; what is null or an empty text is not there.
+std::string render(const std::string& page_template,
+                   const std::map<std::string, std::string>& partials, const Json& document);
 
 }  // namespace rotor

@@ -24,7 +24,10 @@ std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending
   if (fs::is_directory(folder))
     for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().string().ends_with(ending)) found.push_back(entry.path());
-  std::ranges::sort(found);
+  // Numbers in names by their size: 1e-5 before 1e-13.
+  std::ranges::sort(found, {}, [](const fs::path& file) {
+    return std::pair(file.string().size(), file.string());
+  });
   return found;
 }
 
@@ -34,15 +37,6 @@ Json study_json(const Sources& sources, const std::string& folder) {
   for (const auto& file : files_of(sources.report / folder, ""))
     files.push_back(
         {{"file", folder + '/' + file.filename().string()}, {"name", file.filename().string()}});
-  // Numbers in names by their size: 1e-5 before 1e-13.
-  const auto size_in = [](const Json& file) {
-    const auto name = file["name"].get<std::string>();
-    const auto at = name.find("1e-");
-    return at == std::string::npos ? 0 : std::stoi(name.substr(at + 3));
-  };
-  std::stable_sort(files.begin(), files.end(), [&](const Json& one, const Json& other) {
-    return size_in(one) < size_in(other);
-  });
   return files;
 }
 
@@ -89,8 +83,7 @@ Json uncertainty_json(const fs::path& csv, const Json& names) {
 /// The theorems from rest at the decimals as printed: each quantity in both sets of equations, to
 /// 13 digits if its bounds agree in them.
 Json proven_json(const fs::path& csv) {
-  std::map<std::string, Json> all;
-  std::vector<std::string> order;
+  Json all;  // by quantity
   for (const CsvRow& row : read_csv(csv)) {
     const std::string command = row["command"], quantity = row["quantity"];
     if (!command.starts_with("build/prove --friction 0.3 ")) continue;
@@ -103,16 +96,14 @@ Json proven_json(const fs::path& csv) {
     };
     const std::string text = in_digits(lower);
     if (text != in_digits(static_cast<double>(row.number("upper")))) continue;
-    if (!all.contains(quantity)) order.push_back(quantity);
     all[quantity].emplace(set, text);
   }
   Json rows = Json::array();
-  for (const std::string& quantity : order) {
+  for (auto& [quantity, row] : all.items()) {
     std::string words = quantity.substr(0, quantity.rfind('_')),
                 unit = quantity.substr(quantity.rfind('_') + 1);
     if (unit == "downs") words = quantity, unit = "";
     std::ranges::replace(words, '_', ' ');
-    Json row = all[quantity];
     row["says"] = words;
     row["unit"] = unit;
     rows.push_back(row);
@@ -124,7 +115,7 @@ Json reasons_json(const fs::path& folder) {
   const auto words = read_trials_in_words(folder);
   Json rows = Json::array();
   for (const Reason& reason : read_reasons(folder / "reasons.csv")) {
-    std::string along = reason.quantity;
+    std::string along = reason.quantity.substr(0, reason.quantity.find("_hz"));
     std::ranges::replace(along, '_', ' ');
     rows.push_back({{"cells",
                      {reason.says, reason.place, along, words.at({reason.id, "published"}),
@@ -146,14 +137,12 @@ Json studies_json(const Sources& sources, const Json& names) {
   Json all = {{"uncertainty", bars},
               {"decades", decades},
               {"reasons", reasons_json(sources.reference_data)},
-              {"proven", proven_json(sources.reference_data / "proven.csv")},
-              {"maps", study_json(sources, "maps")}};
-  if (sources.of_this_machine) {
-    all["work_precision"] = study_json(sources, "work-precision");
-    all["stability"] = study_json(sources, "stability");
-  }
-  for (const char* study : {"maps", "work_precision", "stability"})
-    all[std::string("has_") + study] = all.contains(study) && !all[study].empty();
+              {"proven", proven_json(sources.reference_data / "proven.csv")}};
+  for (const auto& [folder, title] : {std::pair("work-precision", "Run time against error"),
+                                      {"stability", "Stability and random rotors"},
+                                      {"maps", "Maps"}})
+    if (const Json files = study_json(sources, folder); !files.empty())
+      all["folders"].push_back({{"title", title}, {"files", files}});
   return all;
 }
 
@@ -196,14 +185,10 @@ Json tests_json(const Sources& sources) {
 }
 
 Json provenance_json(const Sources& sources) {
-  Json sums = Json::array();
-  std::istringstream lines(content_of(sources.report / "SHA256SUMS"));
-  for (std::string sum, file; lines >> sum >> file;) sums.push_back({{"file", file}, {"sum", sum}});
   return {{"version", ROTOR_VERSION},
           {"commit", sources.commit},
           {"commit_date", sources.commit_date},
-          {"command", "make deps report"},
-          {"sums", sums}};
+          {"command", "make deps report"}};
 }
 
 Json machine_json() {
@@ -218,10 +203,12 @@ Json machine_json() {
           {"processor", processor},
           {"compiler", ROTOR_COMPILER},
           {"flags", ROTOR_FLAGS},
-          {"libraries", fmt::format("Boost {}, Eigen {}.{}.{}, {{fmt}} {}, nlohmann-json {}.{}.{}",
-                                    BOOST_LIB_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                                    EIGEN_MINOR_VERSION, FMT_VERSION, NLOHMANN_JSON_VERSION_MAJOR,
-                                    NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
+          {"libraries",
+           fmt::format("Boost {}.{}, Eigen {}.{}.{}, fmt {}.{}, nlohmann-json {}.{}.{}",
+                       BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, EIGEN_WORLD_VERSION,
+                       EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION / 10000,
+                       FMT_VERSION / 100 % 100, NLOHMANN_JSON_VERSION_MAJOR,
+                       NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 }
 
 }  // namespace rotor

@@ -20,14 +20,11 @@ Json run_json(const Summary& s) {
   Json all = {{"outcome", name_of(s.outcome)},
               {"touch_downs", s.touch_downs},
               {"peak_kN", number_or_nothing(s.peak_normal_force_N, 1e-3)},
-              {"peak_s", number_or_nothing(s.peak_time_s, 1)},
-              {"onset_s", number_or_nothing(s.rolling_onset_s, 1)},
               {"onset_Hz", number_or_nothing(s.rolling_onset_speed_Hz, 1)},
               {"onset_kN", number_or_nothing(s.rolling_onset_force_N, 1e-3)},
               {"speed_at_loss_Hz", number_or_nothing(s.speed_at_mass_loss_Hz, 1)},
               {"greatest_rho_mm", number_or_nothing(s.max_displacement_m, 1e3)},
-              {"greatest_rho_before_mm", 1e3 * s.max_displacement_before_loss_m},
-              {"final_Hz", s.final_speed_Hz}};
+              {"greatest_rho_before_mm", 1e3 * s.max_displacement_before_loss_m}};
   if (s.rolling_onset_s && s.first_contact_s)
     all["to_rolling_ms"] = 1e3 * (*s.rolling_onset_s - *s.first_contact_s);
   if (s.rolling_onset_s && s.peak_time_s)
@@ -48,7 +45,6 @@ Json runs_json(const Equations& equations) {
   const auto run_of = runs_in(equations);
   return {{"name", name_of(equations)},
           {"mu_03", run_of({.friction = 0.3}, 29.35)},
-          {"mu_02", run_of({.friction = 0.2}, 29.35)},
           {"mu_008", run_of({.friction = 0.08}, 29.35)},
           {"mu_008_dies", run_of({.contact_damping = 1.2e4, .friction = 0.08}, 29.35)},
           {"mu_008_rolls", run_of({.contact_damping = 9510, .friction = 0.08}, 29.35)},

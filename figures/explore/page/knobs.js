@@ -57,7 +57,8 @@ class Knob {
     this.row = element("div", "", typed ? "knob typed" : "knob");
     const label = element("label", meaning);
     label.htmlFor = option;
-    if (symbol) label.append(" ", element("i", symbol));
+    if (symbol) // such as k_t
+      label.append(" ", ...symbol.replace("mu", "μ").split(/_(\w+)/).map((part, n) => element(n % 2 ? "sub" : "i", part)));
     this.#text = element("input");
     Object.assign(this.#text, { id: option, type: "text", inputMode: "decimal", autocomplete: "off" });
     this.#text.placeholder = quantity.unstated ?? "";
@@ -65,7 +66,7 @@ class Knob {
     this.#refusal = element("p", "", "refusal");
     this.#refusal.id = `${option}-refusal`;
     this.#text.setAttribute("aria-describedby", this.#refusal.id);
-    this.#reset = element("button", paper === null ? "do not state" : `paper: ${textOf(paper)}`, "reset");
+    this.#reset = element("button", paper === null ? "remove" : `paper: ${textOf(paper)}`, "reset");
     this.#reset.type = "button";
     this.#reset.title = "back to the paper's value";
     this.#reset.addEventListener("click", () => turn(null));

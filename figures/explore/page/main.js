@@ -61,6 +61,7 @@ async function refresh() {
     knobs?.show(mine, answer.refusal);
     return;
   }
+  performance.measure("engine run", { start: asked_ms });
   show(answer);
   document.body.dataset.shows = addressOf(mine); // for tests that wait for it
   requestAnimationFrame(() => performance.measure("input to picture", { start: asked_ms }));
@@ -271,7 +272,8 @@ at("sure").addEventListener("click", () => {
   else sureness.forget();
 });
 
-at("map-key").replaceChildren(...Object.entries(outcomes).map(([letter, name]) => {
+const cells = Object.values(maps).flatMap((of) => of.cells).join("");
+at("map-key").replaceChildren(...Object.entries(outcomes).filter(([letter]) => cells.includes(letter)).map(([letter, name]) => {
   const item = document.createElement("li");
   item.className = `outcome-${letter === "-" ? "none" : letter}`;
   item.textContent = name;

@@ -10,7 +10,7 @@ const laws = {
   contact: { dash: [], name: "contact", width: 2 }, whirl: { dash: [9, 3, 2, 3], name: "backward whirl", width: 2 },
   forward: { dash: [8, 4], name: "forward rub ends", width: 2 }, force: { dash: [2, 3], name: "300 kN", width: 2 },
 };
-const left = 44, right = 8, top = 8, bottom = 40;
+const left = 44, right = 13, top = 8, bottom = 40;
 
 export class OutcomeMap {
   #canvas;

@@ -41,6 +41,6 @@ const contact_states = ["in flight", "sliding", "rolling", "in flight"];
 export const inMilliseconds = (time_s, loss_s) => 1e3 * (time_s - (loss_s ?? 0));
 
 export const inWords = (now, loss_s) =>
-  `${inMilliseconds(now.time_s, loss_s).toFixed(2).replace("-", "−")} ms${loss_s === null ? "" : " after the loss"}: ` +
-  `${contact_states[Math.round(now.contact_state)]}, ${now.speed_Hz.toFixed(1)} Hz` +
-  (now.normal_force_N < 0 ? `, ${(-now.normal_force_N / 1e3).toFixed(0)} kN` : "");
+  `${inMilliseconds(now.time_s, loss_s).toFixed(2).replace("-", "−")}\u00a0ms${loss_s === null ? "" : " after the loss"}: ` +
+  `${contact_states[Math.round(now.contact_state)]}, ${now.speed_Hz.toFixed(1)}\u00a0Hz` +
+  (now.normal_force_N < 0 ? `, ${(-now.normal_force_N / 1e3).toFixed(0)}\u00a0kN` : "");

@@ -210,8 +210,8 @@ export class Plots {
     ctx.fillStyle = colour("text");
     ctx.font = "600 12px system-ui, sans-serif";
     const below = has_areas && this.#width < narrow;
-    ctx.fillText(`${title}, ${unit}`, left, below ? y - 16 : y);
-    let x = below ? left - 40 : left + ctx.measureText(`${title}, ${unit}`).width + 14;
+    ctx.fillText(`${title}, ${unit}`, left + 4, below ? y - 16 : y);
+    let x = below ? left - 40 : left + ctx.measureText(`${title}, ${unit}`).width + 18;
     ctx.font = "12px system-ui, sans-serif";
     if (!has_areas) return;
     for (const { label, colour: name } of curves) {

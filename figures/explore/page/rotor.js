@@ -138,12 +138,9 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
   ctx.font = "600 13px system-ui, sans-serif";
   if (name === "spin") ctx.fillText(text, x, y + (y > 0 ? -1.5 : 1.7) * radius); // away from the contact
   else {
-    const [right, down] = points[12];
-    ctx.textAlign = right > 0 ? "left" : "right";
-    const room = ctx.measureText(text).width, edge = ctx.canvas.clientWidth / 2 - 4;
-    const place = right > 0 ? Math.min(right * 1.06, edge - room) : Math.max(right * 1.06, room - edge);
-    const low = down * 1.1 + (Math.abs(right) < 0.5 * radius ? Math.sign(down) * 8 : 0);
-    ctx.fillText(text, place, Math.max(low, 14 - ctx.canvas.clientHeight / 2));
+    const [right, down] = points[12], edge = ctx.canvas.clientWidth / 2; // in the corner beside the arrow
+    ctx.textAlign = right > 0 ? "right" : "left";
+    ctx.fillText(text, right > 0 ? edge : -edge, down > 0 ? edge - 24 : 14 - edge);
   }
   ctx.font = "12px system-ui, sans-serif";
 }

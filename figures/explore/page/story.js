@@ -46,9 +46,9 @@ function farthest({ time_s, x_a_m, y_a_m }, from_s) {
   return time_s[best];
 }
 
-const inKilonewton = (force_N) => `${(force_N / 1e3).toFixed(0)} kN`;
-const inHertz = (f) => `${f.toFixed(f < 100 ? 1 : 0)} Hz`;
-const ms = (duration_s) => `${(1e3 * duration_s).toFixed(1)} ms`;
+const inKilonewton = (force_N) => `${(force_N / 1e3).toFixed(0)}\u00a0kN`;
+const inHertz = (f) => `${f.toFixed(f < 100 ? 1 : 0)}\u00a0Hz`;
+const ms = (duration_s) => `${(1e3 * duration_s).toFixed(1)}\u00a0ms`;
 
 /// Moments in their order: time, title and sentence. The last one depends on the outcome.
 export function storyOf(picture) {
@@ -62,15 +62,15 @@ export function storyOf(picture) {
     { time_s: from_s, title: "Before the loss", text: `At ${inHertz(speed_Hz)} the rotor turns quietly about its mass centre, ` +
       `${(speed_Hz / critical_Hz).toFixed(speed_Hz < 3 * critical_Hz ? 1 : 0)} times as fast as its critical speed.` },
     { time_s: loss_s, title: "A piece leaves the rim", text: "The mass centre of the rotor is now " +
-      `${(1e3 * further_m).toFixed(1)} mm further out and keeps moving. The rotor swings towards the ring.` },
+      `${(1e3 * further_m).toFixed(1)}\u00a0mm further out and keeps moving. The rotor swings towards the ring.` },
   ];
   if (!first) {
     story.push({ time_s: farthest(picture.motion, loss_s), title: "It stays clear", text: "The swing reaches " +
-      `${(1e3 * summary.max_displacement_m).toFixed(2)} mm of the ${clearance_mm.toFixed(1)} mm of clearance: the rotor was too slow to touch the ring.` });
+      `${(1e3 * summary.max_displacement_m).toFixed(2)}\u00a0mm of the ${clearance_mm.toFixed(1)}\u00a0mm of clearance: the rotor was too slow to touch the ring.` });
     return story;
   }
   story.push({ time_s: first.time_s, title: "First impact", text: `${ms(first.time_s - loss_s)} later it has crossed the ` +
-    `${clearance_mm.toFixed(1)} mm of clearance. The faster the rotor turns, the further it swings out.` });
+    `${clearance_mm.toFixed(1)}\u00a0mm of clearance. The faster the rotor turns, the further it swings out.` });
   const rolls_s = summary.rolling_onset_s;
   const bands = bandsOf(picture);
   const end = bands.find(({ name }) => name === "sliding") ?? bands.at(-1);

@@ -93,7 +93,7 @@ TEST_P(Prover, EnclosesAllFallsOfABox) {
 
 // (t - 1)^2 / 2 - x is negative for a moment about t = 1, within a step of 2 s. With x = 0 it
 // touches zero, which is not decided to be an event or none.
-TEST_P(Prover, SeesAGuardVanishWithinAStepAndDoesNotDecideWhatOnlyTouches) {
+TEST_P(Prover, SeesAGuardVanishWithinAStepAndDoesNotDecideATouchOrATie) {
   const Line line([](Line& z) { return z.tape.constant(0); },
                   [](Line& z) {
                     const Term late = z.t - z.tape.constant(1);
@@ -103,6 +103,9 @@ TEST_P(Prover, SeesAGuardVanishWithinAStepAndDoesNotDecideWhatOnlyTouches) {
   EXPECT_EQ(follow(line, passes, step_length = 2), 0U);
   expect_in(passes, 2, 1 - sqrt(Ball("0.0002")));
   EXPECT_THROW(follow(line, touches, step_length), Undecided);
+  const Line both(spring, [](Line& z) { return z.tape.constant(10) - z.t; });  // as the end
+  StateSet at_once = both.at(1);
+  EXPECT_THROW(follow(both, at_once, step_length = 2), Undecided);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bits, Prover, testing::Values(53, 128, 512),
