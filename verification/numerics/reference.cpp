@@ -110,18 +110,18 @@ std::string table(const std::vector<NamedRun>& best,
 
 int main(const Arguments& arguments) {
   if (arguments.size() != 1) throw std::runtime_error("needs: FILE");
-  const Quad coarse("1e-16"), fine("1e-18");
+  const Quad coarse("1e-18"), fine("1e-20");
   const std::vector<NamedRun> runs = all_runs();
-  const auto best = landmarks<Verner>(runs, fine, "Verner 8(7), tolerance 1e-18");
-  const auto coarser = landmarks<Verner>(runs, coarse, "Verner 8(7), tolerance 1e-16");
-  const auto other = landmarks<Fehlberg>(runs, fine, "Fehlberg 7(8), tolerance 1e-18");
+  const auto best = landmarks<Verner>(runs, fine, "Verner 8(7), tolerance 1e-20");
+  const auto coarser = landmarks<Verner>(runs, coarse, "Verner 8(7), tolerance 1e-18");
+  const auto other = landmarks<Fehlberg>(runs, fine, "Fehlberg 7(8), tolerance 1e-20");
   FileTransaction files;
   files.write(arguments[0],
               "# High-precision results of our own, from `make reference`; not from the paper.\n"
               "# rotor " ROTOR_VERSION
               ", method event in quadruple precision (113 bits), published equations\n"
-              "# Verner 8(7) at tolerance 1e-18; the errors are the largest deviations from Verner "
-              "8(7) at 1e-16 and Fehlberg 7(8) at 1e-18.\n"
+              "# Verner 8(7) at tolerance 1e-20; the errors are the largest deviations from Verner "
+              "8(7) at 1e-18 and Fehlberg 7(8) at 1e-20.\n"
               "# state_error: lengths relative to the clearance, velocities to that times the "
               "speed and 1 rad/s, the speed to itself and 1 rad/s, the angle in rad.\n" +
                   table(best, {coarser, other}));
