@@ -172,7 +172,7 @@ figures/paper/%.gp:
 MAPS         := $(filter-out rounding,$(patsubst figures/maps/%.toml,%,$(wildcard figures/maps/*.toml)))
 MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
 MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
-maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (up to an hour)
+maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (minutes)
 .SECONDARY: $(foreach map,$(MAPS) rounding,$(foreach end,.toml .csv -theory.csv,$(MAP_OUT)/$(map)$(end)))
 map-theory: build
 	$(call build-target,map-theory)
@@ -248,12 +248,12 @@ COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
 	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under "$(UNDER)"
 
-reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (up to an hour)
+reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (minutes)
 	$(call build-target,reference digits-reference)
 	@$(BUILD)/digits-reference reference-data/random-runs.csv
 	@$(BUILD)/reference reference-data/high-precision.csv
 
-ensembles: build ## recompute reference-data/ensembles.csv: every claim over the rounding of the inputs (up to an hour)
+ensembles: build ## recompute reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes)
 	$(call build-target,ensembles)
 	@$(BUILD)/ensembles reference-data 10000
 
@@ -263,7 +263,7 @@ prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-d
 	@$(BUILD)/prover-tests --gtest_brief=1
 	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
-reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (up to an hour)
+reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (minutes)
 	$(call build-target,reasons)
 	@$(BUILD)/reasons reference-data 1000
 
@@ -284,7 +284,7 @@ bench: bench-programs ## measure run time against error of every method, with pi
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
 
 RUNS ?= 1000
-stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (up to an hour)
+stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (minutes)
 	$(call build-target,random-rotors stable-steps digits-reference)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 100000 $(BUILD)/stress-results
 	@$(BUILD)/stable-steps $(BUILD)/stress-results

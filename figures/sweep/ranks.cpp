@@ -108,7 +108,7 @@ void Ranks::serve(BlockScheduler& scheduler) {
     }
 }
 
-void Ranks::shut_down_workers() {
+void Ranks::shut_down_workers() const {
   for (int rank = 1; rank < count_; ++rank) send("", rank, end);
   for (int working = count_ - 1; working > 0;)
     if (wait_for_message().tag == end) --working;
@@ -136,7 +136,7 @@ Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 bool Ranks::broadcast(bool word) const { return is_first() && word; }
 void Ranks::serve(BlockScheduler& /*scheduler*/) {}
-void Ranks::shut_down_workers() {}
+void Ranks::shut_down_workers() const {}
 void work_for_first(const Work& /*work*/) {}
 
 #endif

@@ -26,7 +26,7 @@ class Ranks {
   /// without waiting.
   void serve(BlockScheduler& scheduler);
   /// Waits until all others know that nothing is left.
-  void shut_down_workers();
+  void shut_down_workers() const;
 
  private:
   int rank_ = 0, count_ = 1;
