@@ -31,7 +31,7 @@ int main(const Arguments& arguments) {
     const PopulationDraws draws(population, folder, count);
     for (const Set& set : sets) {
       const auto at = [&](long n) { return draws(n, set.equations); };
-      const auto report = [&, next = 0L](long done) mutable {
+      const auto report = [&, name = name, next = 0L](long done) mutable {
         if (done < next) return;
         fmt::print(stderr, "({}), {} equations: {} of {} draws\n", name, set.name, done, count);
         next = done + std::max(1L, count / 10);
