@@ -65,10 +65,11 @@ inline constexpr auto summary_fields = [] {
       {"outcome",
        "How the run ended, in one word, the first that holds: rolling (rolling has set in, "
        "whatever followed), stalled (the motor hardly raises the speed, which is below 1.5 times "
-       "the critical speed), sliding (the last contact lasts), freed (there were contacts, but the "
-       "free rotor cannot reach the ring at this speed), no_contact (there was no contact, and the "
-       "free rotor cannot reach the ring), bouncing (there were contacts, and more are possible), "
-       "undecided (there was no contact, but one is possible)",
+       "the critical speed), sliding (the last contact has lasted longer than a natural period of "
+       "the contact), freed (there were contacts, but the free rotor cannot reach the ring at this "
+       "speed), no_contact (there was no contact, and the free rotor cannot reach the ring), "
+       "bouncing (there were contacts, and more are possible), undecided (there was no contact, "
+       "but one is possible)",
        &Of::outcome},
       {"first_contact_s", "Time of the first touch-down", &Of::first_contact_s},
       {"touch_downs", "Number of touch-downs", &Of::touch_downs},
