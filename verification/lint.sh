@@ -11,7 +11,7 @@ clang-format --dry-run -Werror "${all[@]}" || exit 1
 # All sources of a folder at once, because the headers of libraries take longest; without gcc's
 # precompiled headers and quadruple precision. Code for other precisions is checked in double.
 cmake --preset release -B "$build" -DROTOR_VERIFICATION=OFF -DHAS_QUADMATH=OFF \
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$build.log" 2>&1 ||
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$build.log" 2>&1 ||
   { cat "$build.log" >&2; exit 1; }
 # With this name clang's analyzer also follows paths in the included sources.
 for file in "$build"/CMakeFiles/*/Unity/unity_*; do mv "$file" "${file/unity_/UnifiedSource_}"; done

@@ -74,8 +74,8 @@ double beginning(const Settings& settings, const Scenario& scenario) {
   return scenario.loses_mass() ? std::max(0., loss_s - shown_before_loss_s) : 0;
 }
 
-nlohmann::ordered_json headings_of(const std::vector<const Column*>& columns) {
-  auto names = nlohmann::ordered_json::array();
+Json headings_of(const std::vector<const Column*>& columns) {
+  auto names = Json::array();
   for (const Column* column : columns) names.push_back(column->name);
   return names;
 }
@@ -89,9 +89,9 @@ Picture Explorer::picture(const Shot& shot, Observer& monitor) {
     require_room(picture.motion.rows());
     picture.motion.add(row);
   });
-  auto happened = nlohmann::ordered_json::array();
+  auto happened = Json::array();
   EventLog events(scenario, [&](std::string_view event, auto row) {
-    nlohmann::ordered_json& entry = happened.emplace_back();
+    Json& entry = happened.emplace_back();
     entry["event"] = event;
     for (std::size_t i = 0; i < row.size(); ++i) entry[EventLog::columns()[i]->name] = row[i];
   });
@@ -141,7 +141,7 @@ Picture Explorer::draw(const Options& options, long n, long count, Observer& mon
   scenario.until = stated.until + later_s;
   const double from_s = std::max(0., beginning(settings, stated) + later_s);
   Picture result = picture({scenario, from_s, closeness_of_draws, columns_of_draw()}, monitor);
-  result.metadata["drawn"] = nlohmann::ordered_json::array();
+  result.metadata["drawn"] = Json::array();
   for (const Draw& draw : sweep.sample.over)
     result.metadata["drawn"].push_back(
         {{"quantity", draw.quantity}, {"from", draw.a}, {"to", draw.b}});
@@ -170,10 +170,10 @@ std::string Explorer::trace(const Options& options, Observer& monitor) {
   return csv;
 }
 
-nlohmann::ordered_json Explorer::describe_numbers() const {
-  auto all = nlohmann::ordered_json::array();
+Json Explorer::describe_numbers() const {
+  auto all = Json::array();
   for (const auto& [quantity, instead_of] : input_quantities()) {
-    nlohmann::ordered_json& entry = all.emplace_back();
+    Json& entry = all.emplace_back();
     entry["name"] = quantity.name;
     entry["symbol"] = quantity.symbol;
     entry["unit"] = quantity.unit;

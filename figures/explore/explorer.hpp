@@ -1,12 +1,12 @@
 /// Runs for interactive use: fast, and repeated with changed settings.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "figures/explore/settings.hpp"
 #include "figures/record/columns.hpp"
+#include "figures/results/json.hpp"
 
 namespace rotor {
 
@@ -14,7 +14,7 @@ namespace rotor {
 struct Picture {
   /// "summary" as `rotor run --energy --json` prints it, the "events", the columns of the tables,
   /// the start of the trace and the time of the mass loss.
-  nlohmann::ordered_json metadata;
+  Json metadata;
   Table motion;  ///< rows of the requested columns
   Table works;   ///< time, and the works of EnergyBalance up to then, J
 };
@@ -37,7 +37,7 @@ class Explorer {
   std::string trace(const Options& options, Observer& monitor);
 
   /// The inputs: name, symbol, unit, meaning, and the paper's value, if there is one.
-  nlohmann::ordered_json describe_numbers() const;
+  Json describe_numbers() const;
 
  private:
   /// What a picture shows, and how accurately.

@@ -70,9 +70,7 @@ class Engine {
     std::istringstream stream(text);
     return read_csv(stream, "printed inputs");
   }
-  static Options read(const std::string& options) {
-    return nlohmann::json::parse(options).get<Options>();
-  }
+  static Options read(const std::string& options) { return Json::parse(options).get<Options>(); }
   static val to_page(const Picture& picture) {
     val result = val::object();
     result.set("metadata", picture.metadata.dump());

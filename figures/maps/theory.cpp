@@ -9,7 +9,6 @@
 #include <cstring>
 #include <exception>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
@@ -32,7 +31,7 @@ constexpr std::array names = {"clearance_m",
 
 std::array<double, names.size()> closed_forms(const Scenario& scenario) {
   const Parameters& p = scenario.parameters;
-  const double speed = 2 * std::numbers::pi * scenario.start_speed_Hz;
+  const double speed = two_pi * scenario.start_speed_Hz;
   if (!(speed > 0)) throw std::domain_error("a map needs a start speed, at which the mass is lost");
   const MassLossResponse response(p, scenario.equations, speed);
   const Whirl whirl(p);

@@ -4,13 +4,13 @@
 
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "figures/input/scene.hpp"
 #include "figures/program/drawing.hpp"
+#include "figures/results/json.hpp"
 #include "figures/runs/production.hpp"
 #include "figures/sweep/sweep.hpp"
 
@@ -96,10 +96,10 @@ struct SceneTables {
 SceneTables compute_tables(const std::map<int, Scene>& scenes);
 
 /// Each name and value on its own line, or as JSON.
-void print_summary(const nlohmann::ordered_json& run, bool as_json, std::FILE* to);
+void print_summary(const Json& run, bool as_json, std::FILE* to);
 
 /// Several runs: one row each with the most important values, or all values as JSON.
-void print_summaries(const nlohmann::ordered_json& runs, bool as_json, std::FILE* to);
+void print_summaries(const Json& runs, bool as_json, std::FILE* to);
 
 /// Says on standard error which equations were used if none were stated.
 void say_which_equations(bool left_open);

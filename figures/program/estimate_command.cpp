@@ -1,6 +1,6 @@
-#include <nlohmann/json.hpp>
 
 #include "figures/program/commands.hpp"
+#include "figures/results/json.hpp"
 #include "figures/results/laws.hpp"
 
 namespace rotor {
@@ -25,9 +25,9 @@ void estimate_rotor(const CaseOptions& options) {
     numbers.insert_or_assign("start_speed_hz", at_loss.mapped());
     numbers.erase("mass_loss_time");
   }
-  auto runs = nlohmann::ordered_json::array();
+  auto runs = Json::array();
   for (const SceneRun& run : scene_of(stated).runs) {
-    nlohmann::ordered_json row;
+    Json row;
     if (!options.scene.empty()) row["run"] = run.name;
     row.update(laws(run.scenario));
     row["equations"] = name_of(run.scenario.equations);

@@ -90,7 +90,7 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
 
 /// What is printed about a run.
 struct Printed {
-  nlohmann::ordered_json summary{};
+  Json summary{};
   std::vector<Remark> remarks{};
   std::string short_of_digits{};  ///< the reason; empty if it has all digits
 };
@@ -223,7 +223,7 @@ void run_rotor(const RunOptions& options) {
     throw InputError("--columns requires --trace, or is help");
   const Scene scene = requested_scene(options);
   const bool one_of_many = scene.runs.size() > 1;
-  auto runs = nlohmann::ordered_json::array();
+  auto runs = Json::array();
   std::vector<std::string> messages, failures;
   RunUps run_ups;
   for (const SceneRun& run : scene.runs) {
@@ -245,7 +245,7 @@ void run_rotor(const RunOptions& options) {
       if (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json))
         messages.push_back(of_run(remark.sentence));
     if (!printed.short_of_digits.empty()) failures.push_back(of_run(printed.short_of_digits));
-    nlohmann::ordered_json row;
+    Json row;
     if (one_of_many) row["run"] = run.name;
     row.update(printed.summary);
     runs.push_back(row);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <unsupported/Eigen/FFT>
 
 #include "figures/program/commands.hpp"
@@ -22,7 +21,7 @@ std::vector<double> amplitudes(Signal signal) {
   const auto count = static_cast<double>(signal.size());
   constexpr double mean_of_window = 0.5;
   for (std::size_t k = 0; k < signal.size(); ++k)
-    signal[k] *= (1 - std::cos(2 * std::numbers::pi * static_cast<double>(k) / count)) / 2;
+    signal[k] *= (1 - std::cos(two_pi * static_cast<double>(k) / count)) / 2;
   Signal transformed;
   Eigen::FFT<double>().fwd(transformed, signal);
   std::vector<double> all;
@@ -52,7 +51,7 @@ struct Signals {
       turns = 0;
       rows = 0;
     } else if (!displacement.empty() && rolls_now == rolls) {
-      turns += std::arg(place * std::conj(displacement.back())) / (2 * std::numbers::pi);
+      turns += std::arg(place * std::conj(displacement.back())) / two_pi;
       ++rows;
     }
     displacement.push_back(place);

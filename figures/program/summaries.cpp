@@ -9,8 +9,6 @@
 namespace rotor {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Names and values; those of a part follow its name.
 void print_values(const Json& object, int digits, const std::string& indent, std::FILE* to) {
   for (const auto& [key, value] : object.items()) {

@@ -10,8 +10,6 @@
 namespace rotor {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json to_json(const NamedEstimate& value) {
   if (!value.estimate) return nullptr;
   return {{"value", value.estimate->value}, {"error", value.estimate->error}};

@@ -1,10 +1,10 @@
 /// The results of a run with guaranteed digits.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "figures/results/json.hpp"
 #include "figures/results/run_result.hpp"
 #include "model/certified/comparison.hpp"
 
@@ -27,7 +27,7 @@ std::string complaint(const Comparison& comparison, int digits);
 RunResult result_of(const Comparison& comparison, const Scenario& scenario);
 
 /// Like that of a RunResult, but with the error of each number and with the events.
-nlohmann::ordered_json to_json(const Comparison& comparison, const Scenario& scenario, int digits);
+Json to_json(const Comparison& comparison, const Scenario& scenario, int digits);
 
 /// A number with so many significant digits, including trailing zeros.
 std::string rounded_to(double value, int digits);
@@ -40,9 +40,9 @@ std::string certified_text(double value, double error, int digits);
 
 /// A value of a summary as text: its certain digits if it has an error, otherwise six digits; "-"
 /// if there is none.
-std::string text_of(const nlohmann::ordered_json& value, int digits);
+std::string text_of(const Json& value, int digits);
 
 /// The number of digits that a summary was asked for; 0 if none.
-int asked_digits(const nlohmann::ordered_json& summary);
+int asked_digits(const Json& summary);
 
 }  // namespace rotor

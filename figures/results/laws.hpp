@@ -1,8 +1,7 @@
 /// The closed forms of model/theory/accident.hpp for a scenario.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "figures/results/json.hpp"
 #include "model/scenario/scenario.hpp"
 
 namespace rotor {
@@ -10,6 +9,6 @@ namespace rotor {
 /// Keys have units; null: does not happen. The speed at the loss is that of a motor without
 /// resistance. Throws InputError for a run without mass loss, and std::domain_error for supports
 /// that do not vibrate.
-nlohmann::ordered_json laws(const Scenario& scenario);
+Json laws(const Scenario& scenario);
 
 }  // namespace rotor

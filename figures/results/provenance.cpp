@@ -32,7 +32,7 @@ std::string parameters(const Scenario& scenario) {
 std::string prediction(const Scenario& scenario) {
   std::vector<std::string> all;
   try {
-    const nlohmann::ordered_json known = laws(scenario);
+    const Json known = laws(scenario);
     for (const auto& [key, value] : known.items())
       if (value.is_number()) all.push_back(fmt::format("{} = {}", key, value.dump()));
   } catch (const std::exception&) {  // no mass loss, or supports that do not vibrate

@@ -12,8 +12,6 @@
 namespace rotor {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int schema = 3;
 
 Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }

@@ -1,11 +1,11 @@
 /// The result of a run.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "figures/results/json.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "model/results/energy.hpp"
 #include "model/results/stop_on.hpp"
@@ -33,11 +33,11 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
                  Observer& others);
 
 /// Null: has not happened.
-nlohmann::ordered_json to_json(const RunResult& result);
-nlohmann::ordered_json to_json(const EnergyObserver& energy);
+Json to_json(const RunResult& result);
+Json to_json(const EnergyObserver& energy);
 
 /// The JSON schema of what `rotor run --json` prints: each key, its meaning and its values.
-nlohmann::ordered_json summary_schema();
+Json summary_schema();
 
 /// What a reader should know about a run besides its numbers: its circumstances, a stated goal that
 /// was not reached, or a limit of model or method that it exceeds.

@@ -14,7 +14,7 @@ namespace rotor {
 namespace {
 
 /// The keys of a summary that become columns: its plain values, without those that all rows share.
-std::vector<std::string> keys_of(const nlohmann::ordered_json& summary) {
+std::vector<std::string> keys_of(const Json& summary) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : summary.items())
     if (!value.is_structured() && key != "version" && key != "schema") keys.push_back(key);
@@ -25,7 +25,7 @@ const std::vector<std::string>& columns_of(const Sweep& sweep) {
   return sweep.columns.empty() ? result_columns() : sweep.columns;
 }
 
-std::string field(const nlohmann::ordered_json& value, int digits) {
+std::string field(const Json& value, int digits) {
   if (value.is_null()) return "";
   if (value.is_object()) {
     const std::string sure = text_of(value, digits);
@@ -34,8 +34,7 @@ std::string field(const nlohmann::ordered_json& value, int digits) {
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
-std::string cells(nlohmann::ordered_json summary, const Scenario& scenario,
-                  const std::vector<std::string>& columns) {
+std::string cells(Json summary, const Scenario& scenario, const std::vector<std::string>& columns) {
   const auto is_law = [&](const std::string& column) { return !summary.contains(column); };
   if (std::any_of(columns.begin(), columns.end(), is_law)) summary.update(laws(scenario));
   const int digits = asked_digits(summary);

@@ -3,10 +3,13 @@
 
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <type_traits>
 
 namespace rotor {
+
+inline constexpr double two_pi = 2 * std::numbers::pi;  ///< radians per turn
 
 /// The shortest decimal that reads as this double: what was typed, if that has at most 15 digits.
 std::string shortest_decimal(double number);

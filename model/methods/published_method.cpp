@@ -4,7 +4,6 @@
 
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace rotor {
@@ -106,7 +105,7 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   at_.time_s = end_s;
   at_.state = state;
   at_.contact = contact;
-  if (state[5] >= 2 * std::numbers::pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
+  if (state[5] >= two_pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
   observer.on_instant(at_);
   const double angle = RotatingFrame<double>::angle(state);
   if (contact == ContactState::free)
@@ -114,7 +113,7 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   else if (begins)
     whirl_angle_ = angle;
   else
-    whirl_angle_ += std::remainder(angle - whirl_angle_, 2 * std::numbers::pi);
+    whirl_angle_ += std::remainder(angle - whirl_angle_, two_pi);
   stopped_ = !observer.goes_on({at_.time_s, at_.state[5], whirl_angle_});
   return true;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "model/results/outcome.hpp"
@@ -53,7 +52,7 @@ class StopObserver : public Observer {
   }
 
   bool goes_on(const Progress& now) override {
-    constexpr double slow = 0.1 * 2 * std::numbers::pi, for_s = 1;
+    constexpr double slow = 0.1 * two_pi, for_s = 1;
     const bool is_slow = std::abs(now.speed) < slow;
     has_turned_ = has_turned_ || !is_slow;
     const bool may_rest = loses_mass_ ? mass_lost_ : has_turned_;

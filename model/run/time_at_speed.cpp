@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <numbers>
 
 namespace rotor {
 namespace {
@@ -96,7 +95,7 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
   if (start_Hz >= (1 - speed_rounding) * speed_Hz)
     return {from.instant().time_s, 0, start_Hz, false};
   if (p.torque == 0) return {std::nullopt, 0, start_Hz, false};
-  const double end_s = until_s.value_or(2 * p.inertia * 2 * std::numbers::pi * speed_Hz / p.torque);
+  const double end_s = until_s.value_or(2 * p.inertia * two_pi * speed_Hz / p.torque);
 
   Simulation way = from;
   CancellationMonitor cancellation(monitor);
@@ -134,7 +133,7 @@ SpeedReached time_at_speed(const Simulation& from, const Scenario& scenario, dou
   const double moment = ripple(scenario, before.instant());
   const bool may_slow_down = moment > p.torque / 2;
   if (may_slow_down || excess(before_s) >= 0) {
-    const double back_s = 4 * moment / (2 * std::numbers::pi * speed_Hz * p.torque);
+    const double back_s = 4 * moment / (two_pi * speed_Hz * p.torque);
     before = whole_steps_to(std::max(before_s - back_s, from.instant().time_s));
     before_s = before.instant().time_s;
   }

@@ -10,13 +10,11 @@
 namespace rotor {
 namespace {
 
-constexpr double Hz = 2 * std::numbers::pi;
-
 Accident law_of(const Scenario& scenario) {
-  return {scenario.parameters, scenario.equations, Hz * scenario.start_speed_Hz};
+  return {scenario.parameters, scenario.equations, two_pi * scenario.start_speed_Hz};
 }
 
-Summary summary_of(const Scenario& scenario) {
+Summary until_decided(const Scenario& scenario) {
   Observer null_observer;
   return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, null_observer).summary;
 }
@@ -73,7 +71,7 @@ Scenario ideal(double friction, double softness, double kappa) {
   p.stator_radius = p.rotor_radius + 1e-6;
   p.friction = friction;
   p.inertia = p.mass * p.rotor_radius * p.rotor_radius / kappa;
-  const double rate = Hz * 150 / (1 + kappa) * p.rotor_radius / 1e-6;  // of rigid rolling
+  const double rate = two_pi * 150 / (1 + kappa) * p.rotor_radius / 1e-6;  // of rigid rolling
   p.contact_stiffness = p.mass * rate * rate / (softness * softness);
   p.contact_damping = 0.1 * std::sqrt(p.mass * p.contact_stiffness);
   return scenario;
@@ -83,8 +81,8 @@ TEST(AccidentLaws, RollsInARigidRingFromTheSpeedThatTheMomentumLeaves) {
   const Scenario scenario = ideal(0.3, 0.01, 2);
   const double rest = 1. / 3;
   Law("speed at which rolling begins in a rigid ring", 3e-4)  // softness^2, m_u
-      .expect_left(summary_of(scenario).rolling_onset_speed_Hz.value() / (150 * rest) - 1);
-  EXPECT_NEAR(law_of(scenario).rolling_speed.value() / (Hz * 150 * rest), 1, 3e-4);
+      .expect_left(until_decided(scenario).rolling_onset_speed_Hz.value() / (150 * rest) - 1);
+  EXPECT_NEAR(law_of(scenario).rolling_speed.value() / (two_pi * 150 * rest), 1, 3e-4);
 }
 
 // The slower the growth beside the ring's vibration, the better: their ratio is mu * softness.
@@ -94,9 +92,10 @@ TEST(AccidentLaws, RollsInASoftRingAsTheLawsSay) {
       for (const double friction : {0.1, 0.3}) {
         const Scenario scenario = ideal(friction, softness, kappa);
         const Accident law = law_of(scenario);
-        const Summary run = summary_of(scenario);
+        const Summary run = until_decided(scenario);
         Law("speed at which rolling begins in a soft ring", 5e-3)
-            .expect_left(run.rolling_onset_speed_Hz.value() * Hz / law.rolling_speed.value() - 1);
+            .expect_left(run.rolling_onset_speed_Hz.value() * two_pi / law.rolling_speed.value() -
+                         1);
         Law("largest force in rolling, soft ring", 1e-2)
             .expect_left(run.peak_normal_force_N.value() / law.rolling_force.value() - 1);
       }

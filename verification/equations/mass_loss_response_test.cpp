@@ -5,9 +5,8 @@
 
 #include <stdexcept>
 
-#include "model/results/summary.hpp"
-#include "model/run/simulation.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/summary_of.hpp"
 
 namespace rotor {
 namespace {
@@ -21,13 +20,7 @@ Scenario lost_at(double speed_Hz, Equations equations) {
 }
 
 MassLossResponse closed_form(const Scenario& scenario) {
-  return {scenario.parameters, scenario.equations, 2 * std::numbers::pi * scenario.start_speed_Hz};
-}
-
-Summary summary_of(const Scenario& scenario) {
-  SummaryObserver observer(scenario);
-  run(scenario, observer);
-  return observer.summary();
+  return {scenario.parameters, scenario.equations, two_pi * scenario.start_speed_Hz};
 }
 
 struct MassLossResponseOf : testing::TestWithParam<Equations> {};

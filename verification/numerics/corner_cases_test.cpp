@@ -1,8 +1,6 @@
 /// Events that are easily missed, doubled or misplaced, and motions that may not finish.
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "model/methods/event_method.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/follow.hpp"
@@ -88,7 +86,7 @@ TEST_F(Oscillation, MotorOffAndContactAtOneInstantBothHappenOnce) {
   Instant first = with_amplitude(2 * clearance());
   const Instant touch = run_from(first).first(Event::touch_down);
   for (const double shift : {-1e-16, 0., 1e-16}) {
-    scenario_.parameters.motor_off_Hz = touch.state[5] / (2 * std::numbers::pi) * (1 + shift);
+    scenario_.parameters.motor_off_Hz = touch.state[5] / two_pi * (1 + shift);
     scenario_.until = touch.time_s + 1e-4;
     const EventRecorder run = run_from(first);
     EXPECT_EQ(run.count(Event::touch_down), 1) << shift;

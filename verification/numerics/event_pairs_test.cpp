@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "figures/record/columns.hpp"
@@ -16,8 +15,6 @@
 
 namespace rotor {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// A motion that starts at the ring, with a large torque.
 struct Rub {

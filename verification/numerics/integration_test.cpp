@@ -5,10 +5,10 @@
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "model/integration/step.hpp"
 #include "model/integration/verner.hpp"
+#include "model/mechanics/parameters.hpp"
 
 namespace rotor {
 namespace {
@@ -56,7 +56,7 @@ RC_GTEST_PROP(Crossing, IsTheFirstOfSeveralInOneStep, ()) {
 TEST(Crossing, IsFoundBetweenOscillationsByTheBoundOfTheCurvature) {
   // Below zero for a hundredth of the step, in the 7th of 16 oscillations; nothing shows at the
   // ends.
-  const double k = 2 * std::numbers::pi * 16;
+  const double k = two_pi * 16;
   const auto f = [&](double t) {
     return 1.02 + std::cos(k * t) - 0.1 * std::exp(-400 * (t - 0.41) * (t - 0.41));
   };

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 #include "figures/input/names.hpp"
@@ -62,7 +61,7 @@ TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
   OutcomeWatch watch(scenario);
   Instant at = at_rest<double>(p);
   at.state[0] = p.stator_radius - p.rotor_radius;
-  const double period = 2 * std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness);
+  const double period = two_pi * std::sqrt(p.mass / p.contact_stiffness);
   for (const ContactState before : {ContactState::free, ContactState::indented}) {
     at.contact = before;
     watch.note(at);

@@ -5,16 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "figures/data/csv.hpp"
+#include "figures/results/json.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
 
-using Json = nlohmann::json;
 constexpr int inputs = 16;
 
 class Proven : public CommandLine {
@@ -32,7 +31,7 @@ class Proven : public CommandLine {
     EXPECT_EQ(status, 0) << output;
     found = Json::parse(output);
     int touch_downs = 0;
-    for (const Json& event : found.at("events"))
+    for (const Json events = found.at("events"); const Json& event : events)
       if (event.at("event") == "touch_down")
         found[fmt::format("touch_down_{}_s", ++touch_downs)] = event.at("time_s");
     return found;

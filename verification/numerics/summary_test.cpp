@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <numbers>
 
 #include "model/run/simulation.hpp"
 #include "model/scenario/instant.hpp"
@@ -73,7 +72,7 @@ TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
                      return cross(m.displacement, m.velocity) / m.displacement.squaredNorm();
                    },
                    step.from_s, step.until_s) /
-               (2 * std::numbers::pi);
+               two_pi;
       until_s = step.until_s;
     }
     double from_s = 0, until_s = 0, turns = 0;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
 #include "model/theory/mass_loss_response.hpp"
@@ -12,8 +11,6 @@
 
 namespace rotor {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Where on the rim a loss leaves the largest unbalance: degrees from opposite to the initial one.
 double place_of_largest_unbalance(const Parameters& p) {

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <map>
-#include <numbers>
 
 #include "figures/data/csv.hpp"
 #include "model/mechanics/mass_loss.hpp"
@@ -14,10 +13,8 @@
 namespace rotor {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
 /// The result of a scenario's run that starts with O_a xy turned by an angle.
-Summary summary_of(const Scenario& scenario, double angle = 0) {
+Summary summary_from(const Scenario& scenario, double angle = 0) {
   SummaryObserver observer(scenario);
   Instant first = at_rest(scenario.parameters);
   first.state[2] = angle;
@@ -28,12 +25,12 @@ Summary summary_of(const Scenario& scenario, double angle = 0) {
 /// Each ambiguous choice of the paper: a quantity with the choice taken and with the other one.
 const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions() {
   static const auto peak = [](const Scenario& s, double angle = 0) {
-    return *summary_of(s, angle).peak_normal_force_N / 1e3;
+    return *summary_from(s, angle).peak_normal_force_N / 1e3;
   };
   static const auto motor = [](double mass_loss_time) {
     Scenario on{.parameters = {.mass_loss_time = mass_loss_time}, .until = mass_loss_time + 0.15};
     Scenario off = on;
-    off.parameters.motor_off_Hz = *summary_of(on).speed_at_mass_loss_Hz;
+    off.parameters.motor_off_Hz = *summary_from(on).speed_at_mass_loss_Hz;
     return std::array{peak(on), peak(off)};
   };
   // Both as printed, and with the mass lost at another time and the ring a little wider.
@@ -43,8 +40,8 @@ const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions
     other.parameters.mass_loss_time = mass_loss_time;
     other.parameters.stator_radius += wider;
     other.until = mass_loss_time + 0.25;
-    return std::array{static_cast<double>(summary_of(taken).touch_downs),
-                      static_cast<double>(summary_of(other).touch_downs)};
+    return std::array{static_cast<double>(summary_from(taken).touch_downs),
+                      static_cast<double>(summary_from(other).touch_downs)};
   };
   static const std::map<std::string, std::function<std::array<double, 2>()>> all = {
       {"motor-at-19.1s", [] { return motor(19.1); }},
@@ -84,8 +81,8 @@ const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions
        [] {
          Scenario taken{.parameters = {.mass_loss_time = 2.2}, .until = 4}, other = taken;
          other.parameters.mass_loss_time = 2.23;
-         return std::array{1e3 * *summary_of(taken).max_displacement_m,
-                           1e3 * *summary_of(other).max_displacement_m};
+         return std::array{1e3 * *summary_from(taken).max_displacement_m,
+                           1e3 * *summary_from(other).max_displacement_m};
        }},
       {"equilibrium-of-the-lighter-rotor",
        [] {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/roots.hpp>
-#include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
 #include "model/scenario/instant.hpp"
@@ -14,8 +13,6 @@
 
 namespace rotor {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 TEST(Audit, TheGravityMomentAsPrintedDoesNotConserveTheEnergyOfAnUndampedUndrivenRotor) {
   const auto drift = [](Equations equations, bool potential_of_the_whole_weight) {

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <numbers>
 #include <regex>
 #include <set>
 
@@ -195,9 +194,9 @@ TEST(PrintedInputs, AreTheNomenclaturesWithHalfAUnitOfTheirLastDigit) {
   EXPECT_GE(own_digits, 15);
   const auto ranges = read_input_ranges(ROTOR_REFERENCE_DATA "/printed-inputs.csv");
   const auto operating = std::ranges::find(ranges, "motor_off_hz", &InputRange::input);
-  const double rad_s = 2 * std::numbers::pi, as_written = 0.005;
-  EXPECT_NEAR(operating->least, (150 * rad_s - 0.5) / rad_s, as_written);
-  EXPECT_NEAR(operating->greatest, 943.5 / rad_s, as_written);
+  const double as_written = 0.005;
+  EXPECT_NEAR(operating->least, (150 * two_pi - 0.5) / two_pi, as_written);
+  EXPECT_NEAR(operating->greatest, 943.5 / two_pi, as_written);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "verification/paper/claims.hpp"
@@ -15,8 +14,6 @@ namespace rotor {
 namespace {
 
 const std::filesystem::path data = ROTOR_REFERENCE_DATA;
-constexpr double two_pi = 2 * std::numbers::pi;
-
 TEST(PopulationB, PrintsEveryConditioningNumber) {
   constexpr long count = 1000;
   const PopulationDraws draws(Population::b, data, count);

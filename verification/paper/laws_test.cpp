@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "figures/data/csv.hpp"
+#include "figures/results/json.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -16,8 +16,8 @@ namespace {
 const std::string paper = ROTOR_SOURCES "/verification/paper/";
 
 struct LawsOfTheAccident : CommandLine {
-  nlohmann::json json(const std::string& command) const {
-    return nlohmann::json::parse(rotor(command + " --json 2>/dev/null").output);
+  Json json(const std::string& command) const {
+    return Json::parse(rotor(command + " --json 2>/dev/null").output);
   }
 };
 

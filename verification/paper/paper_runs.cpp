@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "figures/results/run_result.hpp"
 #include "model/results/energy.hpp"
@@ -12,7 +11,6 @@
 namespace rotor {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double early_s = 5e-3;  ///< of rolling that is measured
 
 }  // namespace

@@ -4,15 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "model/mechanics/mass_loss.hpp"
 #include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 using Value = std::optional<double>;
 using Formula = std::function<Value(PaperRuns&)>;

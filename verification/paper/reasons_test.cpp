@@ -6,20 +6,20 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "figures/data/csv.hpp"
 #include "figures/input/scenario_spec.hpp"
+#include "figures/results/json.hpp"
 #include "verification/paper/ensembles.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
 
-const std::filesystem::path data = ROTOR_REFERENCE_DATA;
+const std::filesystem::path reference_data = ROTOR_REFERENCE_DATA;
 
 const std::vector<Reason>& reasons() {
-  static const auto all = read_reasons(data / "reasons.csv");
+  static const auto all = read_reasons(reference_data / "reasons.csv");
   return all;
 }
 
@@ -34,7 +34,7 @@ const Trials& anew(const Set& set) {
 // Shares within three standard errors.
 TEST(Reasons, FailAsOftenAsTheTableSays) {
   for (const Set& set : sets)
-    for (const CsvRow& row : read_csv(data / "reasons-tried.csv")) {
+    for (const CsvRow& row : read_csv(reference_data / "reasons-tried.csv")) {
       if (row["equations"] != set.name) continue;
       const Trial& trial = anew(set).at(row["reason"]);
       const auto number = [&](const char* column) {
@@ -101,7 +101,7 @@ TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
       }
       EXPECT_TRUE(less_rolls || reason.judged == Criterion::touches) << example;
       EXPECT_TRUE(reason.judged != Criterion::rolls || !more_rolls) << example;
-      const auto force = [](const nlohmann::json& of) {
+      const auto force = [](const Json& of) {
         return of["peak_normal_force_N"].is_null() ? 0 : of["peak_normal_force_N"].get<double>();
       };
       const double ratio = force(more) / force(less);

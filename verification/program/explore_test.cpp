@@ -11,8 +11,6 @@
 namespace rotor {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::vector<CsvRow> printed_inputs() {
   return read_csv(fs::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv");
 }

@@ -1,11 +1,11 @@
 /// Random scenes and command lines: any input is processed, or refused in one clear line.
 #include <boost/property_tree/xml_parser.hpp>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <regex>
 
 #include "figures/data/text.hpp"
 #include "figures/input/scene.hpp"
+#include "figures/results/json.hpp"
 #include "model/scenario/instant.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -203,12 +203,12 @@ TEST_F(Fuzz, TextsAreNeverCommands) {
     };
     const std::string title = random.hostile(79), folder = name(""), scene_file = name(".toml"),
                       picture = name(".svg");
-    std::string scene = "title = " + nlohmann::json(title).dump() +
-                        "\n[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n";
+    std::string scene =
+        "title = " + Json(title).dump() + "\n[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n";
     std::vector<std::string> names;
     for (int run = 1; run <= 4; ++run) {
       names.push_back(std::to_string(run) + random.hostile(34));
-      scene += "[[run]]\nname = " + nlohmann::json(names.back()).dump() + '\n';
+      scene += "[[run]]\nname = " + Json(names.back()).dump() + '\n';
     }
     fs::create_directory(folder_ / folder);
     write(folder + '/' + scene_file, scene);
@@ -237,8 +237,8 @@ TEST_F(Fuzz, ControlCharactersReachNeitherPicturesNorTerminals) {
   for (long n = 0; n < 15; ++n) {
     const std::string text = random.hostile(20) + random.control() + random.hostile(20);
     const std::string key = random.one_in(2) ? "title" : "name";
-    write("s.toml", (key == "name" ? "[[run]]\n" : "") + key + " = " +
-                        nlohmann::json(text).dump(-1, ' ', true) + '\n');
+    write("s.toml",
+          (key == "name" ? "[[run]]\n" : "") + key + " = " + Json(text).dump(-1, ' ', true) + '\n');
     const std::string place = key == "name" ? "s.toml:2: name: " : "s.toml:1: title: ";
     expect_refusal("plot s.toml", place + "must be one line, without control characters");
     for (const char* command : {"plot", "run --columns", "run --scene", "sweep --out"})

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "figures/data/csv.hpp"
+#include "model/mechanics/parameters.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -113,8 +113,8 @@ TEST_F(Gnuplot, GetsTheSpectrumOfTheForceInRolling) {
     const double force_x = number("normal_force_N") * n_x - number("friction_force_N") * n_y,
                  force_y = number("normal_force_N") * n_y + number("friction_force_N") * n_x;
     const double share = static_cast<double>(k) / static_cast<double>(samples),
-                 window = 1 - std::cos(2 * std::numbers::pi * share),
-                 angle = -2 * std::numbers::pi * frequency_Hz * length_s * share;
+                 window = 1 - std::cos(two_pi * share),
+                 angle = -two_pi * frequency_Hz * length_s * share;
     real += window * (force_x * std::cos(angle) - force_y * std::sin(angle));
     imaginary += window * (force_x * std::sin(angle) + force_y * std::cos(angle));
   }

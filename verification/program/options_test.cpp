@@ -5,17 +5,16 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <tuple>
 
 #include "figures/input/scenario_spec.hpp"
+#include "figures/results/json.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
 
-using Json = nlohmann::json;
 class Options : public CommandLine {
  protected:
   Json inputs(const std::string& arguments) const { return summary(arguments)["inputs"]; }

@@ -2,7 +2,6 @@
 /// Their texts are in verification/approved.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -192,7 +191,7 @@ std::vector<std::string> Pictures::numbers() const {
       return {fmt::format("onset of rolling t = {:.5f} s", *of[0].rolling_onset_s),
               fmt::format("f = {:.2f} Hz", *of[0].rolling_onset_speed_Hz),
               fmt::format("frol = f r/ρ = {:.1f} Hz", rolling_Hz),
-              fmt::format("vO = {:.2f} m/s", 2 * std::numbers::pi * rolling_Hz * rho)};
+              fmt::format("vO = {:.2f} m/s", two_pi * rolling_Hz * rho)};
     }
     case 11:
       return {largest(0), change(1), change(2)};

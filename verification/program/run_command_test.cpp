@@ -2,16 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "figures/input/names.hpp"
+#include "figures/results/json.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
-
-using Json = nlohmann::json;
 
 using RunCommand = CommandLine;
 

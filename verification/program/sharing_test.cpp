@@ -1,7 +1,6 @@
 /// Runs that share a part give the same results, to the bit, as separate runs.
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 #include "figures/results/run_result.hpp"

@@ -13,7 +13,6 @@
 namespace rotor {
 namespace {
 
-using Json = nlohmann::json;
 constexpr double turn = 2 * 3.14159265358979323846;
 
 /// The expected summary, gathered in the simplest way.

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <regex>
 #include <set>
 #include <utility>
 
 #include "figures/data/csv.hpp"
+#include "figures/results/json.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/sweep_row.hpp"
 #include "verification/support/command_line.hpp"
@@ -86,7 +86,7 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
     EXPECT_EQ(row["refusal"], "");
     EXPECT_EQ(row["equations_varied"], point.values[0]);
     outcomes.insert(row["outcome"]);
-    const auto summary = nlohmann::ordered_json::parse(run.output);
+    const auto summary = Json::parse(run.output);
     for (const auto& [key, value] : summary.items()) {
       if (value.is_structured() || key == "version" || key == "schema") continue;
       const std::string expected = value.is_null()     ? ""

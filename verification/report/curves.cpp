@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <numbers>
 
 #include "figures/data/csv.hpp"
+#include "model/mechanics/parameters.hpp"
 
 namespace rotor {
 namespace {
@@ -18,12 +18,12 @@ struct Shown {
   std::string_view column, words, unit;
   double scale;
 };
-constexpr std::array shown = {Shown{"q1_m", "coordinate q1", "mm", 1e3},
-                              Shown{"q2_m", "coordinate q2", "mm", 1e3},
-                              Shown{"rho_m", "displacement rho", "mm", 1e3},
-                              Shown{"normal_force_N", "normal force", "kN", 1e-3},
-                              Shown{"kinetic_energy_J", "kinetic energy", "J", 1},
-                              Shown{"speed_Hz", "rotation speed", "Hz", 1}};
+constexpr std::array shown_columns = {Shown{"q1_m", "coordinate q1", "mm", 1e3},
+                                      Shown{"q2_m", "coordinate q2", "mm", 1e3},
+                                      Shown{"rho_m", "displacement rho", "mm", 1e3},
+                                      Shown{"normal_force_N", "normal force", "kN", 1e-3},
+                                      Shown{"kinetic_energy_J", "kinetic energy", "J", 1},
+                                      Shown{"speed_Hz", "rotation speed", "Hz", 1}};
 
 /// The header row of a CSV.
 std::string header_of(const std::filesystem::path& csv) {
@@ -59,7 +59,7 @@ std::array<double, 2> turns(const std::vector<CurvePoint>& path) {
   for (std::size_t n = 1; n < path.size(); ++n) {
     const CurvePoint &a = path[n - 1], &b = path[n];
     const double angle = std::atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y);
-    sums[angle < 0] += std::abs(angle) / (2 * std::numbers::pi);
+    sums[angle < 0] += std::abs(angle) / two_pi;
   }
   return sums;
 }
@@ -101,7 +101,7 @@ std::vector<FigureCurve> read_curves(const std::filesystem::path& csv) {
   const bool is_path = header.find("x_a_m") != std::string::npos;
   std::vector<Shown> columns;
   // Where displacement or force are shown, the speed is there for the captions.
-  for (const Shown& column : shown)
+  for (const Shown& column : shown_columns)
     if (header.find(column.column) != std::string::npos &&
         (column.column != "speed_Hz" || columns.empty()))
       columns.push_back(column);

@@ -2,16 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "figures/results/json.hpp"
 #include "verification/paper/claims.hpp"
 
 namespace rotor {
-
-/// Keys in the order in which they are written.
-using Json = nlohmann::ordered_json;
 
 /// Its sources.
 struct Sources {

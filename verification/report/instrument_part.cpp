@@ -4,7 +4,6 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "figures/data/csv.hpp"
 #include "figures/explore/explorer.hpp"
@@ -50,7 +49,7 @@ std::string base64(std::string bytes) {
 }
 
 /// Columns by their names, each in steps of a 65535th of its range: [least, greatest, steps].
-Json quantised(const Table& all, const nlohmann::ordered_json& names, double until_s) {
+Json quantised(const Table& all, const Json& names, double until_s) {
   Table table(all.columns());
   for (std::size_t row = 0; row < all.rows() && all.row(row)[0] <= until_s; ++row)
     table.add(all.row(row));
@@ -117,7 +116,7 @@ Json laws_json(const Equations& equations) {
   bool touched = false;
   for (double speed_Hz = 3; speed_Hz <= most_Hz; speed_Hz += step_Hz) {
     Parameters p;
-    const auto law = [&] { return Accident(p, equations, 2 * std::numbers::pi * speed_Hz); };
+    const auto law = [&] { return Accident(p, equations, two_pi * speed_Hz); };
     try {
       const Accident at = law();
       const bool touches = at.contact_s.has_value();

@@ -11,10 +11,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "figures/results/json.hpp"
 
 namespace rotor {
 
@@ -56,10 +57,10 @@ class CommandLine : public testing::Test {
   Outcome rotor(const std::string& arguments) const { return shell("$rotor " + arguments); }
 
   /// What `rotor run --json` prints.
-  nlohmann::json summary(const std::string& arguments) const {
+  Json summary(const std::string& arguments) const {
     const Outcome outcome = rotor("run --json " + arguments + " 2>messages");
     EXPECT_EQ(outcome.status, 0) << arguments << ": " << content("messages");
-    return outcome.status == 0 ? nlohmann::json::parse(outcome.output) : nlohmann::json();
+    return outcome.status == 0 ? Json::parse(outcome.output) : Json();
   }
 
   /// The content of a file in the folder.

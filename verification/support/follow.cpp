@@ -1,7 +1,6 @@
 #include "verification/support/follow.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "verification/support/follow_with.hpp"
 
@@ -17,7 +16,7 @@ Instant mass_lost_at_speed(const Scenario& scenario, double speed) {
   Instant at = at_rest(p);
   at.body = loss.after;
   at.mass_lost = true;
-  at.motor_on = speed < 2 * std::numbers::pi * p.motor_off_Hz;
+  at.motor_on = speed < two_pi * p.motor_off_Hz;
   const double offset = std::min(loss.before.eccentricity, 0.9 * Ring<double>(p).clearance);
   at.state = {-offset, 0, 0, 0, loss.velocity_jump(speed), speed};
   return at;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "model/mechanics/mass_loss.hpp"
@@ -28,9 +27,7 @@ class RandomScenarios {
   }
 
   /// Of such a rotor, rad/s.
-  double speed() {
-    return one_in(20) ? 0 : 2 * std::numbers::pi * between(0.1, 1000) * (one_in(10) ? -1 : 1);
-  }
+  double speed() { return one_in(20) ? 0 : two_pi * between(0.1, 1000) * (one_in(10) ? -1 : 1); }
 
  private:
   void draw(Parameters& p) {
