@@ -199,9 +199,18 @@ std::vector<std::string> Pictures::numbers() const {
     case 13:
       return {peak, fmt::format("here: {:.1f} Hz", lost_at_Hz)};
     case 14:
-    case 15:
-      return {fmt::format("f = {:.1f} Hz", lost_at_Hz),
-              fmt::format("here: {:.3f} mm at ", after_mm)};
+    case 15: {
+      std::vector<std::string> shown{fmt::format("f = {:.1f} Hz", lost_at_Hz),
+                                     fmt::format("here: {:.3f} mm at ", after_mm)};
+      for (const CsvRow& row :
+           read_csv(std::filesystem::path(ROTOR_REFERENCE_DATA) / "ensembles.csv"))
+        if (figure().number == 14 && row["number"] == "contacts_9" &&
+            row["equations"] == name_of(equations()))
+          shown.push_back(fmt::format("{}: {:.0f} %",
+                                      row["population"] == "a" ? "loss's time" : "all inputs",
+                                      100 * std::stod(row["holds"])));
+      return shown;
+    }
     case 17:
       return {fmt::format("a {:.2f} mm, b {:.2f} mm", after_mm,
                           1e3 * of[1].max_displacement_before_loss_m),
