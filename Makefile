@@ -245,7 +245,7 @@ portable: build ## build for another processor, and compare results to the last 
 SEED  ?= 1
 HAND  ?= 50
 COUNT ?= 100
-mutants: need-deps ## break the program on purpose in many ways: the tests must notice each (minutes)
+mutants: need-deps ## break the program on purpose in many ways: the tests must notice every listed fault (minutes)
 	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under "$(UNDER)"
 
 reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (minutes)
@@ -263,11 +263,11 @@ prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-d
 	@$(BUILD)/prover-tests --gtest_brief=1
 	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
-reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv (minutes)
+reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv
 	$(call build-target,reasons)
 	@$(BUILD)/reasons reference-data 1000
 
-laws: build ## test the laws of model/theory on 10,000 random rotors: reference-data/laws.csv, and a picture (minutes)
+laws: build ## test the laws of model/theory on 10,000 random rotors: reference-data/laws.csv, and a picture
 	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --out $(BUILD)/laws/laws.csv
 	@verification/paper/laws.sh $(BUILD)/laws/laws.csv > $(BUILD)/laws/quantiles.csv
 	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv

@@ -27,9 +27,9 @@ closed_scan = int(sqrt(closed_records/(2*rows)) + 0.5)
 # Lines on which a closed form equals the quantity it is compared with: $closed_P_I of panel P and form I.
 forms = 6
 array form[forms] = ["greatest_m", "bound_m", "steady_m", "synchronous_friction", "rebound_friction", "peak_force_N"]
-array meaning[forms] = ["closed forms: border of contact", "cannot touch beyond", \
-  "steady response reaches the ring", "no lasting forward rub beyond", \
-  "rebounds lead to backward whirl beyond", "largest force of 300 kN"]
+array meaning[forms] = ["closed forms: border of contact", "limit of possible contact", \
+  "steady response reaches the ring", "limit of lasting forward rub", \
+  "limit of backward whirl by rebounds", "largest force of 300 kN"]
 array line[forms] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linewidth 1.2 dashtype (5,4)", \
   "linecolor rgb blue linewidth 1.6 dashtype (2,2)", "linecolor rgb '#7a0177' linewidth 1.8 dashtype (8,3)", \
   "linecolor rgb '#006d2c' linewidth 1.8 dashtype (8,3,2,3)", "linecolor rgb '#30c0c0' linewidth 1.8"]

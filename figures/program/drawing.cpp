@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -62,7 +63,8 @@ int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
   return status;
 }
 
-/// What gnuplot has drawn. Its status is 0 even if the disk was full, and it does not escape "]]>".
+/// What gnuplot has drawn. Its status is 0 even if the disk was full, it does not escape "]]>", and
+/// browsers would blend the cells of its maps.
 std::string read_picture(const fs::path& path, const Format& format) {
   std::ifstream file(path, std::ios::binary);
   std::string picture(std::istreambuf_iterator<char>(file), {});
@@ -70,9 +72,10 @@ std::string read_picture(const fs::path& path, const Format& format) {
   const std::size_t at = picture.rfind(format.end);
   if (at == std::string::npos || picture.size() - at > format.end.size() + after_end)
     throw std::runtime_error("gnuplot did not draw the whole picture");
-  if (format.extension == ".svg")
-    for (std::size_t in = 0; (in = picture.find("]]>", in)) != std::string::npos;)
-      picture.replace(in, 3, "]]&gt;");
+  if (format.extension == ".svg") {
+    boost::replace_all(picture, "]]>", "]]&gt;");
+    boost::replace_all(picture, "<image ", "<image style='image-rendering:pixelated' ");
+  }
   return picture;
 }
 

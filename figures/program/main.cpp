@@ -186,7 +186,8 @@ void add_options(CLI::App& command, RunOptions& options) {
            "write time, kind, state, normal force and slip of the located events to this CSV file");
   auto* digits = command.add_option_function<double>(
       "--digits", [&options](double number) { options.numbers.digits = parse_digits(number); },
-      "significant digits to guarantee for every value and event, instead of --tolerance; --json "
+      "significant digits of every value and event, by estimated errors, instead of --tolerance; "
+      "--json "
       "adds errors and events");
   digits->check({unless_number, "", ""});
   add_seconds(command, "--budget", options.budget_s, "time allowed for the --digits of each run")
@@ -246,7 +247,9 @@ int main(int argc, char** argv) {
   occupy_standard_streams();
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));  // a lost reader is reported as an error
   note_interruptions();
-  CLI::App app("Overcritical rotor, mass loss, rub: the paper's figures, and any other case.");
+  CLI::App app(
+      "Simulates an overcritical rotor that loses mass and rubs: the paper's figures, or your own "
+      "case.");
   app.set_version_flag("--version", "rotor " ROTOR_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
@@ -259,7 +262,7 @@ int main(int argc, char** argv) {
   add_command(app, "plot", "Draw the motions of a scene, their spectra, or a sweep", plot_options,
               plot);
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
-  add_command(app, "estimate", "Estimate by closed forms, without a run, what happens", estimate,
+  add_command(app, "estimate", "Predict by closed forms, without a run, what happens", estimate,
               estimate_rotor);
   add_command(app, "sweep", "Run many rotors, varying some quantities", sweep, run_sweep);
   int status = 0;

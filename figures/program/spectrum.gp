@@ -17,8 +17,11 @@ top = 0.83 - 0.04*(runs - 1); bottom = 0.17; between = 0.05; height = 0.5*(top -
 set multiplot
 set label 1 "{/:Bold Spectrum}" at screen 0.5,0.97 center
 set label 2 heading at screen 0.5,0.93 center noenhanced
-set label 3 sprintf("Hann window from %g s to %g s; resolution %.2g Hz. Dashed: f; dotted: 2f, f_n and the %s", \
-  from_s1, until_s1, resolution, rolls1 ? "whirl while rolling" : "mean whirl") at screen 0.5,0.03 center font small
+is_apart(i) = abs(abs(of("whirl", i)) - of("f", i)) > resolution
+apart = 0
+do for [i = 1:runs] { apart = apart || is_apart(i) }
+set label 3 sprintf("Hann window from %g s to %g s; resolution %.2g Hz. Dashed: f; dotted: 2f%s", from_s1, until_s1, resolution, \
+  !apart ? " and f_n" : rolls1 ? ", f_n and the whirl while rolling" : ", f_n and the mean whirl") at screen 0.5,0.03 center font small
 do for [i = 1:runs] {
   set label (runs > 1 ? greek(of("run", i)).": " : "").said_of(i) at screen 0.5,screen 0.885 - 0.04*(i - 1) center \
     noenhanced font small textcolor linetype i
@@ -41,7 +44,7 @@ do for [row = 0:1] { do for [forward = 0:1] {
       eval mark(of("f", i), "(8,5)", "f", i, row).mark(2*of("f", i), "(2,4)", "2f", i, row)
     }
     eval mark(of("f_n", i), "(2,4)", "f_n", i, row)
-    if ((of("whirl", i) > 0) == forward && abs(abs(of("whirl", i)) - of("f", i)) > resolution) {
+    if ((of("whirl", i) > 0) == forward && is_apart(i)) {
       eval mark(abs(of("whirl", i)), "(2,4)", "whirl", i, row)
     }
   }

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 /// The sweep file that sweep_head repeats above the results.
 std::string sweep_above(const fs::path& results) {
   std::ifstream file(results);
+  if (!file) throw InputError("{}: cannot be read", results.string());
   std::string text;
   for (std::string line; file.peek() == '#' && std::getline(file, line);)
     if (line.starts_with("#   ")) text += line.substr(4) + '\n';
@@ -97,7 +98,7 @@ void plot_sweep(const PlotOptions& options) {
   fs::path source = options.file, results = fs::absolute(options.file);
   if (has_results) {
     source = drawing.file("sweep.toml");
-    drawing.write("sweep.toml", sweep_above(results));
+    drawing.write("sweep.toml", sweep_above(options.file));
   }
   const Sweep sweep = read_sweep(source);
   const std::string heading = drawing.heading(sweep.title);

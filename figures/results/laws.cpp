@@ -30,11 +30,11 @@ Json laws(const Scenario& scenario) {
       json[key] = nullptr;
   };
   const double friction = scenario.parameters.friction;
-  json["law_outcome"] =
-      !law.contact_s ? name_of(Outcome::no_contact)
-      : law.rolling_speed && friction > *law.whirl_friction && friction > law.forward_friction
-          ? name_of(Outcome::rolling)
-          : name_of(Outcome::undecided);
+  const bool rolls =
+      law.rolling_speed && friction > *law.whirl_friction && friction > law.forward_friction;
+  json["law_outcome"] = name_of(!law.contact_s ? Outcome::no_contact
+                                : rolls        ? Outcome::rolling
+                                               : Outcome::undecided);
   put("law_speed_at_loss_Hz", speed, two_pi);
   put("law_contact_speed_Hz", law.contact_speed, two_pi);
   put("law_reach_m", law.reach);
@@ -46,7 +46,7 @@ Json laws(const Scenario& scenario) {
   put("law_whirl_frequency_Hz", law.whirl_rate, two_pi);
   put("law_peak_force_N", law.peak_force());
   put("law_unbalance_share", law.unbalance_share);
-  json["law_trusted"] = !law.contact_s || law.unbalance_share.value_or(1) < trusted_share;
+  json["law_trusted"] = !law.contact_s || (rolls && *law.unbalance_share < trusted_share);
   return json;
 }
 

@@ -6,9 +6,9 @@
 
 namespace rotor {
 
-/// Keys have units; null: does not happen. The speed at the loss is that of a motor without
-/// resistance. Throws InputError for a run without mass loss, and std::domain_error for supports
-/// that do not vibrate.
+/// Keys have units; null: does not happen. Speeds and forces of rolling are those of a rotor that
+/// rolls, whatever the outcome. The speed at the loss is that of a motor without resistance. Throws
+/// InputError for a run without mass loss, and std::domain_error for supports that do not vibrate.
 Json laws(const Scenario& scenario);
 
 }  // namespace rotor

@@ -269,7 +269,7 @@ std::vector<Remark> remarks(const RunResult& result) {
   for (const auto& [length, name] :
        {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
     if (displacement - clearance > large * length)
-      all.push_back({fmt::format("the ring is indented by {:.2g} of the {}: the model's linear "
+      all.push_back({fmt::format("the ring is indented by {:.2g} times the {}: the model's linear "
                                  "contact is valid only below {}",
                                  (displacement - clearance) / length, name, large),
                      Of::limit});

@@ -119,6 +119,10 @@ class BasicOutcomeWatch {
  private:
   bool is_stalled() const {
     if (!last_.motor_on || !early_speed_ || !(supports_.torque > 0)) return false;
+    // What drives the rotor backwards along the ring is not its motor: that may yet end in rolling.
+    const Motion<S> motion = last_.motion();
+    if (last_.touches() && cross(motion.displacement, motion.velocity) * motion.speed < 0)
+      return false;
     using std::abs, std::sqrt;
     const S critical = sqrt(supports_.springs.tangent_stiffness(S(0)) / last_.body.mass);
     const S unresisted = supports_.torque / last_.body.inertia * (last_.time_s - time_of_speed_s_);

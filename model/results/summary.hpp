@@ -66,7 +66,8 @@ inline constexpr auto summary_fields = [] {
        "How the run ended, in one word, the first that holds: rolling (rolling has set in, "
        "whatever followed), stalled (the motor hardly raises the speed, which is below 1.5 times "
        "the critical speed), sliding (the last contact has lasted longer than a natural period of "
-       "the contact), freed (there were contacts, but the free rotor cannot reach the ring at this "
+       "the contact), freed (there were contacts, but the free rotor cannot reach the ring at "
+       "this "
        "speed), no_contact (there was no contact, and the free rotor cannot reach the ring), "
        "bouncing (there were contacts, and more are possible), undecided (there was no contact, "
        "but one is possible)",
@@ -96,8 +97,8 @@ inline constexpr auto summary_fields = [] {
        &Of::max_displacement_before_loss_m, ErrorScale::length},
       {"contact_time_s", "Time spent sliding and rolling", &Of::contact_time_s, ErrorScale::own,
        [](const Of& s) { return s.contact_time_s > 0 ? s.final_time_s : S(0); }},
-      {"peak_bearing_force_N", "Largest |k r_O + d v_O| of the supports", &Of::peak_bearing_force_N,
-       ErrorScale::force},
+      {"peak_bearing_force_N", "Largest |k r_O + d v_O|, of the supports together",
+       &Of::peak_bearing_force_N, ErrorScale::force},
       {"whirl_frequency_Hz",
        "Whirl frequency of O about O_a, negative against the rotation: mean over the last interval "
        "of rolling, from whirl_from_s to whirl_until_s",

@@ -33,9 +33,10 @@ inline double whirling_friction(const Parameters& p, double mass, double velocit
 
 /// SI units; speeds and rates in rad/s. Empty: does not happen.
 struct Accident {
-  double contact_speed;  ///< at the loss, above which the rotor touches, approximately; (1)
-  double reach;          ///< largest |r_O| without a ring, m; exact at a constant speed
-  std::optional<double> contact_s;        ///< first contact after the loss
+  std::optional<double>
+      contact_speed;                ///< at the loss, above which an overcritical rotor touches; (1)
+  double reach;                     ///< largest |r_O| without a ring, m; exact at a constant speed
+  std::optional<double> contact_s;  ///< first contact after the loss
   std::optional<double> impact_force;     ///< of that contact, N
   std::optional<double> whirl_friction;   ///< above which rebounds lead to backward whirl; (2)
   double forward_friction;                ///< up to which forward rub can last
@@ -55,8 +56,9 @@ struct Accident {
     const double k = SupportSprings<double>(p).linear_stiffness("the laws of the accident");
     const double natural = std::sqrt(k / m), d = p.support_damping;
     const double jumps = equations.velocity_jump == VelocityJump::twice ? 2 : 1;
-    contact_speed = natural * (c - e_1) /
-                    (jumps * (e_1 - p.eccentricity) * swing(d / (2 * m * natural)));  // (1)
+    const double limit = natural * (c - e_1) /
+                         (jumps * (e_1 - p.eccentricity) * swing(d / (2 * m * natural)));  // (1)
+    if (limit > natural) contact_speed = limit;
     reach = response.greatest();
     contact_s = response.first_contact();
     if (!contact_s) return;

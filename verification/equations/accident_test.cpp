@@ -30,7 +30,7 @@ TEST(AccidentLaws, BeginsAtItsContactSpeedFarAboveResonance) {
       p.support_damping =
           2 * damping_ratio * std::sqrt(p.support_stiffness * MassLoss<double>(p).after.mass);
       p.stator_radius = p.rotor_radius + 3e-3;
-      const double speed = Accident(p, equations, 700).contact_speed;
+      const double speed = Accident(p, equations, 700).contact_speed.value();
       const double clearance = p.stator_radius - p.rotor_radius;
       // At least 1000 turns per swing; the steady response lags by the damping over that number.
       Law("reach of a rotor at its contact speed, over the clearance", 1e-5)

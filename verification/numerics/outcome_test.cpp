@@ -53,6 +53,28 @@ TEST(Outcome, IsAStallWhereTheMotorDoesNotGetTheRotorThroughItsCriticalSpeed) {
     }
 }
 
+// A fan of 400 kg, 14 ms before it rolls: its motor is on, its speed 1.3 times the critical one and
+// falling.
+TEST(Outcome, IsNoStallWhileTheRingDrivesTheRotorBackwards) {
+  const Scenario scenario{.parameters = {.mass = 400,
+                                         .inertia = 90,
+                                         .eccentricity = 5e-5,
+                                         .support_stiffness = 8e5,
+                                         .support_damping = 1810,
+                                         .torque = 300,
+                                         .motor_off_Hz = 50,
+                                         .contact_stiffness = 1e8,
+                                         .contact_damping = 2e4,
+                                         .friction = 0.1,
+                                         .rotor_radius = 0.9,
+                                         .stator_radius = 0.905,
+                                         .unbalance_factor = 135,
+                                         .mass_loss_time = 2},
+                          .start_speed_Hz = 24,
+                          .until = 2.25};
+  EXPECT_EQ(summary_of(scenario).outcome, Outcome::sliding);
+}
+
 // A contact counts as lasting once it is longer than a vibration on the ring; the time restarts
 // with a new contact, even if the ring has not sprung back.
 TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
