@@ -19,6 +19,8 @@ Scene scene_of(const CaseOptions& options) {
 }
 
 void estimate_rotor(const CaseOptions& options) {
+  if (options.numbers.loses_mass == false)
+    throw InputError("--no-mass-loss: the closed forms need a mass loss");
   CaseOptions stated = options;
   auto& numbers = stated.numbers.numbers;
   if (auto at_loss = numbers.extract("mass_loss_speed_hz")) {  // reached without a run-up

@@ -78,7 +78,7 @@ std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& fra
           {"First impact", strongest(first, free)},
           {"Sliding along the ring", *(sliding + (rolling - sliding) * 3 / 4)},
           {"Slip ends", *rolling},
-          {"Greatest force", strongest(rolling, end)}};
+          {"Largest force", strongest(rolling, end)}};
 }
 
 Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
