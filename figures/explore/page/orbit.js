@@ -25,9 +25,9 @@ export class Orbit {
     });
     new ResizeObserver(() => this.paint()).observe(canvas);
   }
-  show(picture, time_s) {
+  /// From the next change of the time on.
+  show(picture) {
     this.#picture = picture;
-    this.goTo(time_s);
   }
   showPart(from_s, until_s) {
     this.#part = [from_s, until_s];

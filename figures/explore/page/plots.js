@@ -13,6 +13,7 @@ export class Plots {
   #columns = [];
   #ghosts = []; // pictures drawn behind, and the delay of each
   #part = [0, 1];
+  #width = 0; // of the panels; the canvas has to lay out the page to know its own
   #time_s = 0;
   #still = document.createElement("canvas"); // everything except the time marker
   #hear;
@@ -65,15 +66,12 @@ export class Plots {
     return this.#part;
   }
   markNow(time_s) {
+    const is_new = time_s !== this.#time_s, [from, until] = this.#part;
     this.#time_s = time_s;
-    const [from, until] = this.#part;
     if (time_s < from || time_s > until) this.showPart(time_s - (until - from) / 2, time_s + (until - from) / 2);
-    else this.#paintNow();
+    else if (is_new) this.#paintNow();
   }
 
-  get #width() {
-    return this.#canvas.clientWidth - left - right;
-  }
   #x(time_s) {
     return left + ((time_s - this.#part[0]) / (this.#part[1] - this.#part[0])) * this.#width;
   }
@@ -92,6 +90,7 @@ export class Plots {
   paint() {
     if (!this.#picture || this.#canvas.clientWidth === 0) return;
     const { width, height } = cleared(this.#canvas);
+    this.#width = width - left - right;
     this.#still.width = this.#canvas.width;
     this.#still.height = this.#canvas.height;
     const ctx = this.#still.getContext("2d");
@@ -178,8 +177,14 @@ export class Plots {
     ctx.rect(left, y - 2, this.#width, height + 3);
     ctx.clip();
     ctx.lineJoin = "round";
+    // Points that are closer than half a pixel to the one before are not drawn.
     const line = (of, values, later_s = 0, begin = 0, end = of.length - 1) => {
-      for (let row = begin; row <= end; ++row) ctx.lineTo(this.#x(of[row] - later_s), place(values[row]));
+      let last_x = -Infinity, last_y = 0;
+      for (let row = begin; row <= end; ++row) {
+        const x = this.#x(of[row] - later_s), y = place(values[row]);
+        if (Math.abs(x - last_x) < 0.5 && Math.abs(y - last_y) < 0.5 && row < end) continue;
+        ctx.lineTo(last_x = x, last_y = y);
+      }
     };
     for (const { times: of, values, later_s } of ghosts) {
       ctx.strokeStyle = colour("draw");

@@ -18,9 +18,9 @@ export class RotorView {
     this.#words = words;
     new ResizeObserver(() => this.paint()).observe(canvas);
   }
-  show(picture, time_s) {
+  /// From the next change of the time on.
+  show(picture) {
     this.#picture = picture;
-    this.goTo(time_s);
   }
   goTo(time_s) {
     this.#time_s = time_s;
