@@ -100,7 +100,7 @@ test("the story has six moments in their order, with the run's numbers", () => {
   assert.equal(story.length, 6);
   story.slice(1).forEach(({ time_s }, n) => assert.ok(time_s >= story[n].time_s, story[n].title));
   const text = story.map((moment) => moment.title + moment.text).join(" ").replaceAll("\u00a0", " ");
-  for (const part of ["150 Hz", "15 times", "0.3 mm", "3.0 mm", "5.0 ms later", "7 impacts", "45.1 Hz", "455 kN", "9300 times"])
+  for (const part of ["150 Hz", "15 times", "0.3 mm", "3.0 mm", "5.0 ms later", "7 touch-downs", "45.1 Hz", "455 kN", "9300 times"])
     assert.ok(text.includes(part), `${part}: ${text}`);
   const motion = { time_s: [29, 29.1, 29.2, 29.3], x_a_m: [5, 0, 1, 3], y_a_m: [0, 0, 2, 0] };
   const clear = storyOf({ ...rolling, motion, events: [] });

@@ -76,10 +76,10 @@ export function storyOf(picture) {
   const end = bands.find(({ name }) => name === "sliding") ?? bands.at(-1);
   const many = summary.touch_downs;
   story.push({ time_s: rolls_s === null ? first.time_s + 0.5 * (end.from_s - first.time_s) : 0.3 * end.from_s + 0.7 * rolls_s,
-    title: many > 1 ? `${many} impacts, then sliding` : "Sliding", text: "Friction at the rim slows the rotation " +
+    title: many > 1 ? `${many} touch-downs, then sliding` : "Sliding", text: "Friction at the rim slows the rotation " +
       "and drives the whirl of the centre, against the rotation." });
   if (rolls_s === null) {
-    story.at(-1).title = many > 1 ? `${many} impacts` : "One impact";
+    story.at(-1).title = many > 1 ? `${many} touch-downs` : "One touch-down";
     story.push({ time_s: summary.peak_time_s, title: "No rolling", text: `The largest force is ` +
       `${inKilonewton(summary.peak_normal_force_N)}. At the end of this run the rotor ${outcomes[summary.outcome]}.` });
     return story;
