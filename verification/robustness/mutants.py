@@ -234,6 +234,7 @@ def blamed(changes, errors):
     for line in errors.splitlines():
         if match := re.search(rf'{re.escape(str(TREE))}/([^:]+):(\d+):', line):
             mentioned += [c for c in changes if (c.file, c.line) == (match[1], int(match[2]))]
+        mentioned += [c for c in changes if f'[with int N = {c.number};' in line]  # in a constant of several lines
         if 'error:' in line:
             wrong, mentioned = wrong + mentioned, []
     return wrong
