@@ -157,7 +157,7 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
           "{} = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most {:.6g} Hz{}",
           mass_loss_speed, *speed, reached.looked_until_s,
           reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz,
-          *speed > p.motor_off_Hz ? ", as motor_off_hz is less" : "");
+          *speed > p.motor_off_Hz ? "; above motor_off_hz the motor is off" : "");
     p.mass_loss_time = *reached.time_s;
     if (p.mass_loss_time > 0) scenario.mass_loss_speed_Hz = *speed;
     if (spec.digits && *speed == p.motor_off_Hz)

@@ -165,7 +165,7 @@ Window stated_window(Window window, std::optional<double> from_s, std::optional<
   for (const SceneRun& run : runs) {
     const double end_s = run.scenario.until;
     if (!(from >= 0 && from < std::min(until, end_s)))
-      throw InputError("--from {}: must lie inside the run and before --until, from 0 s to {} s",
+      throw InputError("--from {}: must lie between 0 s and {} s, the end of the run or --until",
                        from, std::min(until, end_s));
   }
   return {.from_s = from, .length_s = until - from};

@@ -187,8 +187,7 @@ void add_options(CLI::App& command, RunOptions& options) {
   auto* digits = command.add_option_function<double>(
       "--digits", [&options](double number) { options.numbers.digits = parse_digits(number); },
       "significant digits of every value and event, by estimated errors, instead of --tolerance; "
-      "--json "
-      "adds errors and events");
+      "--json adds errors and events");
   digits->check({unless_number, "", ""});
   add_seconds(command, "--budget", options.budget_s, "time allowed for the --digits of each run")
       ->default_str(fmt::format("{}", RunOptions::usual_budget_s));

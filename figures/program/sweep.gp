@@ -22,10 +22,12 @@ tint(c) = c == 0 && dimensions < 2 ? "#b0b0b0" : outcome_tint[c + 1]
 set datafile columnheaders
 array seen[7] = [0, 0, 0, 0, 0, 0, 0]
 stats data using (has_outcome ? seen[code(0) + 1] = seen[code(0) + 1] + 1 : 0, 0) name "all" nooutput
+without = result eq "peak_normal_force_N" ? 0 : NaN    # no force without contact; other results are then missing
+or_without(v) = v == v ? v : without
 greatest = 0; least = 0
 if (has_value) {
   stats data using (its(0)) name "its" nooutput
-  if (its_records > 0) { greatest = its_max; least = result eq "peak_normal_force_N" && its_records < all_records ? 0 : its_min }
+  if (its_records > 0) { greatest = its_max; least = without == 0 && its_records < all_records ? 0 : its_min }
 }
 
 # The position of a row along an axis of a map: its value, power of ten, or place in a list.
@@ -88,16 +90,15 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
         with filledcurves x1 fillcolor rgb tint(c)
     } else {
       set yrange [least < 0 ? 1.05*least : 0:greatest > 0 ? 1.05*greatest : 1]
-      at_zero(v) = v == v || result ne "peak_normal_force_N" ? v : 0    # no force without contact
-      plot data using (in_panel(p, column(x_key))):(draws > 1 ? NaN : at_zero(its(0))) with lines linecolor rgb grey linewidth 0.8, \
-        for [c = 0:6] data using (in_panel(p, column(x_key))):((has_outcome ? code(0) : 6) != c ? NaN : at_zero(its(0))) \
+      plot data using (in_panel(p, column(x_key))):(draws > 1 ? NaN : or_without(its(0))) with lines linecolor rgb grey linewidth 0.8, \
+        for [c = 0:6] data using (in_panel(p, column(x_key))):((has_outcome ? code(0) : 6) != c ? NaN : or_without(its(0))) \
         with points pointtype 7 pointsize (draws > 1 ? 0.25 : 0.5) linecolor rgb tint(c)
     }
     continue
   }
   # One distribution: the share in each of equal bins, with stacked outcomes.
   bin = greatest > least ? (greatest - least)/50 : 1
-  binned(v) = v == v ? least + bin*(floor((v - least)/bin*0.999999) + 0.5) : result eq "peak_normal_force_N" ? 0 : NaN
+  binned(v) = v == v ? least + bin*(floor((v - least)/bin*0.999999) + 0.5) : without
   set yrange [0:*]; set xrange [least - bin:greatest + bin]
   set boxwidth bin
   set style fill solid border rgb "#ffffff"

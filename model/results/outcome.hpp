@@ -12,7 +12,8 @@ namespace rotor {
 /// The outcome is the first of these that holds at the end of a run:
 enum class Outcome {
   rolling,     ///< rolling has set in, whatever followed
-  stalled,     ///< the motor hardly raises the speed, which is below 1.5 times the critical speed
+  stalled,     ///< the motor hardly raises the speed, which is below 1.5 times the critical speed,
+               ///< and no backward whirl along the ring brakes it
   sliding,     ///< the last contact has lasted longer than a natural period of the contact
   freed,       ///< there were contacts, but the free rotor cannot reach the ring at this speed
   no_contact,  ///< there was no contact, and the free rotor cannot reach the ring at this speed
@@ -119,7 +120,7 @@ class BasicOutcomeWatch {
  private:
   bool is_stalled() const {
     if (!last_.motor_on || !early_speed_ || !(supports_.torque > 0)) return false;
-    // What drives the rotor backwards along the ring is not its motor: that may yet end in rolling.
+    // Backward whirl along the ring brakes the rotor, and may yet end in rolling.
     const Motion<S> motion = last_.motion();
     if (last_.touches() && cross(motion.displacement, motion.velocity) * motion.speed < 0)
       return false;

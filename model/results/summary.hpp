@@ -65,10 +65,10 @@ inline constexpr auto summary_fields = [] {
       {"outcome",
        "How the run ended, in one word, the first that holds: rolling (rolling has set in, "
        "whatever followed), stalled (the motor hardly raises the speed, which is below 1.5 times "
-       "the critical speed), sliding (the last contact has lasted longer than a natural period of "
-       "the contact), freed (there were contacts, but the free rotor cannot reach the ring at "
-       "this "
-       "speed), no_contact (there was no contact, and the free rotor cannot reach the ring), "
+       "the critical speed, and no backward whirl along the ring brakes it), sliding (the last "
+       "contact has lasted longer than a natural period of the contact), freed (there were "
+       "contacts, but the free rotor cannot reach the ring at this speed), no_contact (there was "
+       "no contact, and the free rotor cannot reach the ring), "
        "bouncing (there were contacts, and more are possible), undecided (there was no contact, "
        "but one is possible)",
        &Of::outcome},

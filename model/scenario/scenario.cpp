@@ -132,11 +132,11 @@ void check_numbers(const Scenario& scenario) {
             scenario.until);
   }
   const MassLoss<double> loss(p);
-  require(!scenario.loses_mass() || loss.after.inertia > 0,
-          "unbalance_factor = {}, lost mass {:.6g} kg: the moment of inertia after the mass loss, "
-          "{:.6g} "
-          "kg m^2, must be greater than 0; lower the factor or the lost mass, or raise inertia",
-          p.unbalance_factor, loss.lost_mass, loss.after.inertia);
+  require(
+      !scenario.loses_mass() || loss.after.inertia > 0,
+      "unbalance_factor = {}, lost mass {:.6g} kg: the moment of inertia after the mass loss, "
+      "{:.6g} kg m^2, must be greater than 0; lower the factor or the lost mass, or raise inertia",
+      p.unbalance_factor, loss.lost_mass, loss.after.inertia);
 }
 
 }  // namespace rotor

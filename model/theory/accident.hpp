@@ -33,10 +33,9 @@ inline double whirling_friction(const Parameters& p, double mass, double velocit
 
 /// SI units; speeds and rates in rad/s. Empty: does not happen.
 struct Accident {
-  std::optional<double>
-      contact_speed;                ///< at the loss, above which an overcritical rotor touches; (1)
-  double reach;                     ///< largest |r_O| without a ring, m; exact at a constant speed
-  std::optional<double> contact_s;  ///< first contact after the loss
+  std::optional<double> contact_speed;    ///< above which an overcritical rotor touches; (1)
+  double reach;                           ///< largest |r_O| without a ring, m; at constant speed
+  std::optional<double> contact_s;        ///< first contact after the loss
   std::optional<double> impact_force;     ///< of that contact, N
   std::optional<double> whirl_friction;   ///< above which rebounds lead to backward whirl; (2)
   double forward_friction;                ///< up to which forward rub can last

@@ -51,13 +51,14 @@ Json corrections_json() {
   return all;
 }
 
-/// How often statements about trends hold, and the standard error, %.
+/// How often statements about trends hold, and the standard error, %; to how many pairs they apply.
 Json reasons_json(const std::filesystem::path& tried) {
   Json all;
   for (const CsvRow& row : read_csv(tried))
     all[row["reason"]][row["equations"]] = {
         {"holds", 100 * (1 - static_cast<double>(row.number("share")))},
-        {"error", 100 * static_cast<double>(row.number("standard_error"))}};
+        {"error", 100 * static_cast<double>(row.number("standard_error"))},
+        {"apply", static_cast<double>(row.number("apply"))}};
   return all;
 }
 

@@ -81,8 +81,8 @@ function show(answer) {
   showNumbers(at("numbers"), picture.summary);
   showStory();
   say("");
-  orbit.show(picture);
-  rotor.show(picture);
+  orbit.show(picture, time_s);
+  rotor.show(picture, time_s);
   plots.show(picture, view.from && view.until ? [in_s(view.from), in_s(view.until)] : part ?? accident(), time_s);
   view = { frame: view.frame, zoom: view.zoom };
   map.show({ set: setOf(options) ?? "published", speed_Hz: picture.summary.speed_at_mass_loss_Hz ?? picture.summary.final_speed_Hz,

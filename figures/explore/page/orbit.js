@@ -25,9 +25,10 @@ export class Orbit {
     });
     new ResizeObserver(() => this.paint()).observe(canvas);
   }
-  /// From the next change of the time on.
-  show(picture) {
+  /// goTo paints it.
+  show(picture, time_s) {
     this.#picture = picture;
+    this.#time_s = time_s;
   }
   showPart(from_s, until_s) {
     this.#part = [from_s, until_s];

@@ -177,7 +177,7 @@ export class Plots {
     ctx.rect(left, y - 2, this.#width, height + 3);
     ctx.clip();
     ctx.lineJoin = "round";
-    // Points that are closer than half a pixel to the one before are not drawn.
+    // Points within half a pixel of the last one drawn are left out.
     const line = (of, values, later_s = 0, begin = 0, end = of.length - 1) => {
       let last_x = -Infinity, last_y = 0;
       for (let row = begin; row <= end; ++row) {

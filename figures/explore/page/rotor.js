@@ -18,9 +18,10 @@ export class RotorView {
     this.#words = words;
     new ResizeObserver(() => this.paint()).observe(canvas);
   }
-  /// From the next change of the time on.
-  show(picture) {
+  /// goTo paints it.
+  show(picture, time_s) {
     this.#picture = picture;
+    this.#time_s = time_s;
   }
   goTo(time_s) {
     this.#time_s = time_s;
