@@ -1,6 +1,7 @@
 #include "figures/input/scenario_spec.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -100,6 +101,12 @@ const InputQuantity* find_input_quantity(std::string_view name) {
   return nullptr;
 }
 
+std::string_view name_of_symbol(std::string_view text) {
+  for (const InputQuantity& input : input_quantities())
+    if (input.quantity.symbol == text && !text.empty()) return input.quantity.name;
+  return text;
+}
+
 std::string_view determined_by(std::string_view name) {
   const InputQuantity* const input = find_input_quantity(name);
   return input && !input->instead_of.empty() ? input->instead_of : name;
@@ -172,6 +179,19 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
 }
 
 void check_numbers(const ScenarioSpec& spec) { check_numbers(numbers_of(spec)); }
+
+std::string left_to_the_paper(const ScenarioSpec& stated) {
+  std::vector<std::string> all;
+  if (!stated.numbers.contains("mass") || !stated.numbers.contains("rotor_radius")) return "";
+  for (const Quantity& quantity : quantities()) {
+    if (quantity.name == "mass_loss_time") break;  // from here on they are of the run
+    const bool is_stated = std::any_of(
+        stated.numbers.begin(), stated.numbers.end(),
+        [&](const auto& number) { return determined_by(number.first) == quantity.name; });
+    if (!is_stated && quantity.name != "gravity") all.push_back(quantity.text(Scenario{}));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
+}
 
 std::span<const NamedInput> named_inputs() {
   using Spec = ScenarioSpec;

@@ -22,6 +22,8 @@ struct InputQuantity {
 /// In the order in which they are documented.
 const std::vector<InputQuantity>& input_quantities();
 const InputQuantity* find_input_quantity(std::string_view name);
+/// The name of the number that has this symbol; otherwise the text.
+std::string_view name_of_symbol(std::string_view text);
 /// The name of the number or choice that this one determines: itself, or the one it replaces.
 std::string_view determined_by(std::string_view name);
 
@@ -48,6 +50,10 @@ Scenario scenario_of(const ScenarioSpec& spec);
 
 /// Throws InputError if scenario_of() would throw whatever its run-ups give.
 void check_numbers(const ScenarioSpec& spec);
+
+/// What a rotor of one's own, whose mass and radius are stated, has of the paper's: "inertia =
+/// 0.009 kg m^2" and so on. Empty if nothing, or if it is the paper's rotor.
+std::string left_to_the_paper(const ScenarioSpec& stated);
 
 /// A stated number of digits. Throws InputError, stating what is allowed.
 int parse_digits(double number);

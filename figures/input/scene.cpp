@@ -50,8 +50,8 @@ class SceneReader : TomlFile {
   SceneRun run(const std::string& name, const ScenarioSpec& stated, const toml::node& node,
                std::string_view key) const {
     const ScenarioSpec all = stated.overridden_by(overrides_.of_runs);
-    return {name, at(node, key, [&] { return scenario_of(all); }), all.states_equations(),
-            all.digits, stated.numbers.contains("until")};
+    return {name, at(node, key, [&] { return scenario_of(all); }), all,
+            stated.numbers.contains("until")};
   }
 
   std::vector<SceneRun> runs(const toml::table& root, const ScenarioSpec& base) const {
@@ -65,9 +65,17 @@ class SceneReader : TomlFile {
       const auto same = [&](const SceneRun& other) { return other.name == *name; };
       if (std::any_of(all.begin(), all.end(), same))
         fail(*table, "name", "there is a run \"{}\" already", shown(*name));
-      all.push_back(
-          run(*name, base.overridden_by(stated_in(*this, *table, {"name"})), *table, "run"));
+      const ScenarioSpec own = stated_in(*this, *table, {"name"});
+      all.push_back(run(*name + overridden_in(own), base.overridden_by(own), *table, "run"));
     }
+    return all;
+  }
+
+  /// What options change in what a [[run]] states itself, and perhaps its name.
+  std::string overridden_in(const ScenarioSpec& own) const {
+    std::string all;
+    for (const auto& [name, number] : overrides_.of_runs.numbers)
+      if (own.numbers.contains(name)) all += fmt::format(", but {} = {}", name, number);
     return all;
   }
 
@@ -144,7 +152,7 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
 bool SceneRun::leaves_equations_open() const {
   Parameters parameters = scenario.parameters;
   parameters.loses_mass = true;
-  return !(states_equations || parameters == Parameters{});
+  return !(stated.states_equations() || parameters == Parameters{});
 }
 
 Window window_about_loss(const std::vector<SceneRun>& runs) {

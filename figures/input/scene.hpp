@@ -16,9 +16,8 @@ namespace rotor {
 struct SceneRun {
   std::string name;
   Scenario scenario;
-  bool states_equations = false;
-  std::optional<int> digits{};  ///< to be guaranteed
-  bool states_end = false;      ///< whether the scene states `until`
+  ScenarioSpec stated{};    ///< by the scene and by options
+  bool states_end = false;  ///< whether the scene states `until`
 
   /// Whether no equations are stated for a rotor other than the paper's.
   bool leaves_equations_open() const;

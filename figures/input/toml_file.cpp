@@ -63,7 +63,8 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
   for (const auto& [key, node] : table)
     if (!contains(allowed, key.str()))
       fail(node, key.str(), "unknown key{}; allowed here: {}",
-           suggestion(key.str(), {allowed.begin(), allowed.end()}), fmt::join(allowed, ", "));
+           suggestion(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}),
+           fmt::join(allowed, ", "));
 }
 
 std::optional<double> TomlFile::number(const toml::node& node) {

@@ -49,7 +49,9 @@ class TomlFile {
       found = number(*node);
     else if (node->is_boolean() == std::is_same_v<T, bool>)
       found = node->value<T>();
-    if (!found) fail(*node, key, "must be {}", kind);
+    const auto text = node->value<std::string>();
+    if (!found)
+      fail(*node, key, "must be {}{}", kind, text ? fmt::format(", not \"{}\"", shown(*text)) : "");
     return found;
   }
   /// The node as a double, if it is a number, whole or not.

@@ -101,8 +101,9 @@ void print_summary(const Json& run, bool as_json, std::FILE* to);
 /// Several runs: one row each with the most important values, or all values as JSON.
 void print_summaries(const Json& runs, bool as_json, std::FILE* to);
 
-/// Says on standard error which equations were used if none were stated.
-void say_which_equations(bool left_open);
-void say_which_equations(const std::vector<SceneRun>& runs);
+/// Says on standard error which equations were used if none were stated, and which of the paper's
+/// values in a rotor of one's own.
+void say_what_is_assumed(const std::vector<SceneRun>& runs);
+void say_what_is_assumed(const Sweep& sweep);
 
 }  // namespace rotor

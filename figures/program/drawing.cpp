@@ -99,7 +99,8 @@ std::string numbered(std::string_view text) {
 }
 
 Drawing::Drawing(const std::string& file, const std::string& out)
-    : out_(out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out)) {
+    : name_(fs::path(file).stem().string()),
+      out_(out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out)) {
   extension_ = format_of(out_).extension;
   FileTransaction::require_distinct({out_}, file);
   FileTransaction().open(out_);  // errors of the output file are reported before any work
@@ -112,7 +113,7 @@ Drawing::~Drawing() {
 }
 
 std::string Drawing::heading(const std::string& title) const {
-  return title.empty() ? one_line(out_.stem().string()) : title;
+  return title.empty() ? one_line(name_) : title;
 }
 
 void Drawing::write(const std::string& name, std::string_view text) const {

@@ -24,13 +24,14 @@ class Drawing {
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   void write(const std::string& name, std::string_view text) const;
 
-  /// The title, or the picture's name if that is empty.
+  /// The title, or the name of the scene or sweep if that is empty.
   std::string heading(const std::string& title) const;
 
   /// Draws with settings and a script from figures/program, and prints the picture's name.
   void finish(const std::string& settings, const std::string& script) const;
 
  private:
+  std::string name_;
   std::filesystem::path out_, folder_;
   std::string_view extension_;
 };

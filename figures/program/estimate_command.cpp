@@ -8,8 +8,7 @@ namespace rotor {
 Scene scene_of(const CaseOptions& options) {
   if (options.scene.empty()) {
     const ScenarioSpec stated = options.equations_and_method.overridden_by(options.numbers);
-    const std::vector<SceneRun> runs = {
-        {"run", scenario_of(stated), stated.states_equations(), stated.digits}};
+    const std::vector<SceneRun> runs = {{"run", scenario_of(stated), stated}};
     return {.title = "", .window = window_about_loss(runs), .columns = {}, .runs = runs};
   }
   return read_scene(options.scene,
@@ -28,7 +27,8 @@ void estimate_rotor(const CaseOptions& options) {
     numbers.erase("mass_loss_time");
   }
   auto runs = Json::array();
-  for (const SceneRun& run : scene_of(stated).runs) {
+  const Scene scene = scene_of(stated);
+  for (const SceneRun& run : scene.runs) {
     Json row;
     if (!options.scene.empty()) row["run"] = run.name;
     row.update(laws(run.scenario));
@@ -40,6 +40,7 @@ void estimate_rotor(const CaseOptions& options) {
   } else {
     for (const auto& row : runs) print_summary(row, options.json, stdout);
   }
+  say_what_is_assumed(scene.runs);
 }
 
 }  // namespace rotor

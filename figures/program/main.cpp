@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "figures/program/commands.hpp"
+#include "figures/results/laws.hpp"
 
 namespace rotor {
 namespace {
@@ -230,8 +231,10 @@ std::string about_extras(const CLI::App& app) {
     if (name.starts_with('-')) names.push_back(name);
   }
   const std::string option = word.substr(0, word.find('='));
+  const std::string meant =
+      option.starts_with("--") ? option_of(name_of_symbol(option.substr(2))) : option;
   return fmt::format("{}: there is no such option of {}{}; rotor {} --help lists them",
-                     shown(option), commands.front()->get_name(), suggestion(option, names),
+                     shown(option), commands.front()->get_name(), suggestion(meant, names),
                      commands.front()->get_name());
 }
 
@@ -263,6 +266,9 @@ int main(int argc, char** argv) {
   add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
   add_command(app, "estimate", "Predict by closed forms, without a run, what happens", estimate,
               estimate_rotor);
+  app.get_subcommand("estimate")
+      ->footer("Results; numbers in brackets are the equations of model/theory/README.md:\n" +
+               meanings_of_laws());
   add_command(app, "sweep", "Run many rotors, varying some quantities", sweep, run_sweep);
   int status = 0;
   try {

@@ -39,7 +39,7 @@ fit(a, b, n, room) = (step = nice((b - a)/n), form = sprintf("%%.%df", step < 1 
   between_tics(a, b), n > 1 && (high - low)/step*(letters + 1)*letter > room ? fit(a, b, n - 1, room) : letters)
 changes(a, b) = b - a > 1e-12*greater(abs(a), abs(b))
 around(a) = a == 0 ? 1 : 0.01*abs(a)
-show(a, b, room) = changes(a, b) ? fit(a, b, 5, room) : fit(a - around(a), b + around(a), 5, room)
+show(a, b, n, room) = changes(a, b) ? fit(a, b, n, room) : fit(a - around(a), b + around(a), n, room)
 axis(c, from, to) = sprintf("set %srange [%.17g:%.17g]; set %stics %.17g; set format %s '%s'", \
   c, from - 1e-5*(to - from), to + 1e-5*(to - from), c, step, c, form)    # rounding must cut nothing off
 
@@ -54,10 +54,10 @@ do for [i = 1:runs] {
   widest_gap = i > 1 ? greater(widest_gap, gap(i)) : gap(i)
   least_gap = i > 1 ? less(least_gap, gap(i)) : gap(i)
 }
-widest = show(least_normal_force_N/1e3, most_normal_force_N/1e3, 1); force_axis = axis("y", low, high)
-widest = greater(widest, show(least_speed_Hz, most_speed_Hz, 1)); speed_axis = axis("y", low, high)
+widest = show(least_normal_force_N/1e3, most_normal_force_N/1e3, 5, 1); force_axis = axis("y", low, high)
+widest = greater(widest, show(least_speed_Hz, most_speed_Hz, 5, 1)); speed_axis = axis("y", low, high)
 rho_min = less(1e3*least_rho_m, 0.98*least_gap); rho_max = greater(1e3*most_rho_m, 1.02*widest_gap)
-widest = greater(widest, show(rho_min, rho_max, 1)); rho_axis = axis("y", low, high)
+widest = greater(widest, show(rho_min, rho_max, 5, 1)); rho_axis = axis("y", low, high)
 down_min = less(1e3*least_x_a_m, -widest_gap); down_max = greater(1e3*most_x_a_m, widest_gap)
 right_min = less(1e3*least_y_a_m, -widest_gap); right_max = greater(1e3*most_y_a_m, widest_gap)
 half = 0.5*greater(down_max - down_min, right_max - right_min)
@@ -65,7 +65,7 @@ void = fit(-half, half, 5, 0.58*height)    # as wide as high
 widest = greater(widest, between_tics(down_min, down_max)); down_axis = axis("y", high, low)
 void = between_tics(right_min, right_max); right_axis = axis("x", low, high)
 left = 0.055 + letter*widest
-time_letters = show(least_time_s, most_time_s, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
+time_letters = show(least_time_s, most_time_s, 8, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
 
 set multiplot layout 2,2 title short(heading, 80) noenhanced margins left,1 - right,bottom,top spacing left + right,between
 unset key
@@ -81,8 +81,8 @@ eval speed_axis
 plot for [i = 1:runs] data(i) using (column("time_s")):(column("speed_Hz")) with lines linetype i linewidth wide(i)
 set ylabel "ρ, mm"
 eval rho_axis
-plot for [i = 1:runs] gap(i) with lines linestyle clearance, \
-  for [i = 1:runs] data(i) using (column("time_s")):(column("rho_m")*1e3) with lines linetype i linewidth wide(i)
+plot for [i = 1:runs] data(i) using (column("time_s")):(column("rho_m")*1e3) with lines linetype i linewidth wide(i), \
+  for [i = 1:runs] gap(i) with lines linestyle clearance
 set ylabel "x_a, mm (down)"
 set xlabel "y_a, mm"
 set size ratio -1
@@ -90,6 +90,6 @@ eval right_axis
 eval down_axis
 set parametric
 set trange [0:2*pi]
-plot for [i = 1:runs] gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance, \
-  for [i = 1:runs] data(i) using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i linewidth wide(i)
+plot for [i = 1:runs] data(i) using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i linewidth wide(i), \
+  for [i = 1:runs] gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance
 unset multiplot

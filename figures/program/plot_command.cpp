@@ -44,7 +44,7 @@ void plot(const PlotOptions& options) {
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
   const Drawing drawing(options.file, options.out);
   options.spectrum ? plot_spectrum(scene, drawing) : plot_motion(scene, drawing);
-  say_which_equations(scene.runs);
+  say_what_is_assumed(scene.runs);
 }
 
 }  // namespace rotor

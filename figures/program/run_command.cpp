@@ -19,7 +19,7 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
   const auto refuse = [](bool is_asked, std::string_view what) {
     if (is_asked) throw InputError("digits: {}", what);
   };
-  if (!run.digits) return;
+  if (!run.stated.digits) return;
   if (options.budget_s && !(*options.budget_s > 0 && std::isfinite(*options.budget_s)))
     throw InputError("--budget {}: must be a finite number greater than 0 s", *options.budget_s);
   refuse(options.stop_on.has_value(), "excludes --stop-on: where a run stops depends on its steps");
@@ -40,7 +40,7 @@ Scene requested_scene(const RunOptions& options) {
     throw InputError("{}: with several runs, --energy and --estimate-error need --json",
                      options.scene);
   if (options.budget_s && std::none_of(result.runs.begin(), result.runs.end(),
-                                       [](const SceneRun& run) { return run.digits; }))
+                                       [](const SceneRun& run) { return run.stated.digits; }))
     throw InputError("digits: --budget needs a number of --digits");
   for (const SceneRun& run : result.runs) {
     if (!options.events.empty() && run.scenario.method == Method::rk4)
@@ -106,12 +106,12 @@ Printed certified_run(const RunOptions& options, const SceneRun& run) {
     ProgressLine line;
     double last_s = 0;
     int computation = 1;
-    return run_to_digits(run.scenario, *run.digits, [&](double time_s) {
+    return run_to_digits(run.scenario, *run.stated.digits, [&](double time_s) {
       if (time_s < last_s) ++computation;
       last_s = time_s;
       line.update([&](double elapsed_s) {
         return fmt::format("computation {} for {} digits is at {:.6g} s of {:.6g} s after {}",
-                           computation, *run.digits, time_s, run.scenario.until,
+                           computation, *run.stated.digits, time_s, run.scenario.until,
                            duration(elapsed_s));
       });
       return !is_interrupted() && has_time();
@@ -121,9 +121,9 @@ Printed certified_run(const RunOptions& options, const SceneRun& run) {
   if (!found)
     throw std::runtime_error(
         fmt::format("--budget {} s: is not enough for a first estimate", budget_s));
-  Printed printed{to_json(*found, run.scenario, *run.digits),
+  Printed printed{to_json(*found, run.scenario, *run.stated.digits),
                   remarks(result_of(*found, run.scenario))};
-  if (const std::string why = complaint(*found, *run.digits); !why.empty())
+  if (const std::string why = complaint(*found, *run.stated.digits); !why.empty())
     printed.short_of_digits =
         fmt::format("{}: {}",
                     has_time() ? std::string("no precision is enough")
@@ -234,7 +234,7 @@ void run_rotor(const RunOptions& options) {
     alone.runs = {run};
     Printed printed;
     try {
-      printed = run.digits ? certified_run(options, run) : run_one(options, alone, run_ups);
+      printed = run.stated.digits ? certified_run(options, run) : run_one(options, alone, run_ups);
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // the other runs are not affected
@@ -264,7 +264,7 @@ void run_rotor(const RunOptions& options) {
   else if (!runs.empty())
     print_summary(runs.front(), options.json, to);
   for (const std::string& message : messages) print_message("rotor: " + message);
-  if (!runs.empty()) say_which_equations(scene.runs);
+  if (!runs.empty()) say_what_is_assumed(scene.runs);
   for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
   if (!failures.empty()) throw std::runtime_error(failures.back());
 }

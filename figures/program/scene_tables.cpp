@@ -29,7 +29,7 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
     auto& own = tables.of[number];
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
-      if (run.digits)
+      if (run.stated.digits)
         throw InputError(
             "{}: digits: cannot be guaranteed for curves; state a tolerance to draw them",
             scene.file.string());

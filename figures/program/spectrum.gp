@@ -21,7 +21,7 @@ is_apart(i) = abs(abs(of("whirl", i)) - of("f", i)) > resolution
 apart = 0
 do for [i = 1:runs] { apart = apart || is_apart(i) }
 set label 3 sprintf("Hann window from %g s to %g s; resolution %.2g Hz. Dashed: f; dotted: 2f%s", from_s1, until_s1, resolution, \
-  !apart ? " and f_n" : rolls1 ? ", f_n and the whirl while rolling" : ", f_n and the mean whirl") at screen 0.5,0.03 center font small
+  !apart ? " and f_n" : rolls1 ? ", the whirl while rolling and f_n" : ", the mean whirl and f_n") at screen 0.5,0.03 center font small
 do for [i = 1:runs] {
   set label (runs > 1 ? greek(of("run", i)).": " : "").said_of(i) at screen 0.5,screen 0.885 - 0.04*(i - 1) center \
     noenhanced font small textcolor linetype i
@@ -36,7 +36,7 @@ do for [i = 1:runs] {
 }
 mark(x, dash, text, i, row) = x >= lowest && x <= highest ? \
   sprintf("set arrow from first %g,graph 0 to first %g,graph 1 nohead back linetype %d linewidth 1 dashtype %s; ", x, x, i, dash). \
-  (row == 0 && i == 1 ? sprintf("set label '%s' at first %g,graph 1.03 center font small textcolor linetype %d; ", text, x, i) : "") : ""
+  (row == 0 && i == 1 ? sprintf("set label '%s' at first %g,graph 1.06 center font small textcolor linetype %d; ", text, x, i) : "") : ""
 do for [row = 0:1] { do for [forward = 0:1] {
   unset arrow
   do for [i = 1:runs] {
@@ -48,7 +48,7 @@ do for [row = 0:1] { do for [forward = 0:1] {
       eval mark(abs(of("whirl", i)), "(2,4)", "whirl", i, row)
     }
   }
-  set lmargin at screen forward ? 0.545 : 0.09; set rmargin at screen forward ? 0.98 : 0.525
+  set lmargin at screen forward ? 0.54 : 0.09; set rmargin at screen forward ? 0.965 : 0.515
   set tmargin at screen top - row*(height + between); set bmargin at screen top - row*(height + between) - height
   set xrange [lowest:highest]
   greatest = row == 0 ? greatest_d : greatest_F

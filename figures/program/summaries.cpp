@@ -9,15 +9,21 @@
 namespace rotor {
 namespace {
 
-/// Names and values; those of a part follow its name.
-void print_values(const Json& object, int digits, const std::string& indent, std::FILE* to) {
+/// Names and values; those of a part follow its name. Inputs are printed as they were stated.
+void print_values(const Json& object, int digits, std::FILE* to, const std::string& indent = "",
+                  bool are_inputs = false) {
   for (const auto& [key, value] : object.items()) {
     const std::string name = indent + key;
+    const auto print = [&](const std::string& text) { fmt::print(to, "{:<32} {}\n", name, text); };
     if (value.is_object() && !value.contains("error")) {
       fmt::print(to, "{}\n", name);
-      print_values(value, digits, indent + "  ", to);
+      print_values(value, digits, to, indent + "  ", key == "inputs");
+    } else if (are_inputs && value.is_number()) {
+      print(fmt::format("{:.15g}", value.get<double>()));
+    } else if (key == "remarks" && !value.empty()) {
+      for (const Json& remark : value) print(remark.get<std::string>());
     } else if (key != "events") {
-      fmt::print(to, "{:<32} {}\n", name, text_of(value, digits));
+      print(text_of(value, digits));
     }
   }
 }
@@ -32,8 +38,7 @@ void print_table(const Json& runs, std::FILE* to) {
                      "peak_normal_force_N",
                      "final_speed_Hz"};
   const auto cell = [](const Json& run, const char* key) {
-    const Json& value = run.at(key);
-    return value.is_string() ? value.get<std::string>() : text_of(value, asked_digits(run));
+    return text_of(run.at(key), asked_digits(run));
   };
   std::size_t width = 20;  // names may need more
   for (const Json& run : runs) width = std::max(width, cell(run, "run").size());
@@ -48,13 +53,23 @@ void print_table(const Json& runs, std::FILE* to) {
   fmt::print(to, "\n");
 }
 
+void say_what_is_assumed(const ScenarioSpec& stated, bool leaves_equations_open) {
+  if (leaves_equations_open)
+    print_message(
+        "rotor: no equations were stated, so the published ones were used: the velocity jump of "
+        "the mass loss counts twice, and the moment of gravity in full; the consistent equations "
+        "correct both");
+  if (const std::string values = left_to_the_paper(stated); !values.empty())
+    print_message("rotor: not stated, so the paper's: " + values);
+}
+
 }  // namespace
 
 void print_summary(const Json& run, bool as_json, std::FILE* to) {
   if (as_json)
     fmt::print(to, "{}\n", run.dump(2));
   else
-    print_values(run, asked_digits(run), "", to);
+    print_values(run, asked_digits(run), to);
 }
 
 void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
@@ -64,17 +79,15 @@ void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
     print_table(runs, to);
 }
 
-void say_which_equations(bool left_open) {
-  if (left_open)
-    print_message(
-        "rotor: no equations were stated, so the published ones were used: the velocity jump of "
-        "the mass loss counts twice, and the moment of gravity in full; the consistent equations "
-        "correct both");
+void say_what_is_assumed(const std::vector<SceneRun>& runs) {
+  say_what_is_assumed(runs.front().stated,
+                      std::any_of(runs.begin(), runs.end(),
+                                  [](const SceneRun& run) { return run.leaves_equations_open(); }));
 }
 
-void say_which_equations(const std::vector<SceneRun>& runs) {
-  say_which_equations(std::any_of(runs.begin(), runs.end(),
-                                  [](const SceneRun& run) { return run.leaves_equations_open(); }));
+void say_what_is_assumed(const Sweep& sweep) {
+  const ScenarioSpec first = SweepPoints(sweep)(0).spec;
+  say_what_is_assumed(first, !first.states_equations());
 }
 
 }  // namespace rotor

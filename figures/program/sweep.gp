@@ -42,7 +42,7 @@ mean(v) = (first = int(column(0)) % draws == 0, sum = (first ? 0 : sum) + (v == 
 is_map = dimensions == 2
 if (is_map && panels < 3) { eval "set terminal ".square }
 rows = is_map ? has_outcome + has_value : has_value + (draws > 1 && dimensions == 1 && has_outcome)
-top = 0.9; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.12 : 0.085; right = is_map ? 0.84 : 0.98; gap = 0.05
+top = 0.9; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.12 : 0.085; right = is_map ? 0.84 : 0.965; gap = 0.05
 height = (top - bottom)/rows; width = (right - left - gap*(panels - 1))/panels
 set multiplot
 set label 1 heading at screen 0.5,0.965 center noenhanced
@@ -54,11 +54,12 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   of_outcome = is_map ? has_outcome && row == 0 : row == has_value
   set lmargin at screen left + p*(width + gap); set rmargin at screen left + p*(width + gap) + width
   set tmargin at screen top - row*height - (panels > 1 ? 0.03 : 0); set bmargin at screen top - (row + 1)*height + (at_bottom ? 0 : 0.03)
+  if (row + p > 0) { unset label 1 }
   if (row == 0 && panels > 1) { set title panel_name(p) offset 0,-0.6 noenhanced } else { unset title }
   set xlabel (at_bottom ? (dimensions ? x_name : result_name) : "") offset 0,0.4 noenhanced
   set ylabel (p > 0 ? "" : is_map ? y_name : of_outcome || !dimensions ? "share of the draws" : result_name) noenhanced
   set xrange [*:*] noextend; set yrange [*:*] noextend
-  set format x (at_bottom ? powers(is_map && x_log) : ""); set format y (p > 0 ? "" : powers(is_map && y_log))
+  set format x (at_bottom ? dimensions == 1 && x_log ? "10^{%T}" : powers(is_map && x_log) : ""); set format y (p > 0 ? "" : powers(is_map && y_log))
   if (is_map) {
     if (x_log) { set xtics 1 }
     if (y_log) { set ytics 1 }
@@ -82,16 +83,28 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
     set datafile columnheaders
     continue
   }
-  if (dimensions == 1) {
+  if (dimensions == 1) {    # draws at listed values stand side by side
+    are_bars = draws > 1 && strlen(x_tics)
+    x_of(unused) = are_bars ? place(x_key, x_points, x_stride, 0, x_tics) : column(x_key)
     if (x_log) { set logscale x }
+    if (are_bars) {
+      set xrange [-0.6:x_points - 0.4]; set boxwidth 0.8
+      set style fill solid noborder
+      eval "set xtics (".(at_bottom ? x_tics : "'' 0").")"
+    } else {    # points at the ends are drawn in full
+      stats data using (x_log ? log10(column(x_key)) : column(x_key)) name "along" nooutput
+      edge = 0.015*(along_max - along_min)
+      from = along_min - edge; to = along_max + edge
+      set xrange [x_log ? 10**from : from:x_log ? 10**to : to]
+    }
     if (of_outcome) {    # stacked shares: of this outcome and of those with greater codes
       set yrange [0:1]
-      plot for [c = 0:6] data using (in_panel(p, column(x_key))):(code(0) >= c ? 1.0/draws : 0) smooth frequency \
-        with filledcurves x1 fillcolor rgb tint(c)
+      eval "plot for [c = 0:6] data using (in_panel(p, x_of(0))):(code(0) >= c ? 1.0/draws : 0) smooth frequency \
+        with ".(are_bars ? "boxes" : "filledcurves x1")." fillcolor rgb tint(c)"
     } else {
       set yrange [least < 0 ? 1.05*least : 0:greatest > 0 ? 1.05*greatest : 1]
-      plot data using (in_panel(p, column(x_key))):(draws > 1 ? NaN : or_without(its(0))) with lines linecolor rgb grey linewidth 0.8, \
-        for [c = 0:6] data using (in_panel(p, column(x_key))):((has_outcome ? code(0) : 6) != c ? NaN : or_without(its(0))) \
+      plot data using (in_panel(p, x_of(0))):(draws > 1 ? NaN : or_without(its(0))) with lines linecolor rgb grey linewidth 0.8, \
+        for [c = 0:6] data using (in_panel(p, x_of(0))):((has_outcome ? code(0) : 6) != c ? NaN : or_without(its(0))) \
         with points pointtype 7 pointsize (draws > 1 ? 0.25 : 0.5) linecolor rgb tint(c)
     }
     continue

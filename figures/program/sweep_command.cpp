@@ -136,7 +136,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   ranks.broadcast(true);
   const int threads = ranks.count() > 1 ? 1 : options.jobs > 0 ? options.jobs : cores();
   writer->run(threads, workers(sweep), ranks);
-  say_which_equations(sweep.leaves_equations_open());
+  say_what_is_assumed(sweep);
   fmt::print("{}\n", one_line(options.out));
 }
 

@@ -116,7 +116,7 @@ void plot_sweep(const PlotOptions& options) {
     }
   }
   drawing.finish(settings + numbered(results.string()) + '\n', "sweep.gp");
-  say_which_equations(sweep.leaves_equations_open());
+  say_what_is_assumed(sweep);
 }
 
 }  // namespace rotor

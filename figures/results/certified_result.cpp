@@ -122,6 +122,9 @@ std::string certified_text(double value, double error, int digits) {
 std::string text_of(const Json& value, int digits) {
   if (value.is_null()) return "-";
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array())
+    return value.empty() ? "-" : fmt::format("{} values; --json has them", value.size());
   if (!value.is_object() || !value.contains("error")) return value.dump();
   return certified_text(value["value"].get<double>(), value["error"].get<double>(), digits);
 }

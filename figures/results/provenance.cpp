@@ -9,11 +9,6 @@
 namespace rotor {
 namespace {
 
-std::string describe(const Quantity& quantity, const Scenario& scenario) {
-  return fmt::format("{} = {}{}{}", quantity.name, quantity.of(scenario),
-                     quantity.unit.empty() ? "" : " ", quantity.unit);
-}
-
 std::string describe(const Equations& equations) {
   if (equations == Equations::published || equations == Equations::consistent)
     return std::string(name_of(equations));
@@ -23,7 +18,7 @@ std::string describe(const Equations& equations) {
 
 std::string parameters(const Scenario& scenario) {
   std::vector<std::string> all;
-  for (const Quantity& quantity : quantities()) all.push_back(describe(quantity, scenario));
+  for (const Quantity& quantity : quantities()) all.push_back(quantity.text(scenario));
   if (!scenario.parameters.loses_mass) all.emplace_back("no mass loss");
   return fmt::format("{}", fmt::join(all, ", "));
 }

@@ -243,6 +243,14 @@ std::vector<Remark> remarks(const RunResult& result) {
                          : "; without contact only the damping of its whirl brakes the rotor"),
          Of::missed_goal});
   }
+  using enum Outcome;
+  const bool is_open =
+      summary.outcome == sliding || summary.outcome == bouncing || summary.outcome == undecided;
+  if (is_open && !early.stop_on && !early.interrupted)
+    all.push_back(
+        {fmt::format("at {:.6g} s, the end of the run, the outcome may still change; "
+                     "until states a later end",
+                     summary.final_time_s)});
   if (const double start = result.scenario.start_speed_Hz;
       start > 0 && start < p.motor_off_Hz && p.torque > 0)
     all.push_back(

@@ -66,7 +66,6 @@ struct Sweep {
 
   long points() const;
   std::vector<std::string> quantities() const;  ///< the ones that vary
-  bool leaves_equations_open() const;           ///< whether they are neither stated nor varied
 };
 
 /// Reads a TOML sweep file. Throws InputError, also if a corner of the axes is not physical.

@@ -77,7 +77,7 @@ class SweepReader : TomlFile {
     for (const NamedInput& input : named_inputs()) allowed.emplace_back(input.name);
     for (const InputQuantity& input : input_quantities()) allowed.emplace_back(input.quantity.name);
     fail_at(in, "quantity", "there is no quantity \"{}\"{}; there are: {}", shown(*name),
-            suggestion(*name, allowed), fmt::join(allowed, ", "));
+            suggestion(name_of_symbol(*name), allowed), fmt::join(allowed, ", "));
   }
 
   double number(const toml::table& in, std::string_view key, const Quantity& quantity) const {

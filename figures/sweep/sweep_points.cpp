@@ -4,6 +4,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "figures/sweep/sweep.hpp"
@@ -31,7 +32,11 @@ double Range::at(long n) const {
   if (n == 0) return from;
   if (n == points - 1) return until;
   const double share = static_cast<double>(n) / static_cast<double>(points - 1);
-  return logarithmic ? from * std::pow(until / from, share) : from + (until - from) * share;
+  const double value =
+      logarithmic ? from * std::pow(until / from, share) : from + (until - from) * share;
+  const double decimal = number_in(fmt::format("{:.15g}", value)).value_or(value);
+  const double rounding = 2 * std::numeric_limits<double>::epsilon() * std::abs(value);
+  return std::abs(decimal - value) <= rounding ? decimal : value;  // 0.06, not 0.060000000000000005
 }
 
 long Axis::points() const {
@@ -71,12 +76,6 @@ std::vector<std::string> Sweep::quantities() const {
   for (const Axis& axis : axes) all.push_back(axis.quantity);
   for (const Draw& draw : sample.over) all.push_back(draw.quantity);
   return all;
-}
-
-bool Sweep::leaves_equations_open() const {
-  return !base.states_equations() && std::none_of(axes.begin(), axes.end(), [](const Axis& axis) {
-    return !axis.names.empty() && axis.quantity != "method";
-  });
 }
 
 SweepPoints::SweepPoints(const Sweep& sweep) : sweep_(sweep) {

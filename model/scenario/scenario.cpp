@@ -92,6 +92,10 @@ Scenario run_up_part(const Scenario& scenario) {
 
 std::span<const Quantity> quantities() { return all_quantities; }
 
+std::string Quantity::text(const Scenario& scenario) const {
+  return fmt::format("{} = {}{}{}", name, of(scenario), unit.empty() ? "" : " ", unit);
+}
+
 bool Quantity::allows(double value) const {
   return std::isfinite(value) && (least_allowed ? value >= least : value > least) &&
          value <= greatest;

@@ -50,6 +50,7 @@ struct Quantity {
   double greatest = std::numeric_limits<double>::infinity();  ///< greatest allowed value
 
   double of(Scenario scenario) const { return in(scenario); }
+  std::string text(const Scenario& scenario) const;  ///< "mass = 5 kg"
   bool allows(double value) const;
   std::string range() const;  ///< for messages: "a finite number greater than 0 kg"
 };

@@ -1,4 +1,4 @@
-/// The program runs the README's examples.
+/// The program runs the examples of its instructions.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,10 +8,10 @@
 namespace rotor {
 namespace {
 
-class Readme : public CommandLine {};
+class Readme : public CommandLine, public testing::WithParamInterface<const char*> {};
 
-TEST_F(Readme, HasExamplesThatRun) {
-  std::ifstream file(ROTOR_SOURCES "/README.md");
+TEST_P(Readme, HasExamplesThatRun) {
+  std::ifstream file(std::string(ROTOR_SOURCES "/") + GetParam());
   std::vector<std::string> scenes, runs;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
@@ -24,15 +24,17 @@ TEST_F(Readme, HasExamplesThatRun) {
   }
   ASSERT_FALSE(scenes.empty());
   EXPECT_FALSE(runs.empty());
-  write("my-rotor.toml", scenes.front());
   for (const std::string& scene : scenes) {
-    write("scene.toml", scene);
     const bool is_sweep = scene.find("[[axis]]") != std::string::npos;
-    EXPECT_EQ(rotor(is_sweep ? "sweep scene.toml --dry-run" : "run --scene scene.toml").status, 0)
+    write(is_sweep ? "sweep.toml" : "my-rotor.toml", scene);
+    EXPECT_EQ(rotor(is_sweep ? "sweep sweep.toml --dry-run" : "run --scene my-rotor.toml").status,
+              0)
         << scene;
   }
   for (const std::string& run : runs) EXPECT_EQ(rotor(run).status, 0) << run;
 }
+
+INSTANTIATE_TEST_SUITE_P(All, Readme, testing::Values("README.md", "figures/program/README.md"));
 
 TEST(Citation, HasTheVersionOfTheProgram) {
   std::ifstream file(ROTOR_SOURCES "/CITATION.cff");

@@ -1,6 +1,7 @@
 /// Tables: as comma-separated values, and thinned.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -49,6 +50,14 @@ TEST(Thinning, KeepsEveryColumnWithinItsTolerance) {
   }
   const Table thin = thinned(full, tolerance);
   EXPECT_LT(thin.rows(), full.rows() / 3);
+  const auto ends = [](const Table& table, std::size_t column) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < table.rows(); ++i) values.push_back(table.row(i)[column]);
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    return std::pair(*least, *greatest);
+  };
+  for (const std::size_t column : {1U, 2U})  // what figures quote
+    EXPECT_EQ(ends(thin, column), ends(full, column));
   const std::vector<double> ranges = {0, 2, 1.5, 20};
   std::size_t next = 1;
   for (std::size_t i = 0; i < full.rows(); ++i) {
