@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <tuple>
 
 #include "figures/data/csv.hpp"
 #include "model/mechanics/parameters.hpp"
@@ -53,6 +55,36 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
                          "\"\n[parameters]\nuntil = 0.01\n"
                          "no_mass_loss = true\n");
   EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
+}
+
+// Listed values are drawn at their places in the list, which a map finds from the number of the
+// row.
+TEST_F(Gnuplot, FindsAPlaceInAMapFromTheRow) {
+  write_gnuplot("cp settings.gp \"$KEPT\"; exit 1\n");
+  write("map.toml",
+        "columns = [\"outcome\"]\n[parameters]\nstart_speed_hz = 100\nuntil = 1e-3\n"
+        "[[axis]]\nquantity = \"equations\"\nvalues = [\"published\", \"consistent\"]\n"
+        "[[axis]]\nquantity = \"friction\"\nvalues = [0.2, 0.1, 0.3]\n"
+        "[[axis]]\nquantity = \"clearance\"\nvalues = [3e-3, 2e-3]\n"
+        "[sample]\ncount = 2\n[[sample.over]]\nquantity = \"mass\"\nuniform = [4, 5]\n");
+  ASSERT_EQ(rotor("sweep map.toml --out map.csv").status, 0);
+  EXPECT_EQ(shell("KEPT=$PWD/kept PATH=$PWD:$PATH $rotor plot map.csv").status, 1);
+  const std::string settings = content("kept");
+  const auto setting = [&](const std::string& name) {
+    return std::stoul(settings.substr(settings.find(name + " = ") + name.size() + 3));
+  };
+  const std::vector<CsvRow> rows = read_csv(folder_ / "map.csv");
+  ASSERT_EQ(rows.size(), 24U);
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const std::array friction = {0.2, 0.1, 0.3}, clearance = {3e-3, 2e-3, 0.};
+    for (const auto& [letter, name, values] :
+         {std::tuple("x", "clearance", clearance), {"y", "friction", friction}}) {
+      const std::string axis = letter;
+      EXPECT_NE(settings.find(axis + "_key = '" + name), std::string::npos);
+      const std::size_t place = n / setting(axis + "_stride") % setting(axis + "_points");
+      EXPECT_EQ(static_cast<double>(rows[n].number(name)), values.at(place)) << n;
+    }
+  }
 }
 
 // O moves steadily on a circle, forward, once per turn of the rotor: the spectrum has one line at

@@ -126,6 +126,10 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
     EXPECT_EQ(stopped[key], whole[key]) << key;
   EXPECT_LT(stopped["right_hand_sides"], whole["right_hand_sides"]);
   EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
+  const Json steps = summary("--method rk4 --start-speed-hz 150 --until 0.1 --stop-on rolling");
+  EXPECT_EQ(steps["stop_reached"], true);  // a step behind the maximum
+  EXPECT_NEAR(steps["final_time_s"].get<double>() - steps["peak_time_s"].get<double>(),
+              Scenario{}.step_rub, 1e-9);
 }
 
 // A run that stops when its outcome is decided has that of the whole run, and mostly ends earlier.
