@@ -18,7 +18,8 @@ constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz";
 constexpr std::array alternatives = {
     InputQuantity{{"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, 0},
                   "stator_radius"},
-    InputQuantity{{"lost_mass", "m_u", "kg", "mass that is lost", nullptr, 0, true},
+    InputQuantity{{"lost_mass", "m_u", "kg",
+                   "lost mass (from the rim, opposite to the eccentricity)", nullptr, 0, true},
                   "unbalance_factor"},
     InputQuantity{{mass_loss_speed, "f_1", "Hz", "speed at the mass loss", nullptr, 0},
                   "mass_loss_time"}};
@@ -46,6 +47,9 @@ Scenario numbers_of(const ScenarioSpec& spec) {
     if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
       throw InputError("{} and {}: one determines the other; state one of them", s.quantity.name,
                        s.instead_of);
+  for (const auto& [name, value] : spec.numbers)
+    if (const Quantity& quantity = find_input_quantity(name)->quantity; !quantity.allows(value))
+      throw InputError("{} = {}: must be {}", name, value, quantity.range());
   if (spec.digits && number(spec, "tolerance"))
     throw InputError("digits and tolerance: the first determines the second; state one of them");
   Scenario scenario;
@@ -182,7 +186,8 @@ void check_numbers(const ScenarioSpec& spec) { check_numbers(numbers_of(spec)); 
 
 std::string left_to_the_paper(const ScenarioSpec& stated) {
   std::vector<std::string> all;
-  if (!stated.numbers.contains("mass") || !stated.numbers.contains("rotor_radius")) return "";
+  const auto states = [&](const char* name) { return stated.numbers.contains(name); };
+  if (!states("mass") && !states("inertia") && !states("rotor_radius")) return "";
   for (const Quantity& quantity : quantities()) {
     if (quantity.name == "mass_loss_time") break;  // from here on they are of the run
     const bool is_stated = std::any_of(

@@ -51,7 +51,7 @@ Scenario scenario_of(const ScenarioSpec& spec);
 /// Throws InputError if scenario_of() would throw whatever its run-ups give.
 void check_numbers(const ScenarioSpec& spec);
 
-/// What a rotor of one's own, whose mass and radius are stated, has of the paper's: "inertia =
+/// What a rotor of one's own, of a stated mass, inertia or radius, has of the paper's: "inertia =
 /// 0.009 kg m^2" and so on. Empty if nothing, or if it is the paper's rotor.
 std::string left_to_the_paper(const ScenarioSpec& stated);
 

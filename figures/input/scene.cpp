@@ -20,6 +20,8 @@ class SceneReader : TomlFile {
 
   Scene read() {
     const toml::table& root = this->root();
+    if (root.contains("axis") || root.contains("sample"))
+      throw InputError("{}: is a sweep, which rotor sweep runs", path().string());
     expect_keys(root, {"title", "columns", "window", "parameters", "run"});
     Scene scene;
     scene.file = path();
@@ -170,6 +172,10 @@ Window stated_window(Window window, std::optional<double> from_s, std::optional<
   if (!from_s && !until_s) return window;
   const double from = from_s.value_or(window.from_rolling_onset ? 0 : window.from_s);
   const double until = until_s.value_or(std::numeric_limits<double>::infinity());
+  double last_s = 0;
+  for (const SceneRun& run : runs) last_s = std::max(last_s, run.scenario.until);
+  if (until_s && *until_s > last_s)
+    throw InputError("--until {}: must not be later than {} s, the end of the run", until, last_s);
   for (const SceneRun& run : runs) {
     const double end_s = run.scenario.until;
     if (!(from >= 0 && from < std::min(until, end_s)))

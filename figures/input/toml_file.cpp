@@ -60,9 +60,11 @@ void TomlFile::refuse(const toml::node& at, std::string_view key, std::string_vi
 }
 
 void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const {
+  const Keys of_file = {"title", "columns", "window", "stop_on"};
   for (const auto& [key, node] : table)
     if (!contains(allowed, key.str()))
-      fail(node, key.str(), "unknown key{}; allowed here: {}",
+      fail(node, key.str(), "unknown key{}{}; allowed here: {}",
+           contains(of_file, key.str()) ? ", which belongs above the first [table]" : "",
            suggestion(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}),
            fmt::join(allowed, ", "));
 }

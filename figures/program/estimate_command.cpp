@@ -30,10 +30,13 @@ void estimate_rotor(const CaseOptions& options) {
   const Scene scene = scene_of(stated);
   for (const SceneRun& run : scene.runs) {
     Json row;
-    if (!options.scene.empty()) row["run"] = run.name;
+    const bool one_of_many = scene.runs.size() > 1;
+    if (one_of_many) row["run"] = run.name;
     row.update(laws(run.scenario));
     row["equations"] = name_of(run.scenario.equations);
     runs.push_back(row);
+    for (const std::string& remark : remarks_on_laws(run.scenario))
+      print_message("rotor: " + (one_of_many ? run.name + ": " : "") + remark);
   }
   if (options.json && runs.size() != 1) {
     print_summaries(runs, true, stdout);

@@ -122,7 +122,7 @@ void add_options(CLI::App& command, SweepOptions& options) {
 }
 
 void add_options(CLI::App& command, CaseOptions& options) {
-  auto* scene = add_name(command, "--scene", options.scene,
+  auto* scene = add_name(command, "scene,--scene", options.scene,
                          "scene file (TOML); options override what it states");
   add_name(command, "--run", options.run_name, "the [[run]] of the scene to run (default: all)",
            "a run")
@@ -277,7 +277,9 @@ int main(int argc, char** argv) {
     status = app.exit(success);
   } catch (const CLI::ParseError& error) {
     const std::string extras = about_extras(app);
-    const std::string message = extras.empty() ? error.what() : extras;
+    std::string message = extras.empty() ? error.what() : extras;
+    if (message.ends_with(" missing") && extras.empty())  // "--mass: 1 required kg missing"
+      message = message.substr(0, message.find(':')) + ": needs a value";
     constexpr std::size_t line = 400;
     print_message("rotor: " + message.substr(0, line));
     status = error.get_exit_code();

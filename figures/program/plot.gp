@@ -7,7 +7,7 @@ name(i) = greek(value(sprintf("run%d", i)))
 data(i) = sprintf("run%d.csv", i)
 greater(a, b) = a > b ? a : b
 wide(i) = 1 + greater(0, (runs < 4 ? runs : 4) - i)    # width of a run over which others are drawn
-short(text, most) = strlen(text) > most ? text[:most - 1]."…" : text
+short(text, most) = strlen(text) > most ? text[:most/2 - 1]."…".text[strlen(text) - most/2 + 1:] : text
 
 # One key for all panels, in rows under the title, where it hides no curve. Lengths here and below are relative
 # to the picture's width or height; widths of letters are those of png, the widest.

@@ -33,9 +33,9 @@ std::vector<double> amplitudes(Signal signal) {
 /// Displacement of O from O_a, and contact force on the rotor, in the stator's frame.
 struct Signals {
   Signal displacement, force;
-  double turns = 0;    ///< of O about O_a,
+  double turns = 0;    ///< of O about O_a, while the rim rolls,
   long rows = 0;       ///< within this number of rows
-  bool rolls = false;  ///< if so, only while the rim rolls
+  bool rolls = false;  ///< whether it does
   double least_Hz = std::numeric_limits<double>::infinity(), greatest_Hz = 0, sum_Hz = 0;
 
   static std::vector<const Column*> columns() {
@@ -48,9 +48,7 @@ struct Signals {
     const bool rolls_now = row[5] == static_cast<double>(ContactState::rolling);
     if (rolls_now && !rolls) {
       rolls = true;
-      turns = 0;
-      rows = 0;
-    } else if (!displacement.empty() && rolls_now == rolls) {
+    } else if (rolls_now) {
       turns += std::arg(place * std::conj(displacement.back())) / two_pi;
       ++rows;
     }

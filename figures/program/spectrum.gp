@@ -5,9 +5,9 @@
 of(what, i) = value(sprintf("%s%d", what, i))
 data(i) = sprintf("run%d.csv", i)
 resolution = 1.5/(until_s1 - from_s1)    # of Hann's window
-said_of(i) = sprintf("f = %.1f Hz%s, %s %s Hz", of("f", i), \
+said_of(i) = sprintf("mean f = %.1f Hz%s%s", of("f", i), \
   of("f_greatest", i) - of("f_least", i) < resolution ? "" : sprintf(" (%.1f to %.1f)", of("f_greatest", i), of("f_least", i)), \
-  of("rolls", i) ? "whirl while rolling" : "mean whirl", sprintf("%+.1f", of("whirl", i)))
+  of("rolls", i) ? sprintf(", mean whirl while rolling %+.1f Hz", of("whirl", i)) : "")
 
 lowest = 0.8/(until_s1 - from_s1); highest = 0.25*samples1/(until_s1 - from_s1)
 set logscale xy
@@ -17,11 +17,10 @@ top = 0.83 - 0.04*(runs - 1); bottom = 0.17; between = 0.05; height = 0.5*(top -
 set multiplot
 set label 1 "{/:Bold Spectrum}" at screen 0.5,0.97 center
 set label 2 heading at screen 0.5,0.93 center noenhanced
-is_apart(i) = abs(abs(of("whirl", i)) - of("f", i)) > resolution
-apart = 0
-do for [i = 1:runs] { apart = apart || is_apart(i) }
+rolls = 0
+do for [i = 1:runs] { rolls = rolls || of("rolls", i) }
 set label 3 sprintf("Hann window from %g s to %g s; resolution %.2g Hz. Dashed: f; dotted: 2f%s", from_s1, until_s1, resolution, \
-  !apart ? " and f_n" : rolls1 ? ", the whirl while rolling and f_n" : ", the mean whirl and f_n") at screen 0.5,0.03 center font small
+  rolls ? ", the whirl while rolling and f_n" : " and f_n") at screen 0.5,0.03 center font small
 do for [i = 1:runs] {
   set label (runs > 1 ? greek(of("run", i)).": " : "").said_of(i) at screen 0.5,screen 0.885 - 0.04*(i - 1) center \
     noenhanced font small textcolor linetype i
@@ -44,7 +43,7 @@ do for [row = 0:1] { do for [forward = 0:1] {
       eval mark(of("f", i), "(8,5)", "f", i, row).mark(2*of("f", i), "(2,4)", "2f", i, row)
     }
     eval mark(of("f_n", i), "(2,4)", "f_n", i, row)
-    if ((of("whirl", i) > 0) == forward && is_apart(i)) {
+    if (of("rolls", i) && (of("whirl", i) > 0) == forward) {
       eval mark(abs(of("whirl", i)), "(2,4)", "whirl", i, row)
     }
   }
@@ -55,7 +54,8 @@ do for [row = 0:1] { do for [forward = 0:1] {
   if (greatest > 0) { set yrange [decades*greatest:2*greatest] } else { set yrange [1e-3:1] }
   set xlabel (row == 1 ? (forward ? "forward, Hz" : "backward, Hz") : "") offset 0,0.4
   if (row == 0) { set format x "" } else { set format x "%g" }
-  set ylabel (forward ? "" : row == 0 ? "displacement r_O, mm" : "contact force, kN")
+  set ylabel (forward ? "" : row == 0 ? "r_O, mm" : "force, kN")
+  if (greatest == 0) { set label "no contact" at graph 0.5,graph 0.5 center font small }
   if (forward) { set format y "" } else { set format y "10^{%T}" }
   unset key
   plot for [i = 1:runs] data(i) using (column("frequency_Hz")*(forward ? 1 : -1) > 0 ? abs(column("frequency_Hz")) : NaN): \

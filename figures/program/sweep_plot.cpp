@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
 
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
+#include "figures/results/laws.hpp"
+#include "figures/results/run_result.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
 namespace rotor {
@@ -71,6 +74,13 @@ std::string settings_of(const Sweep& sweep) {
   return text + panels + fmt::format("dimensions = {}; draws = {}\n", numbers, sweep.sample.count);
 }
 
+bool is_number(const std::string& key) {
+  const Json law = laws(Scenario{});
+  if (law.contains(key)) return law[key].is_number();
+  const std::string types = summary_schema()["properties"][key]["type"].dump();
+  return types.find("number") != std::string::npos || types.find("integer") != std::string::npos;
+}
+
 /// What is drawn beside the outcome.
 std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
   const std::vector<std::string> all = sweep.columns.empty() ? result_columns() : sweep.columns;
@@ -80,7 +90,12 @@ std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
                           : all.front() == "outcome"   ? all.back()
                                                        : all.front();
   if (!has(key))
-    throw InputError("--column {}: there is no such result{}", shown(key), suggestion(key, all));
+    throw InputError("--column {}: there is no such result{}; there are: {}", shown(key),
+                     suggestion(key, all), fmt::join(all, ", "));
+  const bool has_axis = std::any_of(sweep.axes.begin(), sweep.axes.end(),
+                                    [](const Axis& axis) { return axis.names.empty(); });
+  if (key == "outcome" ? !has_axis : !is_number(key))
+    throw InputError("--column {}: must be a result with numbers", key);
   return fmt::format("result = '{}'; has_outcome = {}; has_value = {}\n", key,
                      has("outcome") ? 1 : 0, key == "outcome" ? 0 : 1);
 }

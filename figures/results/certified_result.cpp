@@ -69,19 +69,20 @@ std::string complaint(const Comparison& comparison, int digits) {
 RunResult result_of(const Comparison& comparison, const Scenario& scenario) {
   Scenario computed = scenario;
   computed.tolerance = comparison.tolerance / Comparison::finest;
-  return {computed, comparison.values, comparison.end, {}};
+  double largest = 0;
+  for (const NamedEstimate& value : comparison.summary)
+    if (value.estimate && value.estimate->error > 0)
+      largest = std::max(largest, value.estimate->error / value.size);
+  return {computed,
+          comparison.values,
+          comparison.end,
+          {},
+          std::isfinite(largest) ? std::optional(largest) : std::nullopt};
 }
 
 Json to_json(const Comparison& comparison, const Scenario& scenario, int digits) {
   Json json = to_json(result_of(comparison, scenario));
-  double largest = 0;
-  for (const NamedEstimate& value : comparison.summary) {
-    json[value.name] = to_json(value);
-    if (value.estimate && value.estimate->error > 0)
-      largest = std::max(largest, value.estimate->error / value.size);
-  }
-  json["estimated_relative_error"] = nullptr;
-  if (std::isfinite(largest)) json["estimated_relative_error"] = largest;
+  for (const NamedEstimate& value : comparison.summary) json[value.name] = to_json(value);
   Json short_ones = Json::array();
   for (const auto& [value, sure] : short_of_digits(comparison, digits))
     short_ones.push_back({{"value", value}, {"digits", sure}});

@@ -1,6 +1,7 @@
 #include "figures/results/laws.hpp"
 
 #include "figures/input/names.hpp"
+#include "figures/results/run_result.hpp"
 #include "model/theory/accident.hpp"
 
 namespace rotor {
@@ -14,6 +15,7 @@ struct Prediction {
 };
 
 double speed_at_loss(const Scenario& scenario) {
+  if (scenario.mass_loss_speed_Hz > 0) return two_pi * scenario.mass_loss_speed_Hz;
   const Parameters& p = scenario.parameters;
   const double start = two_pi * scenario.start_speed_Hz;
   const double off = two_pi * p.motor_off_Hz;
@@ -87,6 +89,25 @@ Json laws(const Scenario& scenario) {
   Json json;
   for (const Law& law : all_laws()) json[std::string(law.key)] = law.of(predicted);
   return json;
+}
+
+std::vector<std::string> remarks_on_laws(const Scenario& scenario) {
+  const Parameters& p = scenario.parameters;
+  const Prediction predicted = prediction_of(scenario);
+  const double force =
+      predicted.rolls ? *predicted.law.peak_force() : predicted.law.impact_force.value_or(0);
+  std::vector<std::string> all = remarks_on_indentation(force / p.contact_stiffness, p);
+  // In a slow run-up the steady response is largest close to the critical speed.
+  const double critical = std::sqrt(p.support_stiffness / p.mass);
+  const double damping = p.support_damping / (2 * p.mass * critical);
+  const double response = p.eccentricity / (2 * damping * std::sqrt(1 - damping * damping));
+  const bool runs_up = two_pi * scenario.start_speed_Hz < critical && critical < predicted.speed;
+  if (runs_up && damping < std::sqrt(0.5) && response > p.stator_radius - p.rotor_radius)
+    all.push_back(fmt::format(
+        "in a slow run-up the displacement at the critical speed, {:.3g} m, exceeds the "
+        "clearance; the closed forms hold for rotors that have not touched the ring",
+        response));
+  return all;
 }
 
 std::string meanings_of_laws() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "figures/results/json.hpp"
 #include "model/scenario/scenario.hpp"
@@ -11,6 +12,9 @@ namespace rotor {
 /// Keys have units; null: does not happen. Throws InputError for a run without mass loss, and
 /// std::domain_error for supports that do not vibrate.
 Json laws(const Scenario& scenario);
+
+/// Why a rotor may not be one that the closed forms, or the model, apply to.
+std::vector<std::string> remarks_on_laws(const Scenario& scenario);
 
 /// The keys of laws() and their meanings, a line each.
 std::string meanings_of_laws();

@@ -47,4 +47,7 @@ struct Remark {
 };
 std::vector<Remark> remarks(const RunResult& result);
 
+/// A linear contact and a round ring are valid only for small indentations, m.
+std::vector<std::string> remarks_on_indentation(double indentation, const Parameters& p);
+
 }  // namespace rotor

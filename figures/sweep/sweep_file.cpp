@@ -20,6 +20,8 @@ class SweepReader : TomlFile {
   explicit SweepReader(const std::filesystem::path& file) : TomlFile(file) {}
 
   Sweep read() {
+    if (root().contains("run"))
+      throw InputError("{}: is a scene, which rotor run runs", path().string());
     expect_keys(root(), {"title", "stop_on", "columns", "parameters", "axis", "sample"});
     Sweep sweep;
     sweep.title = text(root(), "title").value_or("");
@@ -213,7 +215,9 @@ class SweepReader : TomlFile {
     std::vector<std::string> varied;
     for (const std::string& quantity : sweep.quantities()) {
       for (const std::string& other : varied)
-        if (determined_by(other) == determined_by(quantity))
+        if (other == quantity)
+          fail(root(), quantity, "varies twice");
+        else if (determined_by(other) == determined_by(quantity))
           fail(root(), quantity, "varies, and so does {}, which determines it", other);
       varied.push_back(quantity);
       for (const auto& [stated, number] : sweep.base.numbers)

@@ -97,7 +97,8 @@ inline constexpr auto summary_fields = [] {
        &Of::max_displacement_before_loss_m, ErrorScale::length},
       {"contact_time_s", "Time spent sliding and rolling", &Of::contact_time_s, ErrorScale::own,
        [](const Of& s) { return s.contact_time_s > 0 ? s.final_time_s : S(0); }},
-      {"peak_bearing_force_N", "Largest |k r_O + d v_O|, of the supports together",
+      {"peak_bearing_force_N",
+       "Largest |k r_O + d v_O|, of the supports together, without the weight",
        &Of::peak_bearing_force_N, ErrorScale::force},
       {"whirl_frequency_Hz",
        "Whirl frequency of O about O_a, negative against the rotation: mean over the last interval "

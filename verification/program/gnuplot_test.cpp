@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <sstream>
 #include <tuple>
 
 #include "figures/data/csv.hpp"
@@ -85,6 +88,58 @@ TEST_F(Gnuplot, FindsAPlaceInAMapFromTheRow) {
       EXPECT_EQ(static_cast<double>(rows[n].number(name)), values.at(place)) << n;
     }
   }
+}
+
+// The share that rolls at each point of a map, and of a distribution with draws that have no
+// result.
+TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
+  const std::string sample =
+      "[sample]\ncount = 7\nseed = 1\n[[sample.over]]\nquantity = \"friction\"\n"
+      "uniform = [0.02, 0.3]\n";
+  const std::string rotor_at_150_Hz = "[parameters]\nstart_speed_hz = 150\nuntil = 0.06\n";
+  write("map.toml", "columns = [\"outcome\"]\n" + rotor_at_150_Hz +
+                        "[[axis]]\nquantity = \"mass\"\nvalues = [4, 5]\n[[axis]]\nquantity = "
+                        "\"clearance\"\nvalues = [2e-3, 3e-3]\n" +
+                        sample);
+  write("sample.toml", rotor_at_150_Hz + sample);
+  const auto drawn = [&](const std::string& name, const std::string& block,
+                         const std::string& column) {
+    write_gnuplot("PATH=${PATH#*:} gnuplot \"$@\" -e 'set print \"kept\"; print $" + block +
+                  "' && cp kept \"$KEPT\"\n");
+    EXPECT_EQ(rotor("sweep " + name + ".toml --out " + name + ".csv").status, 0);
+    const auto [status, output] =
+        shell("KEPT=$PWD/kept PATH=$PWD:$PATH $rotor plot " + name + ".csv " + column);
+    EXPECT_EQ(status, 0) << output;
+    std::string text = content("kept");
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::istringstream lines(text);
+    std::vector<std::array<double, 3>> all;
+    for (std::string line; std::getline(lines, line);)
+      if (std::array<double, 3> row{};
+          std::sscanf(line.c_str(), "%lf %lf %lf", &row[0], &row[1], &row[2]) >= 2)
+        all.push_back(row);
+    return std::pair(all, read_csv(folder_ / (name + ".csv")));
+  };
+  const auto [cells, draws] = drawn("map", "cells", "");
+  ASSERT_EQ(cells.size(), 4U);
+  double parts = 0;
+  for (const auto& [x, y, share] : cells) {
+    const auto first = static_cast<std::size_t>(7 * (2 * y + x));
+    const auto roll = std::count_if(draws.begin() + static_cast<long>(first),
+                                    draws.begin() + static_cast<long>(first + 7),
+                                    [](const CsvRow& row) { return row["outcome"] == "rolling"; });
+    EXPECT_NEAR(share, static_cast<double>(roll) / 7, 1e-6);
+    parts += share * (1 - share);
+  }
+  EXPECT_GT(parts, 0);  // some, but not all
+  const auto [bins, sample_draws] = drawn("sample", "bins", "--column rolling_onset_speed_Hz");
+  const auto roll = std::count_if(sample_draws.begin(), sample_draws.end(), [](const CsvRow& row) {
+    return !row["rolling_onset_speed_Hz"].empty();
+  });
+  double sum = 0;
+  for (const auto& bin : bins) sum += bin[1];
+  EXPECT_NEAR(sum, static_cast<double>(roll) / 7, 1e-6);
+  EXPECT_LT(roll, 7);
 }
 
 // O moves steadily on a circle, forward, once per turn of the rotor: the spectrum has one line at

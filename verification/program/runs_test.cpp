@@ -40,6 +40,7 @@ TEST(ScenarioSpec, ReadsNumbersThatAreNothingElse) {
 TEST(ScenarioSpec, TakesTheLostMassForTheUnbalanceFactor) {
   const Scenario scenario = scenario_of(numbers({{"lost_mass", 0.04}}));
   EXPECT_NEAR(MassLoss<double>(scenario.parameters).lost_mass, 0.04, 1e-15);
+  EXPECT_THROW(scenario_of(numbers({{"lost_mass", -0.01}})), InputError);  // as a draw may be
   // m e/m/e may be less than 1 by rounding.
   EXPECT_EQ(scenario_of(numbers({{"lost_mass", 0}, {"mass", 5.6}, {"eccentricity", 4e-4}}))
                 .parameters.unbalance_factor,
