@@ -1,7 +1,6 @@
 #include "figures/input/scenario_spec.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -47,9 +46,9 @@ Scenario numbers_of(const ScenarioSpec& spec) {
     if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
       throw InputError("{} and {}: one determines the other; state one of them", s.quantity.name,
                        s.instead_of);
-  for (const auto& [name, value] : spec.numbers)
-    if (const Quantity& quantity = find_input_quantity(name)->quantity; !quantity.allows(value))
-      throw InputError("{} = {}: must be {}", name, value, quantity.range());
+  for (const auto& [quantity, instead_of] : alternatives)  // the others are checked in the scenario
+    if (const auto value = number(spec, quantity.name); value && !quantity.allows(*value))
+      throw InputError("{} = {}: must be {}", quantity.name, *value, quantity.range());
   if (spec.digits && number(spec, "tolerance"))
     throw InputError("digits and tolerance: the first determines the second; state one of them");
   Scenario scenario;
@@ -184,18 +183,25 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
 
 void check_numbers(const ScenarioSpec& spec) { check_numbers(numbers_of(spec)); }
 
-std::string left_to_the_paper(const ScenarioSpec& stated) {
-  std::vector<std::string> all;
+bool is_own_rotor(const ScenarioSpec& stated) {
   const auto states = [&](const char* name) { return stated.numbers.contains(name); };
-  if (!states("mass") && !states("inertia") && !states("rotor_radius")) return "";
+  return states("mass") || states("inertia") || states("rotor_radius");
+}
+
+std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
+  std::vector<std::string> all;
   for (const Quantity& quantity : quantities()) {
-    if (quantity.name == "mass_loss_time") break;  // from here on they are of the run
-    const bool is_stated = std::any_of(
-        stated.numbers.begin(), stated.numbers.end(),
-        [&](const auto& number) { return determined_by(number.first) == quantity.name; });
-    if (!is_stated && quantity.name != "gravity") all.push_back(quantity.text(Scenario{}));
+    const std::string_view name = quantity.name;
+    if (name == "mass_loss_time") break;  // from here on they are of the run
+    const bool matters = name == "unbalance_factor" ? stated.loses_mass.value_or(true)
+                         : name == "motor_off_hz"   ? number(stated, "torque") != 0.
+                                                    : name != "gravity";
+    const bool is_stated =
+        std::any_of(stated.numbers.begin(), stated.numbers.end(),
+                    [&](const auto& number) { return determined_by(number.first) == name; });
+    if (matters && !is_stated) all.push_back(quantity.text(Scenario{}));
   }
-  return fmt::format("{}", fmt::join(all, ", "));
+  return all;
 }
 
 std::span<const NamedInput> named_inputs() {

@@ -51,9 +51,10 @@ Scenario scenario_of(const ScenarioSpec& spec);
 /// Throws InputError if scenario_of() would throw whatever its run-ups give.
 void check_numbers(const ScenarioSpec& spec);
 
-/// What a rotor of one's own, of a stated mass, inertia or radius, has of the paper's: "inertia =
-/// 0.009 kg m^2" and so on. Empty if nothing, or if it is the paper's rotor.
-std::string left_to_the_paper(const ScenarioSpec& stated);
+/// Whether a rotor is not the paper's: its mass, inertia or radius is stated.
+bool is_own_rotor(const ScenarioSpec& stated);
+/// What a rotor has of the paper's that matters: "inertia = 0.009 kg m^2" and so on.
+std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated);
 
 /// A stated number of digits. Throws InputError, stating what is allowed.
 int parse_digits(double number);

@@ -31,6 +31,7 @@ class SceneReader : TomlFile {
         root,
         stated_in(*this, table(root, "parameters"), {}).overridden_by(overrides_.of_parameters));
     if (!overrides_.run.empty()) leave_out_others(scene.runs);
+    for (SceneRun& run : scene.runs) run.name += overridden_[run.name];
     scene.window = window(root, scene);
     return scene;
   }
@@ -56,7 +57,7 @@ class SceneReader : TomlFile {
             stated.numbers.contains("until")};
   }
 
-  std::vector<SceneRun> runs(const toml::table& root, const ScenarioSpec& base) const {
+  std::vector<SceneRun> runs(const toml::table& root, const ScenarioSpec& base) {
     const toml::node* parameters = root.get("parameters");
     const auto tables = this->tables(root, "run");
     if (tables.empty()) return {run("run", base, parameters ? *parameters : root, "parameters")};
@@ -68,16 +69,22 @@ class SceneReader : TomlFile {
       if (std::any_of(all.begin(), all.end(), same))
         fail(*table, "name", "there is a run \"{}\" already", shown(*name));
       const ScenarioSpec own = stated_in(*this, *table, {"name"});
-      all.push_back(run(*name + overridden_in(own), base.overridden_by(own), *table, "run"));
+      overridden_[*name] = overridden_in(own);
+      all.push_back(run(*name, base.overridden_by(own), *table, "run"));
     }
     return all;
   }
 
   /// What options change in what a [[run]] states itself, and perhaps its name.
   std::string overridden_in(const ScenarioSpec& own) const {
+    const ScenarioSpec& options = overrides_.of_runs;
     std::string all;
-    for (const auto& [name, number] : overrides_.of_runs.numbers)
-      if (own.numbers.contains(name)) all += fmt::format(", but {} = {}", name, number);
+    for (const auto& [name, number] : options.numbers)
+      for (const auto& [lower, ignored] : own.numbers)
+        if (determined_by(lower) == determined_by(name))
+          all += fmt::format(", but {} = {}", name, number);
+    if (own.states_equations() && options.states_equations()) all += ", but other equations";
+    if (own.method && options.method) all += ", but another method";
     return all;
   }
 
@@ -131,6 +138,7 @@ class SceneReader : TomlFile {
   }
 
   Overrides overrides_;
+  std::map<std::string, std::string> overridden_;  ///< by the runs' names
 };
 
 }  // namespace
@@ -174,8 +182,9 @@ Window stated_window(Window window, std::optional<double> from_s, std::optional<
   const double until = until_s.value_or(std::numeric_limits<double>::infinity());
   double last_s = 0;
   for (const SceneRun& run : runs) last_s = std::max(last_s, run.scenario.until);
-  if (until_s && *until_s > last_s)
-    throw InputError("--until {}: must not be later than {} s, the end of the run", until, last_s);
+  if (until_s && !(*until_s > 0 && *until_s <= last_s))
+    throw InputError("--until {}: must lie between 0 s and {} s, the end of the run", until,
+                     last_s);
   for (const SceneRun& run : runs) {
     const double end_s = run.scenario.until;
     if (!(from >= 0 && from < std::min(until, end_s)))

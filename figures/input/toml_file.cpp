@@ -60,11 +60,13 @@ void TomlFile::refuse(const toml::node& at, std::string_view key, std::string_vi
 }
 
 void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const {
-  const Keys of_file = {"title", "columns", "window", "stop_on"};
+  if (&table == &root_) keys_of_root_ = allowed;
   for (const auto& [key, node] : table)
     if (!contains(allowed, key.str()))
       fail(node, key.str(), "unknown key{}{}; allowed here: {}",
-           contains(of_file, key.str()) ? ", which belongs above the first [table]" : "",
+           &table != &root_ && contains(keys_of_root_, key.str())
+               ? ", which belongs above the first [table]"
+               : "",
            suggestion(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}),
            fmt::join(allowed, ", "));
 }

@@ -81,6 +81,7 @@ class TomlFile {
 
   std::filesystem::path file_;
   toml::table root_;
+  mutable Keys keys_of_root_;  ///< once they have been checked
 };
 
 /// What a table states of a scenario, beside `other_keys`. Throws InputError with file, line and

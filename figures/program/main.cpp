@@ -226,6 +226,9 @@ std::string about_extras(const CLI::App& app) {
     return fmt::format("{}: there is no such command{}; the commands are: {}", shown(word),
                        suggestion(word, names), fmt::join(names, ", "));
   }
+  if (!word.starts_with('-'))
+    return fmt::format("{}: is one word too many for rotor {}", shown(word),
+                       commands.front()->get_name());
   for (const CLI::Option* option : commands.front()->get_options()) {
     const std::string name = option->get_name();
     if (name.starts_with('-')) names.push_back(name);

@@ -1,13 +1,14 @@
 # Spectra of displacement and force in the stator's frame. `rotor plot --spectrum` sets, besides what style.gp needs:
-#   heading, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, whirl
+#   heading, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
 # Each run has a data file in gnuplot's folder: amplitudes by frequency, which is negative for backward whirl.
 
 of(what, i) = value(sprintf("%s%d", what, i))
 data(i) = sprintf("run%d.csv", i)
-resolution = 1.5/(until_s1 - from_s1)    # of Hann's window
-said_of(i) = sprintf("mean f = %.1f Hz%s%s", of("f", i), \
-  of("f_greatest", i) - of("f_least", i) < resolution ? "" : sprintf(" (%.1f to %.1f)", of("f_greatest", i), of("f_least", i)), \
-  of("rolls", i) ? sprintf(", mean whirl while rolling %+.1f Hz", of("whirl", i)) : "")
+resolution(i) = 1.5/(of("until_s", i) - of("from_s", i))    # of Hann's window
+said_of(i) = sprintf("%g s to %g s, resolution %.2g Hz: mean f = %.1f Hz%s%s", of("from_s", i), of("until_s", i), resolution(i), \
+  of("f", i), of("f_greatest", i) - of("f_least", i) < resolution(i) ? "" : \
+  sprintf(" (%.1f to %.1f)", of("f_greatest", i), of("f_least", i)), \
+  of("rolls", i) ? ", mean whirl while rolling ".signed("%.1f", of("whirl", i))." Hz" : "")
 
 lowest = 0.8/(until_s1 - from_s1); highest = 0.25*samples1/(until_s1 - from_s1)
 set logscale xy
@@ -17,10 +18,10 @@ top = 0.83 - 0.04*(runs - 1); bottom = 0.17; between = 0.05; height = 0.5*(top -
 set multiplot
 set label 1 "{/:Bold Spectrum}" at screen 0.5,0.97 center
 set label 2 heading at screen 0.5,0.93 center noenhanced
-rolls = 0
-do for [i = 1:runs] { rolls = rolls || of("rolls", i) }
-set label 3 sprintf("Hann window from %g s to %g s; resolution %.2g Hz. Dashed: f; dotted: 2f%s", from_s1, until_s1, resolution, \
-  rolls ? ", the whirl while rolling and f_n" : " and f_n") at screen 0.5,0.03 center font small
+rolling = 0    # the first run that rolls
+do for [i = 1:runs] { rolling = !rolling && of("rolls", i) ? i : rolling }
+set label 3 "Hann window. Dashed: f; dotted: 2f".(rolling ? ", the whirl while rolling and f_n" : " and f_n") \
+  at screen 0.5,0.03 center font small
 do for [i = 1:runs] {
   set label (runs > 1 ? greek(of("run", i)).": " : "").said_of(i) at screen 0.5,screen 0.885 - 0.04*(i - 1) center \
     noenhanced font small textcolor linetype i
@@ -35,7 +36,7 @@ do for [i = 1:runs] {
 }
 mark(x, dash, text, i, row) = x >= lowest && x <= highest ? \
   sprintf("set arrow from first %g,graph 0 to first %g,graph 1 nohead back linetype %d linewidth 1 dashtype %s; ", x, x, i, dash). \
-  (row == 0 && i == 1 ? sprintf("set label '%s' at first %g,graph 1.06 center font small textcolor linetype %d; ", text, x, i) : "") : ""
+  (row == 0 && i == (text eq "whirl" ? rolling : 1) ? sprintf("set label '%s' at first %g,graph 1.06 center font small textcolor linetype %d; ", text, x, i) : "") : ""
 do for [row = 0:1] { do for [forward = 0:1] {
   unset arrow
   do for [i = 1:runs] {
@@ -55,7 +56,7 @@ do for [row = 0:1] { do for [forward = 0:1] {
   set xlabel (row == 1 ? (forward ? "forward, Hz" : "backward, Hz") : "") offset 0,0.4
   if (row == 0) { set format x "" } else { set format x "%g" }
   set ylabel (forward ? "" : row == 0 ? "r_O, mm" : "force, kN")
-  if (greatest == 0) { set label "no contact" at graph 0.5,graph 0.5 center font small }
+  if (greatest == 0) { set label (row == 0 ? "no motion" : "no contact") at graph 0.5,graph 0.5 center font small }
   if (forward) { set format y "" } else { set format y "10^{%T}" }
   unset key
   plot for [i = 1:runs] data(i) using (column("frequency_Hz")*(forward ? 1 : -1) > 0 ? abs(column("frequency_Hz")) : NaN): \

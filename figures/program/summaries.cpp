@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>
@@ -9,7 +10,7 @@
 namespace rotor {
 namespace {
 
-/// Names and values; those of a part follow its name. Inputs are printed as they were stated.
+/// Names and values; those of a part follow its name. Inputs have fifteen digits.
 void print_values(const Json& object, int digits, std::FILE* to, const std::string& indent = "",
                   bool are_inputs = false) {
   for (const auto& [key, value] : object.items()) {
@@ -53,14 +54,14 @@ void print_table(const Json& runs, std::FILE* to) {
   fmt::print(to, "\n");
 }
 
-void say_what_is_assumed(const ScenarioSpec& stated, bool leaves_equations_open) {
+void say_what_is_assumed(bool leaves_equations_open, const std::vector<std::string>& of_paper) {
   if (leaves_equations_open)
     print_message(
         "rotor: no equations were stated, so the published ones were used: the velocity jump of "
         "the mass loss counts twice, and the moment of gravity in full; the consistent equations "
         "correct both");
-  if (const std::string values = left_to_the_paper(stated); !values.empty())
-    print_message("rotor: not stated, so the paper's: " + values);
+  if (!of_paper.empty())
+    print_message(fmt::format("rotor: not stated, so the paper's: {}", fmt::join(of_paper, ", ")));
 }
 
 }  // namespace
@@ -80,14 +81,22 @@ void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
 }
 
 void say_what_is_assumed(const std::vector<SceneRun>& runs) {
-  say_what_is_assumed(runs.front().stated,
-                      std::any_of(runs.begin(), runs.end(),
-                                  [](const SceneRun& run) { return run.leaves_equations_open(); }));
+  std::vector<std::string> of_paper;
+  bool leaves_equations_open = false;
+  for (const SceneRun& run : runs) {
+    leaves_equations_open = leaves_equations_open || run.leaves_equations_open();
+    if (!is_own_rotor(run.stated)) continue;
+    for (const std::string& quantity : left_to_the_paper(run.stated))
+      if (!contains(of_paper, quantity)) of_paper.push_back(quantity);
+  }
+  say_what_is_assumed(leaves_equations_open, of_paper);
 }
 
 void say_what_is_assumed(const Sweep& sweep) {
   const ScenarioSpec first = SweepPoints(sweep)(0).spec;
-  say_what_is_assumed(first, !first.states_equations());
+  say_what_is_assumed(!first.states_equations(), is_own_rotor(sweep.base)
+                                                     ? left_to_the_paper(first)
+                                                     : std::vector<std::string>());
 }
 
 }  // namespace rotor

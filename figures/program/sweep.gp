@@ -1,7 +1,8 @@
 # A sweep: curves over one axis, maps over two, distributions of a sample. `rotor plot` sets, besides what style.gp needs:
 #   data, the sweep's results, with the column result to draw if has_value, and the outcome if has_outcome; heading
 #   dimensions, the number of axes, and draws, the number at each of their points
-#   for each axis its column x_key, x_name, x_points, x_stride in rows, x_log, and x_tics if its values are listed; likewise for y
+#   for each axis its column x_key, x_name, x_points, x_stride in rows, x_log, whether its values x_are_listed, and x_tics of a
+#   list or of powers of ten; likewise for y
 #   panels, the column of_panel that distinguishes them, and its values panel0, panel1, ...
 
 spaced(text) = (at = strstrt(text, "_")) == 0 ? text : text[:at - 1]." ".spaced(text[at + 1:])
@@ -12,7 +13,7 @@ label_of(key) = ends(key, "_N") ? label_in(key, "_N", "kN") : ends(key, "_m") ? 
   ends(key, "_J") ? label_in(key, "_J", "J") : ends(key, "_kg") ? label_in(key, "_kg", "kg") : spaced(key)
 unit = ends(result, "_N") ? 1e3 : ends(result, "_m") ? 1e-3 : 1
 result_name = label_of(result)
-panel_name(p) = (ends(of_panel, "_varied") ? of_panel[:strlen(of_panel) - 7] : spaced(of_panel))." ".value(sprintf("panel%d", p))
+panel_name(p) = spaced(ends(of_panel, "_varied") ? of_panel[:strlen(of_panel) - 7] : of_panel)." ".value(sprintf("panel%d", p))
 is_in(p) = of_panel eq "" || strcol(of_panel) eq value(sprintf("panel%d", p))
 in_panel(p, v) = is_in(p) ? v : NaN
 its(unused) = strcol(result) eq "" ? NaN : column(result)/unit
@@ -23,9 +24,10 @@ tint(c) = c == 0 && dimensions < 2 ? "#b0b0b0" : outcome_tint[c + 1]
 set datafile columnheaders
 array seen[7] = [0, 0, 0, 0, 0, 0, 0]
 stats data using (has_outcome ? seen[code(0) + 1] = seen[code(0) + 1] + 1 : 0, 0) name "all" nooutput
-# A run without contact has no force, which is drawn as 0; other results are then missing. A refused point has none.
+# A run without contact has no force, which is drawn as 0; other results are then missing. A refused point has no outcome.
 without = result eq "peak_normal_force_N" ? 0 : NaN
-or_without(v) = v == v ? v : strcol("refusal") eq "" ? without : NaN
+is_refused(unused) = has_outcome ? strcol("outcome") eq "" : 1
+or_without(v) = v == v ? v : is_refused(0) ? NaN : without
 greatest = NaN; least = NaN    # of all that is drawn
 if (has_value) {
   stats data using (v = or_without(its(0)), least = v < least || least != least ? v : least, \
@@ -34,9 +36,12 @@ if (has_value) {
 if (least != least) { least = 0; greatest = 0 }
 below = least < 0 ? 1.05*least : 0; above = greatest > 0 ? 1.05*greatest : below < 0 ? 0 : 1    # the limits of an axis
 
-# The position of a row along an axis of a map: its value, power of ten, or place in a list.
-place(c, n, stride, is_log, tics) = strlen(tics) ? int(column(0))/stride % n : is_log ? log10(column(c)) : column(c)
-powers(is_log) = is_log ? "10^{%g}" : "%g"
+# The position of a row along an axis: its value, its logarithm, or its place in a list.
+place(c, n, stride, is_log, is_listed) = is_listed ? int(column(0))/stride % n : is_log ? log10(column(c)) : column(c)
+without_labels(tics) = (from = strstrt(tics, "'"), from == 0 ? tics : (until = strstrt(tics[from + 1:], "'") + from, \
+  tics[:from]."'".without_labels(tics[until + 1:])))
+name_beside(n, text, at) = sprintf("set label %d '%s' at screen %g, screen %g center rotate by 90 noenhanced", \
+  n, text, n == 2 ? 0.02 : 0.98, at)
 # The draws of a point are adjacent; the mean of a single draw is the draw.
 sum = 0; count = 0
 last_draw(unused) = int(column(0)) % draws == draws - 1
@@ -60,29 +65,30 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   set tmargin at screen top - row*height - (panels > 1 ? 0.03 : 0); set bmargin at screen top - (row + 1)*height + (at_bottom ? 0 : 0.03)
   if (row + p > 0) { unset label 1 }
   unset label 2; unset label 3
-  beside(n, text) = sprintf("set label %d '%s' at screen %g, screen %g center rotate by 90 noenhanced", \
-    n, text, n == 2 ? 0.02 : 0.98, top - (row + 0.5)*height)
+  middle = top - (row + 0.5)*height
   if (row == 0 && panels > 1) { set title panel_name(p) offset 0,-0.6 noenhanced } else { unset title }
   set xlabel (at_bottom ? (dimensions ? x_name : result_name) : "") offset 0,0.4 noenhanced
-  if (p == 0) { eval beside(2, is_map ? y_name : of_outcome || !dimensions ? "share of the draws" : result_name) }
+  if (p == 0) {
+    eval name_beside(2, is_map ? y_name : of_outcome && draws == 1 ? "outcome" : of_outcome || !dimensions ? "share of the draws" : \
+      result_name, middle)
+  }
   set xrange [*:*] noextend; set yrange [*:*] noextend
-  set format x (at_bottom ? dimensions == 1 && x_log ? "10^{%T}" : powers(is_map && x_log) : ""); set format y (p > 0 ? "" : powers(is_map && y_log))
+  set format x (at_bottom ? "%g" : ""); set format y (p > 0 ? "" : "%g")
+  if (dimensions) { if (strlen(x_tics)) { eval "set xtics (".(at_bottom ? x_tics : without_labels(x_tics)).")" } }
   if (is_map) {
-    if (x_log) { set xtics 1 }
-    if (y_log) { set ytics 1 }
-    if (strlen(x_tics)) { eval "set xtics (".(at_bottom ? x_tics : "'' 0").")" }
-    if (strlen(y_tics)) { eval "set ytics (".y_tics.")" }
+    if (strlen(y_tics)) { eval "set ytics (".(p == 0 ? y_tics : without_labels(y_tics)).")" }
     set palette maxcolors 0
     if (p == panels - 1) { set colorbox user origin screen right + 0.015, graph 0 size screen 0.02, graph 1 }
     if (p < panels - 1 || of_outcome && draws == 1) { unset colorbox } else {
-      eval beside(3, of_outcome ? "share that rolls" : result_name.(draws > 1 ? ", mean" : ""))
+      eval name_beside(3, of_outcome ? "share that rolls" : result_name.(draws > 1 ? ", mean" : ""), middle)
     }
     if (of_outcome && draws == 1) { eval outcome_palette }
     if (of_outcome && draws > 1) { eval share_palette }
     if (!of_outcome) { eval force_palette; set cbrange [below/1.05:above/1.05] }
     set table $cells separator comma
-    plot data using (place(x_key, x_points, x_stride, x_log, x_tics)):(place(y_key, y_points, y_stride, y_log, y_tics)): \
-      (mean(!of_outcome ? or_without(its(0)) : draws == 1 ? code(0) : code(0) == 4)) with table if (is_in(p) && last_draw(0))
+    plot data using (place(x_key, x_points, x_stride, x_log, x_are_listed)): \
+      (place(y_key, y_points, y_stride, y_log, y_are_listed)): \
+      (mean(!of_outcome ? or_without(its(0)) : draws == 1 ? code(0) : is_refused(0) ? NaN : code(0) == 4)) with table if (is_in(p) && last_draw(0))
     unset table
     unset datafile columnheaders
     plot $cells using 1:2:3 with image
@@ -90,18 +96,16 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
     continue
   }
   if (dimensions == 1) {    # draws at listed values stand side by side
-    are_bars = draws > 1 && strlen(x_tics)
-    x_of(unused) = are_bars ? place(x_key, x_points, x_stride, 0, x_tics) : column(x_key)
-    if (x_log) { set logscale x }
+    are_bars = draws > 1 && x_are_listed
+    x_of(unused) = place(x_key, x_points, x_stride, x_log, are_bars)
     if (are_bars) {
       set xrange [-0.6:x_points - 0.4]; set boxwidth 0.8
       set style fill solid noborder; set grid noxtics
-      eval "set xtics (".(at_bottom ? x_tics : "'' 0").")"
     } else {    # points at the ends are drawn in full
-      stats data using (x_log ? log10(column(x_key)) : column(x_key)) name "along" nooutput
+      if (x_are_listed) { set xtics autofreq }
+      stats data using (x_of(0)) name "along" nooutput
       edge = 0.015*(along_max - along_min)
-      from = along_min - edge; to = along_max + edge
-      set xrange [x_log ? 10**from : from:x_log ? 10**to : to]
+      set xrange [along_min - edge:along_max + edge]
     }
     if (of_outcome) {    # stacked shares: of this outcome and of those with greater codes
       set yrange [0:1]
@@ -109,7 +113,7 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
         with ".(are_bars ? "boxes" : "filledcurves x1")." fillcolor rgb tint(c)"
     } else {
       set yrange [below:above]
-      plot data using (in_panel(p, x_of(0))):(draws > 1 || strlen(x_tics) ? NaN : or_without(its(0))) with lines linecolor rgb grey linewidth 0.8, \
+      plot data using (in_panel(p, x_of(0))):(draws > 1 || x_are_listed ? NaN : or_without(its(0))) with lines linecolor rgb grey linewidth 0.8, \
         for [c = 0:6] data using (in_panel(p, x_of(0))):((has_outcome ? code(0) : 6) != c ? NaN : or_without(its(0))) \
         with points pointtype 7 pointsize (draws > 1 ? 0.25 : 0.5) linecolor rgb tint(c)
     }
@@ -117,8 +121,9 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   }
   # One distribution: the share in each of equal bins, with stacked outcomes; the same scale in all panels.
   bin = greatest > least ? (greatest - least)/50 : 1
-  bin_of(v) = v == v ? least + bin*(floor((v - least)/bin*0.999999) + 0.5) : least + 0.5*bin
+  bin_of(v) = least + (v > least ? bin*floor((v - least)/bin*0.999999) : 0) + (greatest > least ? 0.5*bin : 0)
   share(v, p, c) = v == v && is_in(p) && !(has_outcome && code(0) < c) ? 1.0/draws : 0
+  set xrange [least - bin:greatest + bin]; set yrange [0:1]
   if (p == 0) {
     highest = 0
     do for [other = 0:panels - 1] {
@@ -130,7 +135,7 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
       set datafile columnheaders; set datafile separator comma
     }
   }
-  set yrange [0:highest > 0 ? 1.05*highest : 1]; set xrange [least - bin:greatest + bin]
+  set yrange [0:highest > 0 ? 1.05*highest : 1]
   set boxwidth bin
   set style fill solid border rgb "#ffffff"
   plot for [c = 0:6] data using (bin_of(or_without(its(0)))):(share(or_without(its(0)), p, c)) \
@@ -138,7 +143,7 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
 } }
 
 # What the colours mean.
-unset title; unset border; unset tics; unset xlabel; unset label; unset colorbox; unset logscale
+unset title; unset border; unset tics; unset xlabel; unset label; unset colorbox
 set xrange [0:1]; set yrange [0:1]
 set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen 0.1
 if (has_outcome && !(is_map && draws > 1)) {

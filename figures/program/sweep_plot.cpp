@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "figures/data/files.hpp"
@@ -33,6 +34,24 @@ std::string with_spaces(std::string text) {
   return text;
 }
 
+/// Tics at powers of ten, or at 1, 2 and 5 times them if there are few, by the logarithm.
+std::string logarithmic_tics(const Range& range) {
+  const double least = std::log10(range.from), greatest = std::log10(range.until);
+  std::string tics;
+  for (int power = static_cast<int>(std::floor(least)); power <= greatest; ++power)
+    for (const int factor : {1, 2, 5}) {
+      const double at = power + std::log10(factor);
+      if (at < least - 1e-9 || at > greatest + 1e-9 || (factor > 1 && greatest - least > 2))
+        continue;
+      const std::string label =
+          power >= -3 && power < 4
+              ? fmt::format("{:.6g}", std::pow(10, at))
+              : fmt::format("{}10^{{{}}}", factor > 1 ? fmt::format("{}·", factor) : "", power);
+      tics += fmt::format("{}'{}' {}", tics.empty() ? "" : ", ", label, at);
+    }
+  return tics;
+}
+
 /// What gnuplot needs about an axis of numbers: its column, its values, and how to show them.
 std::string settings_of(const char* letter, const Axis& axis, long stride) {
   const std::string_view unit = find_input_quantity(axis.quantity)->quantity.unit;
@@ -43,8 +62,9 @@ std::string settings_of(const char* letter, const Axis& axis, long stride) {
     listed += fmt::format("{}'{:.4g}' {}", n > 0 ? ", " : "", axis.numbers[n], n);
   return fmt::format(
       "{0}_key = '{1}'; {0}_name = '{2}'; {0}_points = {3}; {0}_stride = {4}; {0}_log = {5}; "
-      "{0}_tics = \"{6}\"\n",
-      letter, axis.quantity, text, axis.points(), stride, axis.range.logarithmic ? 1 : 0, listed);
+      "{0}_are_listed = {6}; {0}_tics = \"{7}\"\n",
+      letter, column_of(axis.quantity), text, axis.points(), stride, axis.range.logarithmic ? 1 : 0,
+      listed.empty() ? 0 : 1, axis.range.logarithmic ? logarithmic_tics(axis.range) : listed);
 }
 
 /// Axes of numbers, the last one along x, and an axis of names with a panel for each.
@@ -56,13 +76,11 @@ std::string settings_of(const Sweep& sweep) {
   for (const auto& axis : from_the_last) {
     if (!axis.names.empty()) {
       ++names;
-      const auto& results = result_columns();
-      const bool is_result = contains(results, axis.quantity);
-      panels = fmt::format("panels = {}; of_panel = '{}{}'\n", axis.names.size(), axis.quantity,
-                           is_result ? "_varied" : "");
+      panels = fmt::format("panels = {}; of_panel = '{}'\n", axis.names.size(),
+                           column_of(axis.quantity));
       for (std::size_t n = 0; n < axis.names.size(); ++n)
         panels += fmt::format("panel{} = '{}'\n", n, axis.names[n]);
-    } else {
+    } else if (axis.points() > 1) {
       text += settings_of(numbers++ == 0 ? "x" : "y", axis, stride);
     }
     stride *= axis.points();
@@ -70,7 +88,7 @@ std::string settings_of(const Sweep& sweep) {
   if (numbers > 2 || names > 1)
     throw InputError("a picture can show at most two axes of numbers and one of names");
   if (numbers == 0 && sweep.sample.over.empty())
-    throw InputError("the sweep has neither an axis of numbers nor a sample to draw");
+    throw InputError("the sweep has neither an axis of several numbers nor a sample to draw");
   return text + panels + fmt::format("dimensions = {}; draws = {}\n", numbers, sweep.sample.count);
 }
 
@@ -85,17 +103,20 @@ bool is_number(const std::string& key) {
 std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
   const std::vector<std::string> all = sweep.columns.empty() ? result_columns() : sweep.columns;
   const auto has = [&](const std::string& name) { return contains(all, name); };
+  const auto number = std::find_if(all.begin(), all.end(), is_number);
   const std::string key = !stated.empty()              ? stated
                           : has("peak_normal_force_N") ? "peak_normal_force_N"
-                          : all.front() == "outcome"   ? all.back()
-                                                       : all.front();
+                          : number != all.end()        ? *number
+                                                       : "outcome";
   if (!has(key))
     throw InputError("--column {}: there is no such result{}; there are: {}", shown(key),
                      suggestion(key, all), fmt::join(all, ", "));
-  const bool has_axis = std::any_of(sweep.axes.begin(), sweep.axes.end(),
-                                    [](const Axis& axis) { return axis.names.empty(); });
+  const bool has_axis = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const Axis& axis) {
+    return axis.names.empty() && axis.points() > 1;
+  });
   if (key == "outcome" ? !has_axis : !is_number(key))
-    throw InputError("--column {}: must be a result with numbers", key);
+    throw InputError("{}: must be a result with numbers",
+                     stated.empty() ? "columns" : "--column " + key);
   return fmt::format("result = '{}'; has_outcome = {}; has_value = {}\n", key,
                      has("outcome") ? 1 : 0, key == "outcome" ? 0 : 1);
 }

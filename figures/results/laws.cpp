@@ -75,7 +75,7 @@ const std::vector<Law>& all_laws() {
       {"law_unbalance_share",
        "moment of the unbalance over that of friction; neglected by (3), (4)",
        [](const P& p) { return json_of(p.law.unbalance_share); }},
-      {"law_trusted", "no contact, or rolling with an unbalance share below 0.1", [](const P& p) {
+      {"law_trusted", "no contact, or rolling with a small unbalance share", [](const P& p) {
          return Json(!p.law.contact_s || (p.rolls && *p.law.unbalance_share < trusted_share));
        }}};
   return all;
@@ -94,19 +94,22 @@ Json laws(const Scenario& scenario) {
 std::vector<std::string> remarks_on_laws(const Scenario& scenario) {
   const Parameters& p = scenario.parameters;
   const Prediction predicted = prediction_of(scenario);
-  const double force =
-      predicted.rolls ? *predicted.law.peak_force() : predicted.law.impact_force.value_or(0);
+  const double force = predicted.rolls ? *predicted.law.rolling_force : 0;
   std::vector<std::string> all = remarks_on_indentation(force / p.contact_stiffness, p);
-  // In a slow run-up the steady response is largest close to the critical speed.
+  // Largest displacement in a run-up: at most that of the steady response, and at most about that
+  // of an undamped rotor that passes its critical speed at this acceleration (F. M. Lewis 1932).
   const double critical = std::sqrt(p.support_stiffness / p.mass);
   const double damping = p.support_damping / (2 * p.mass * critical);
-  const double response = p.eccentricity / (2 * damping * std::sqrt(1 - damping * damping));
+  const double steady = 1 / (2 * damping * std::sqrt(std::max(0., 1 - damping * damping)));
+  const double passing = 1.3 * critical * std::sqrt(two_pi / 4 * p.inertia / p.torque);
+  const double displacement = p.eccentricity * std::min(steady, passing);
   const bool runs_up = two_pi * scenario.start_speed_Hz < critical && critical < predicted.speed;
-  if (runs_up && damping < std::sqrt(0.5) && response > p.stator_radius - p.rotor_radius)
-    all.push_back(fmt::format(
-        "in a slow run-up the displacement at the critical speed, {:.3g} m, exceeds the "
-        "clearance; the closed forms hold for rotors that have not touched the ring",
-        response));
+  if (runs_up && damping < std::sqrt(0.5) && displacement > p.stator_radius - p.rotor_radius)
+    all.push_back(
+        fmt::format("in the run-up the displacement may reach some {:.2g} m, more than the "
+                    "clearance; the closed forms hold for rotors that have not touched "
+                    "the ring before the mass loss",
+                    displacement));
   return all;
 }
 

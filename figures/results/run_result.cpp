@@ -249,7 +249,7 @@ std::vector<Remark> remarks(const RunResult& result) {
   if (is_open && !early.stop_on && !early.interrupted)
     all.push_back(
         {fmt::format("at {:.6g} s, the end of the run, the outcome may still change; "
-                     "until states a later end",
+                     "state a later until",
                      summary.final_time_s)});
   if (const double start = result.scenario.start_speed_Hz;
       start > 0 && start < p.motor_off_Hz && p.torque > 0)
@@ -269,12 +269,12 @@ std::vector<Remark> remarks(const RunResult& result) {
                                "published method needs at least {}",
                                steps, result.scenario.step_rub, few_steps),
                    Of::limit});
-  // At mu = 0.05 each multiplies errors by 2.7 in the mean: that many use up the tolerance.
-  constexpr long many = 25;
-  if (summary.touch_downs > many && !result.estimated_relative_error)
+  // At mu = 0.05 each multiplies errors by 2.7 in the mean: so many use up the tolerance.
+  const double many = -std::log(result.scenario.tolerance);
+  if (static_cast<double>(summary.touch_downs) > many && !result.estimated_relative_error)
     all.push_back(
-        {fmt::format("with {} touch-downs the smallest differences may lead to another "
-                     "course; --estimate-error, or a sweep with a sample, shows it",
+        {fmt::format("with {} touch-downs, differences in the last digits may lead to another "
+                     "course; a sample of runs shows it",
                      summary.touch_downs)});
   const double clearance = p.stator_radius - p.rotor_radius;
   const double displacement =
@@ -289,7 +289,8 @@ std::vector<std::string> remarks_on_indentation(double indentation, const Parame
   const double clearance = p.stator_radius - p.rotor_radius;
   std::vector<std::string> all;
   if (clearance > p.rotor_radius)
-    all.push_back(fmt::format("the clearance, {} m, exceeds the rotor's radius", clearance));
+    all.push_back(fmt::format(
+        "the clearance, {} m, exceeds the rotor's radius; lengths are in metres", clearance));
   for (const auto& [length, name] :
        {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
     if (indentation > large * length)

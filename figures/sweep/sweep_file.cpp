@@ -21,7 +21,8 @@ class SweepReader : TomlFile {
 
   Sweep read() {
     if (root().contains("run"))
-      throw InputError("{}: is a scene, which rotor run runs", path().string());
+      fail_at(root(), "run",
+              "a sweep has none; a scene without [[axis]] and [sample] is for rotor run");
     expect_keys(root(), {"title", "stop_on", "columns", "parameters", "axis", "sample"});
     Sweep sweep;
     sweep.title = text(root(), "title").value_or("");

@@ -67,6 +67,10 @@ const std::vector<std::string>& columns_on_request() {
   return keys;
 }
 
+std::string column_of(const std::string& quantity) {
+  return contains(result_columns(), quantity) ? quantity + "_varied" : quantity;
+}
+
 std::string sweep_head(const Sweep& sweep) {
   std::vector<std::string> provenance = {
       sweep.title.empty() ? "Sweep" : "Sweep: " + sweep.title, "rotor " ROTOR_VERSION,
@@ -78,8 +82,7 @@ std::string sweep_head(const Sweep& sweep) {
     provenance.push_back("  " + line);
   }
   std::vector<std::string> names = sweep.quantities();
-  for (std::string& name : names)  // unlike a result of the same name, such as method
-    if (contains(result_columns(), name)) name += "_varied";
+  std::transform(names.begin(), names.end(), names.begin(), column_of);
   const std::vector<std::string>& columns = columns_of(sweep);
   names.insert(names.end(), columns.begin(), columns.end());
   names.emplace_back("remarks");

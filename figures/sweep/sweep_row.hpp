@@ -11,6 +11,9 @@ const std::vector<std::string>& result_columns();
 /// All columns that can be selected: also the closed forms for a point.
 const std::vector<std::string>& columns_on_request();
 
+/// The column of a quantity that varies, which may be called like a result, such as method.
+std::string column_of(const std::string& quantity);
+
 /// The header above the rows: provenance, and the names of the columns.
 std::string sweep_head(const Sweep& sweep);
 

@@ -1,4 +1,5 @@
 /// The program runs the examples of its instructions.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,18 +13,18 @@ class Readme : public CommandLine, public testing::WithParamInterface<const char
 
 TEST_P(Readme, HasExamplesThatRun) {
   std::ifstream file(std::string(ROTOR_SOURCES "/") + GetParam());
-  std::vector<std::string> scenes, runs;
+  std::vector<std::string> scenes, commands;
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
     if (inside && line != "```") scenes.back() += line + '\n';
     inside = inside && line != "```";
     if (line == "```toml") inside = true, scenes.emplace_back();
-    constexpr std::string_view command = "    build/rotor run ";
-    if (line.starts_with(command))
-      runs.push_back("run " + line.substr(command.size(), line.find('#') - command.size()));
+    constexpr std::string_view command = "    build/rotor ";
+    if (line.starts_with(command) && line.find("rotor sweep") == std::string::npos)
+      commands.push_back(line.substr(command.size(), line.find('#') - command.size()));
   }
   ASSERT_FALSE(scenes.empty());
-  EXPECT_FALSE(runs.empty());
+  EXPECT_FALSE(commands.empty());
   for (const std::string& scene : scenes) {
     const bool is_sweep = scene.find("[[axis]]") != std::string::npos;
     write(is_sweep ? "sweep.toml" : "my-rotor.toml", scene);
@@ -31,7 +32,25 @@ TEST_P(Readme, HasExamplesThatRun) {
               0)
         << scene;
   }
-  for (const std::string& run : runs) EXPECT_EQ(rotor(run).status, 0) << run;
+  for (const std::string& run : commands) EXPECT_EQ(rotor(run).status, 0) << run;
+}
+
+TEST_F(CommandLine, MakesTheNumbersOfTheExampleRotor) {
+  std::ifstream file(ROTOR_SOURCES "/figures/program/README.md");
+  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t scene = all.find("[parameters]");
+  write("my-rotor.toml", all.substr(scene, all.find("```", scene) - scene));
+  const Json run = summary("my-rotor.toml"),
+             law = Json::parse(rotor("estimate my-rotor.toml --json").output);
+  const auto said = [](const char* form, const Json& speed_Hz, const Json& force_N) {
+    return fmt::format(fmt::runtime(form), speed_Hz.get<double>(), force_N.get<double>() / 1e3);
+  };
+  for (const std::string& sentence :
+       {said("rolls from {:.1f} Hz on, largest force {:.1f} kN", run["rolling_onset_speed_Hz"],
+             run["peak_normal_force_N"]),
+        said("closed forms: {:.1f} Hz, {:.1f} kN", law["law_rolling_speed_Hz"],
+             law["law_peak_force_N"])})
+    EXPECT_NE(all.find(sentence), std::string::npos) << sentence;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Readme, testing::Values("README.md", "figures/program/README.md"));

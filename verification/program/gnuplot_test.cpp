@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
-#include <tuple>
 
 #include "figures/data/csv.hpp"
 #include "model/mechanics/parameters.hpp"
@@ -60,36 +59,6 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
 }
 
-// Listed values are drawn at their places in the list, which a map finds from the number of the
-// row.
-TEST_F(Gnuplot, FindsAPlaceInAMapFromTheRow) {
-  write_gnuplot("cp settings.gp \"$KEPT\"; exit 1\n");
-  write("map.toml",
-        "columns = [\"outcome\"]\n[parameters]\nstart_speed_hz = 100\nuntil = 1e-3\n"
-        "[[axis]]\nquantity = \"equations\"\nvalues = [\"published\", \"consistent\"]\n"
-        "[[axis]]\nquantity = \"friction\"\nvalues = [0.2, 0.1, 0.3]\n"
-        "[[axis]]\nquantity = \"clearance\"\nvalues = [3e-3, 2e-3]\n"
-        "[sample]\ncount = 2\n[[sample.over]]\nquantity = \"mass\"\nuniform = [4, 5]\n");
-  ASSERT_EQ(rotor("sweep map.toml --out map.csv").status, 0);
-  EXPECT_EQ(shell("KEPT=$PWD/kept PATH=$PWD:$PATH $rotor plot map.csv").status, 1);
-  const std::string settings = content("kept");
-  const auto setting = [&](const std::string& name) {
-    return std::stoul(settings.substr(settings.find(name + " = ") + name.size() + 3));
-  };
-  const std::vector<CsvRow> rows = read_csv(folder_ / "map.csv");
-  ASSERT_EQ(rows.size(), 24U);
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    const std::array friction = {0.2, 0.1, 0.3}, clearance = {3e-3, 2e-3, 0.};
-    for (const auto& [letter, name, values] :
-         {std::tuple("x", "clearance", clearance), {"y", "friction", friction}}) {
-      const std::string axis = letter;
-      EXPECT_NE(settings.find(axis + "_key = '" + name), std::string::npos);
-      const std::size_t place = n / setting(axis + "_stride") % setting(axis + "_points");
-      EXPECT_EQ(static_cast<double>(rows[n].number(name)), values.at(place)) << n;
-    }
-  }
-}
-
 // The share that rolls at each point of a map, and of a distribution with draws that have no
 // result.
 TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
@@ -98,7 +67,7 @@ TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
       "uniform = [0.02, 0.3]\n";
   const std::string rotor_at_150_Hz = "[parameters]\nstart_speed_hz = 150\nuntil = 0.06\n";
   write("map.toml", "columns = [\"outcome\"]\n" + rotor_at_150_Hz +
-                        "[[axis]]\nquantity = \"mass\"\nvalues = [4, 5]\n[[axis]]\nquantity = "
+                        "[[axis]]\nquantity = \"mass\"\nvalues = [5, 4, 6]\n[[axis]]\nquantity = "
                         "\"clearance\"\nvalues = [2e-3, 3e-3]\n" +
                         sample);
   write("sample.toml", rotor_at_150_Hz + sample);
@@ -121,7 +90,7 @@ TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
     return std::pair(all, read_csv(folder_ / (name + ".csv")));
   };
   const auto [cells, draws] = drawn("map", "cells", "");
-  ASSERT_EQ(cells.size(), 4U);
+  ASSERT_EQ(cells.size(), 6U);
   double parts = 0;
   for (const auto& [x, y, share] : cells) {
     const auto first = static_cast<std::size_t>(7 * (2 * y + x));
