@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
 #include "figures/input/scenario_spec.hpp"
 #include "figures/results/run_result.hpp"
@@ -117,6 +118,9 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
     EXPECT_EQ(run, summary("--scene two.toml --run " + name));
   }
   EXPECT_NE(runs[0]["touch_downs"], runs[1]["touch_downs"]);
+  // An option changes the name that is printed, not the one that is selected.
+  ASSERT_EQ(rotor("run two.toml --run b --friction 0.1 --trace t.csv").status, 0);
+  EXPECT_EQ(read_csv(folder_ / "t.csv").front()["run"], "b, but friction = 0.1");
 }
 
 TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {

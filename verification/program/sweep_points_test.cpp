@@ -34,12 +34,11 @@ TEST_F(SweepPointsOf, AFileComeInItsOrder) {
   const SweepPoints points(sweep);
   ASSERT_EQ(sweep.points(), 24);
   for (long n = 0; n < 24; ++n) {
-    const auto& numbers = points(n).spec.numbers;
-    EXPECT_NEAR(numbers.at("friction"), 0.3 + 0.2 * static_cast<double>(n / 6), 1e-15);
-    EXPECT_NEAR(numbers.at("mass"), std::pow(10, (n / 2) % 3), 1e-12);
-    EXPECT_EQ(numbers.at("torque"), points(n % 2).spec.numbers.at("torque"));
+    const SweepPoint point = points(n);  // with decimals, unlike 0.3 + 2 (0.9 - 0.3)/3
+    EXPECT_EQ(point.values[0], fmt::format("{}", static_cast<double>(3 + 2 * (n / 6)) / 10));
+    EXPECT_EQ(point.values[1], fmt::format("{}", std::pow(10, (n / 2) % 3)));
+    EXPECT_EQ(point.spec.numbers.at("torque"), points(n % 2).spec.numbers.at("torque"));
   }
-  EXPECT_EQ(points(23).values[0], "0.9");  // unlike 0.3 + (0.9 - 0.3)
 }
 
 /// The draws of a sample over two quantities.
