@@ -58,6 +58,7 @@ set tics nomirror scale 0.7
 set grid linetype 1 dashtype solid linecolor rgb "#d8d8d8" linewidth 0.6
 set minussign
 signed(form, x) = x < 0 ? "−".sprintf(form, -x) : "+".sprintf(form, x)
+shortened(text, most) = strlen(text) > most ? text[:most/2 - 1]."…".text[strlen(text) - most/2 + 1:] : text
 set key opaque samplen 2 spacing 1.15
 set title offset 0,0.3
 set style textbox opaque noborder margins 0.4,0.4

@@ -7,13 +7,12 @@ name(i) = greek(value(sprintf("run%d", i)))
 data(i) = sprintf("run%d.csv", i)
 greater(a, b) = a > b ? a : b
 wide(i) = 1 + greater(0, (runs < 4 ? runs : 4) - i)    # width of a run over which others are drawn
-short(text, most) = strlen(text) > most ? text[:most/2 - 1]."…".text[strlen(text) - most/2 + 1:] : text
 
 # One key for all panels, in rows under the title, where it hides no curve. Lengths here and below are relative
 # to the picture's width or height; widths of letters are those of png, the widest.
 letter = 0.01; longest_name = 36; most_rows = 8
 longest = strlen("clearance")
-if (runs > 1) { do for [i = 1:runs] { longest = greater(longest, strlen(short(name(i), longest_name))) } }
+if (runs > 1) { do for [i = 1:runs] { longest = greater(longest, strlen(shortened(name(i), longest_name))) } }
 key_width = 0.045 + letter*longest; columns = int(0.9/key_width)
 entries = runs > 1 ? runs + 1 : 1
 named = entries > most_rows*columns ? most_rows*columns - 2 : entries - 1
@@ -22,7 +21,7 @@ rows = (entries + columns - 1)/columns
 key_x(k) = 0.5 + key_width*(k % columns - 0.5*(entries < columns ? entries : columns))
 key_y(k) = 0.925 - 0.034*(k/columns)
 do for [k = 0:entries - 1] {
-  says = k < named ? short(name(k + 1), longest_name) : k == named ? "clearance" : sprintf("and %d more runs", runs - named)
+  says = k < named ? shortened(name(k + 1), longest_name) : k == named ? "clearance" : sprintf("and %d more runs", runs - named)
   set label says at screen key_x(k) + 0.035, screen key_y(k) noenhanced font small
   if (k < named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linetype k + 1 linewidth wide(k + 1) }
   if (k == named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linestyle clearance }
@@ -67,7 +66,7 @@ void = between_tics(right_min, right_max); right_axis = axis("x", low, high)
 left = 0.055 + letter*widest
 time_letters = show(least_time_s, most_time_s, 8, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
 
-set multiplot layout 2,2 title short(heading, 80) noenhanced margins left,1 - right,bottom,top spacing left + right,between
+set multiplot layout 2,2 title shortened(heading, 80) noenhanced margins left,1 - right,bottom,top spacing left + right,between
 unset key
 if (changes(least_time_s, most_time_s)) { low = least_time_s; high = most_time_s }
 eval axis("x", low, high)

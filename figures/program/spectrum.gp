@@ -7,7 +7,7 @@ data(i) = sprintf("run%d.csv", i)
 resolution(i) = 1.5/(of("until_s", i) - of("from_s", i))    # of Hann's window
 said_of(i) = sprintf("%g s to %g s, resolution %.2g Hz: mean f = %.1f Hz%s%s", of("from_s", i), of("until_s", i), resolution(i), \
   of("f", i), of("f_greatest", i) - of("f_least", i) < resolution(i) ? "" : \
-  sprintf(" (%.1f to %.1f)", of("f_greatest", i), of("f_least", i)), \
+  sprintf(" (from %.1f to %.1f)", of("f_least", i), of("f_greatest", i)), \
   of("rolls", i) ? ", mean whirl while rolling ".signed("%.1f", of("whirl", i))." Hz" : "")
 
 lowest = 0.8/(until_s1 - from_s1); highest = 0.25*samples1/(until_s1 - from_s1)
@@ -17,7 +17,7 @@ set mxtics 10
 top = 0.83 - 0.04*(runs - 1); bottom = 0.17; between = 0.05; height = 0.5*(top - bottom - between)
 set multiplot
 set label 1 "{/:Bold Spectrum}" at screen 0.5,0.97 center
-set label 2 heading at screen 0.5,0.93 center noenhanced
+set label 2 shortened(heading, 80) at screen 0.5,0.93 center noenhanced
 rolling = 0    # the first run that rolls
 do for [i = 1:runs] { rolling = !rolling && of("rolls", i) ? i : rolling }
 set label 3 "Hann window. Dashed: f; dotted: 2f".(rolling ? ", the whirl while rolling and f_n" : " and f_n") \
@@ -43,7 +43,8 @@ do for [row = 0:1] { do for [forward = 0:1] {
     if (forward) {
       eval mark(of("f", i), "(8,5)", "f", i, row).mark(2*of("f", i), "(2,4)", "2f", i, row)
     }
-    eval mark(of("f_n", i), "(2,4)", "f_n", i, row)
+    is_close(x) = forward && abs(log(of("f_n", i)/x)) < 0.35    # of two labels
+    eval mark(of("f_n", i), "(2,4)", is_close(of("f", i)) || is_close(2*of("f", i)) ? "" : "f_n", i, row)
     if (of("rolls", i) && (of("whirl", i) > 0) == forward) {
       eval mark(abs(of("whirl", i)), "(2,4)", "whirl", i, row)
     }

@@ -28,11 +28,17 @@ stats data using (has_outcome ? seen[code(0) + 1] = seen[code(0) + 1] + 1 : 0, 0
 without = result eq "peak_normal_force_N" ? 0 : NaN
 is_refused(unused) = has_outcome ? strcol("outcome") eq "" : 1
 or_without(v) = v == v ? v : is_refused(0) ? NaN : without
+# The draws of a point are adjacent; the mean of a single draw is the draw.
+sum = 0; count = 0
+last_draw(unused) = int(column(0)) % draws == draws - 1
+mean(v) = (first = int(column(0)) % draws == 0, sum = (first ? 0. : sum) + (v == v ? v : 0), \
+  count = (first ? 0 : count) + (v == v), last_draw(0) && count > 0 ? sum/count : NaN)
 greatest = NaN; least = NaN    # of all that is drawn
 if (has_value) {
-  stats data using (v = or_without(its(0)), least = v < least || least != least ? v : least, \
+  stats data using (v = dimensions == 2 ? mean(or_without(its(0))) : or_without(its(0)), least = v < least || least != least ? v : least, \
     greatest = v > greatest || greatest != greatest ? v : greatest, 0) nooutput
 }
+is_empty = has_value && least != least
 if (least != least) { least = 0; greatest = 0 }
 below = least < 0 ? 1.05*least : 0; above = greatest > 0 ? 1.05*greatest : below < 0 ? 0 : 1    # the limits of an axis
 
@@ -42,19 +48,13 @@ without_labels(tics) = (from = strstrt(tics, "'"), from == 0 ? tics : (until = s
   tics[:from]."'".without_labels(tics[until + 1:])))
 name_beside(n, text, at) = sprintf("set label %d '%s' at screen %g, screen %g center rotate by 90 noenhanced", \
   n, text, n == 2 ? 0.02 : 0.98, at)
-# The draws of a point are adjacent; the mean of a single draw is the draw.
-sum = 0; count = 0
-last_draw(unused) = int(column(0)) % draws == draws - 1
-mean(v) = (first = int(column(0)) % draws == 0, sum = (first ? 0. : sum) + (v == v ? v : 0), \
-  count = (first ? 0 : count) + (v == v), last_draw(0) && count > 0 ? sum/count : NaN)
-
 is_map = dimensions == 2
 if (is_map && panels < 3) { eval "set terminal ".square }
 rows = is_map ? has_outcome + has_value : has_value + (dimensions == 1 && has_outcome && (draws > 1 || !has_value))
 top = 0.9; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.13 : 0.1; right = is_map ? 0.84 : 0.965; gap = 0.05
 height = (top - bottom)/rows; width = (right - left - gap*(panels - 1))/panels
 set multiplot
-set label 1 heading at screen 0.5,0.965 center noenhanced
+set label 1 shortened(heading, 80) at screen 0.5,0.965 center noenhanced
 set tics front out
 if (is_map) { unset grid }
 unset key; unset colorbox
@@ -64,7 +64,8 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   set lmargin at screen left + p*(width + gap); set rmargin at screen left + p*(width + gap) + width
   set tmargin at screen top - row*height - (panels > 1 ? 0.03 : 0); set bmargin at screen top - (row + 1)*height + (at_bottom ? 0 : 0.03)
   if (row + p > 0) { unset label 1 }
-  unset label 2; unset label 3
+  unset label 2; unset label 3; unset label 4
+  if (is_empty && !(row == 0 && is_map && has_outcome)) { set label 4 "no point has this result" at graph 0.5,0.5 center front }
   middle = top - (row + 0.5)*height
   if (row == 0 && panels > 1) { set title panel_name(p) offset 0,-0.6 noenhanced } else { unset title }
   set xlabel (at_bottom ? (dimensions ? x_name : result_name) : "") offset 0,0.4 noenhanced
@@ -74,6 +75,7 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   }
   set xrange [*:*] noextend; set yrange [*:*] noextend
   set format x (at_bottom ? "%g" : ""); set format y (p > 0 ? "" : "%g")
+  if (is_map && panels > 1) { set xtics rotate by -45 }
   if (dimensions) { if (strlen(x_tics)) { eval "set xtics (".(at_bottom ? x_tics : without_labels(x_tics)).")" } }
   if (is_map) {
     if (strlen(y_tics)) { eval "set ytics (".(p == 0 ? y_tics : without_labels(y_tics)).")" }
@@ -106,6 +108,11 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
       stats data using (x_of(0)) name "along" nooutput
       edge = 0.015*(along_max - along_min)
       set xrange [along_min - edge:along_max + edge]
+    }
+    if (of_outcome && draws == 1) {
+      set yrange [0:1]; unset ytics
+      plot for [c = 0:6] data using (in_panel(p, x_of(0))):(code(0) == c ? 0.5 : NaN) with points pointtype 5 linecolor rgb tint(c)
+      continue
     }
     if (of_outcome) {    # stacked shares: of this outcome and of those with greater codes
       set yrange [0:1]

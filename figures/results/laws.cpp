@@ -45,7 +45,7 @@ Json json_of(const std::optional<double>& value, double unit = 1) {
 const std::vector<Law>& all_laws() {
   using P = Prediction;
   static const std::vector<Law> all = {
-      {"law_outcome", "no_contact, rolling, or undecided",
+      {"law_outcome", "no_contact, rolling (above both frictions below), or undecided",
        [](const P& p) {
          return Json(name_of(!p.law.contact_s ? Outcome::no_contact
                              : p.rolls        ? Outcome::rolling
@@ -53,7 +53,9 @@ const std::vector<Law>& all_laws() {
        }},
       {"law_speed_at_loss_Hz", "rotation speed at the mass loss, for a motor without resistance",
        [](const P& p) { return json_of(p.speed, two_pi); }},
-      {"law_contact_speed_Hz", "speed above which an overcritical rotor touches the ring; (1)",
+      {"law_contact_speed_Hz",
+       "speed above which an overcritical rotor touches the ring, null if below the critical one; "
+       "(1)",
        [](const P& p) { return json_of(p.law.contact_speed, two_pi); }},
       {"law_reach_m", "largest displacement without a ring",
        [](const P& p) { return json_of(p.law.reach); }},

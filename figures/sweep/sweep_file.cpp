@@ -223,10 +223,10 @@ class SweepReader : TomlFile {
       varied.push_back(quantity);
       for (const auto& [stated, number] : sweep.base.numbers)
         if (determined_by(stated) == determined_by(quantity))
-          fail(table(root(), "parameters"), stated, "is stated, and {} varies: remove one",
-               quantity);
+          fail_at(table(root(), "parameters"), stated, "is stated, and {} varies: remove one",
+                  quantity);
       if (find_named_input(quantity) && table(root(), "parameters").contains(quantity))
-        fail(table(root(), "parameters"), quantity, "is stated and varies: remove one");
+        fail_at(table(root(), "parameters"), quantity, "is stated and varies: remove one");
     }
     const auto is_stated = [&](const char* correction) {
       return table(root(), "parameters").contains(correction) || contains(varied, correction);
