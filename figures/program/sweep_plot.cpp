@@ -93,9 +93,9 @@ std::string settings_of(const Sweep& sweep) {
 }
 
 bool is_number(const std::string& key) {
-  const Json law = laws(Scenario{});
+  static const Json law = laws(Scenario{}), properties = summary_schema()["properties"];
   if (law.contains(key)) return law[key].is_number();
-  const std::string types = summary_schema()["properties"][key]["type"].dump();
+  const std::string types = properties[key].value("type", Json()).dump();
   return types.find("number") != std::string::npos || types.find("integer") != std::string::npos;
 }
 

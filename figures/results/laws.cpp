@@ -98,20 +98,14 @@ std::vector<std::string> remarks_on_laws(const Scenario& scenario) {
   const Prediction predicted = prediction_of(scenario);
   const double force = predicted.rolls ? *predicted.law.rolling_force : 0;
   std::vector<std::string> all = remarks_on_indentation(force / p.contact_stiffness, p);
-  // Largest displacement in a run-up: at most that of the steady response, and at most about that
-  // of an undamped rotor that passes its critical speed at this acceleration (F. M. Lewis 1932).
   const double critical = std::sqrt(p.support_stiffness / p.mass);
-  const double damping = p.support_damping / (2 * p.mass * critical);
-  const double steady = 1 / (2 * damping * std::sqrt(std::max(0., 1 - damping * damping)));
-  const double passing = 1.3 * critical * std::sqrt(two_pi / 4 * p.inertia / p.torque);
-  const double displacement = p.eccentricity * std::min(steady, passing);
   const bool runs_up = two_pi * scenario.start_speed_Hz < critical && critical < predicted.speed;
-  if (runs_up && damping < std::sqrt(0.5) && displacement > p.stator_radius - p.rotor_radius)
-    all.push_back(
-        fmt::format("in the run-up the displacement may reach some {:.2g} m, more than the "
-                    "clearance; the closed forms hold for rotors that have not touched "
-                    "the ring before the mass loss",
-                    displacement));
+  const double displacement = run_up_displacement(p);
+  if (runs_up && displacement > p.stator_radius - p.rotor_radius)
+    all.push_back(fmt::format(
+        "in the run-up the displacement is at most about {:.2g} m, and the clearance is "
+        "less; the closed forms hold for rotors that have not touched the ring before",
+        displacement));
   return all;
 }
 

@@ -31,6 +31,18 @@ inline double whirling_friction(const Parameters& p, double mass, double velocit
   return std::sqrt(way * (way * k + p.support_damping) / mass);
 }
 
+/// About the largest displacement of O in a run-up through the critical speed, m: at most that of
+/// the steady response, and that of an undamped rotor at this acceleration (after F. M. Lewis 1932;
+/// the factor 1.3 is from our runs). Without damping and torque infinite.
+inline double run_up_displacement(const Parameters& p) {
+  const double critical =
+      std::sqrt(SupportSprings<double>(p).linear_stiffness("the run-up") / p.mass);
+  const double zeta = p.support_damping / (2 * p.mass * critical);
+  const double steady = zeta < std::sqrt(0.5) ? 1 / (2 * zeta * std::sqrt(1 - zeta * zeta)) : 1;
+  const double passing = 1.3 * critical * std::sqrt(std::numbers::pi / 2 * p.inertia / p.torque);
+  return p.eccentricity * std::min(steady, passing);
+}
+
 /// SI units; speeds and rates in rad/s. Empty: does not happen.
 struct Accident {
   std::optional<double> contact_speed;    ///< above which an overcritical rotor touches; (1)
