@@ -10,7 +10,7 @@
 namespace rotor {
 namespace {
 
-constexpr double first_s = 3, times_later_elsewhere = 4;
+constexpr double first_s = 1.5, times_later_elsewhere = 4;
 
 }  // namespace
 

@@ -116,6 +116,8 @@ class EventMethod {
  private:
   using Unknowns = std::array<S, 6>;
   using Point = rotor::Point<S, Unknowns>;
+  /// Of the remaining time, in which a run with this pace would take 10^12 steps.
+  static constexpr double least_progress = 1e-7;
   enum class Extent { everything, whole_steps, clear_whole_steps };
 
   void advance(const S& until_s, BasicObserver<S>& observer, Extent extent) {
@@ -194,10 +196,8 @@ class EventMethod {
         at_.state = chart.state(start_.x);
         return std::nullopt;
       }
-      constexpr long most_steps = 20'000'000;  // exceeded only if something is wrong
-      if (++counters_.steps > most_steps)
-        fail(fmt::format("{} steps have been taken, which is more than any run should need",
-                         most_steps));
+      ++counters_.steps;
+      limit_steps(until_s, end_s, chart.speed(stop.x));
       if (!last) step = next_step;
       show_step(taken, at_, end_s, observer);
       at_.time_s = end_s;
@@ -212,6 +212,24 @@ class EventMethod {
       }
       if (chart.recentre(start_.x)) system(start_.x, start_.rates, S(0));
     }
+  }
+
+  /// Ends a run that would need too many steps. A rotor with absurd numbers takes ever shorter
+  /// ones.
+  void limit_steps(const S& until_s, const S& now_s, const S& speed) {
+    constexpr long most = 20'000'000;  // exceeded only if something is wrong
+    if (counters_.steps > most)
+      fail(fmt::format("{} steps have been taken, which is more than any run should need", most));
+    constexpr long looked_at = 1L << 18;  // half a second's work in double precision
+    if (counters_.steps % looked_at != 0) return;
+    const S progress_s = now_s - looked_s_;
+    if (progress_s < least_progress * (until_s - now_s))
+      fail(
+          fmt::format("it makes no progress: the last {} steps took it only {:.3g} s further; at "
+                      "{:.3g} Hz, this rotor needs steps as short as {:.3g} s",
+                      looked_at, static_cast<double>(progress_s), in_Hz(static_cast<double>(speed)),
+                      static_cast<double>(progress_s) / looked_at));
+    looked_s_ = now_s;
   }
 
   /// Ends a run that makes no progress: it switches between phases more often than a motion can.
@@ -242,6 +260,7 @@ class EventMethod {
   S first_steps_{1};                    ///< factor on their usual length
   S slip_disturbance_{0};               ///< relative, at each touch-down
   Counters counters_;
+  S looked_s_{0};          ///< when limit_steps() last looked at the progress
   int switches_ = 0;       ///< between phases,
   S switches_since_s_{0};  ///< at most about a natural period ago
   bool stopped_ = false;

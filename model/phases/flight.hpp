@@ -160,7 +160,7 @@ struct FreeFlight : Flight<S, Chart> {
     // Angular acceleration and velocity bound each other through the damping.
     const S speed = abs(chart.speed(from.x)) + synchronous.speed_ripple;
     const S velocity = deviation + synchronous.velocity + speed * e;  // without the change of speed
-    const S moment = supports.torque + body.mass * supports.gravity * (of_C + e) +
+    const S moment = rotor.motor_torque() + body.mass * supports.gravity * (of_C + e) +
                      e * supports.greatest_bearing_force(of_O, velocity);
     const S relief = 1 - supports.damping * e * e * h / body.inertia;
     if (!(relief > S(0.5))) return std::nullopt;

@@ -30,6 +30,9 @@ struct RotorSystem {
   /// All loads but those of the contact.
   Loads<S> loads(const Motion<S>& motion) const { return supports.loads(body, motion, motor_on); }
 
+  /// N m.
+  S motor_torque() const { return motor_on ? supports.torque : S(0); }
+
   /// Becomes negative where the motor is to be switched off.
   S motor_guard(const S& speed) const { return motor_on ? motor_off - speed : S(1); }
 

@@ -257,7 +257,7 @@ struct Rolling : Rub<S, Chart> {
     const S e = body.eccentricity, r = rotor.ring.rotor_radius, w = abs(at.x[5]);
     if (!(e < r)) return std::numeric_limits<S>::infinity();
     const S support = supports.greatest_bearing_force(k.displacement, abs(at.x[3]) + r * w);
-    const S moment = body.inertia * abs(at.rates[5]) + supports.torque +
+    const S moment = body.inertia * abs(at.rates[5]) + rotor.motor_torque() +
                      body.mass * supports.gravity * (k.displacement + e) +
                      e * (support + abs(rotor.ring.elastic_force(k)));
     return moment / (r - e);

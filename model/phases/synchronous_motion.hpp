@@ -241,7 +241,7 @@ class SynchronousMotion {
         const Series B = rate(1, A);
         for (std::size_t j = 0; j <= degree; ++j)
           rate.alpha[j] = e * (k * A[j].y() + d * B[j].y()) / inertia;
-        rate.alpha[0] += (rotor.motor_on ? supports.torque : S(0)) / inertia;
+        rate.alpha[0] += rotor.motor_torque() / inertia;
         rate.alpha[0] -= d * e * e * centre_ / inertia;
         rate.alpha[1] -= d * e * e / inertia;
         return lacking(1, force, A);

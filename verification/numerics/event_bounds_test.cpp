@@ -194,5 +194,19 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedAboutTheSynchronousMotion) {
   EXPECT_GT(rippling, 100);
 }
 
+// Otherwise a motor of 10^10 N m that is off would make each flight a search for contacts.
+TEST(FlightBounds, DoNotCountAMotorThatIsOff) {
+  RotorSystem<double> rotor({.torque = 1e10}, Equations::consistent);
+  const State<double> q = {1e-3, 0, 0, 0.1, 0, 900};
+  const auto bounds = [&](bool motor_on) {
+    rotor.motor_on = motor_on;
+    const FlightChart<double> chart(rotor, q);
+    const FreeFlight<double> phase(rotor, chart);
+    const FlightPoint from = point_of(phase, 0, chart.unknowns(q));
+    return phase.bounds(from, later(from, 1e-3)).reach[1];
+  };
+  EXPECT_GT(bounds(true), 1e3 * bounds(false));
+}
+
 }  // namespace
 }  // namespace rotor

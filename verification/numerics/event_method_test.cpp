@@ -78,6 +78,18 @@ TEST(EventMethod, SaysWhereAMotionThatIsNotFiniteEndsIt) {
   }
 }
 
+// Under such a weight it would turn by 10^16 rad in its first second.
+TEST(EventMethod, EndsARunThatMakesNoProgress) {
+  Observer null_observer;
+  const Scenario scenario{.parameters = {.gravity = 1e31}};
+  try {
+    follow(scenario, at_rest(scenario.parameters), 29, null_observer);
+    FAIL() << "still runs";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("no progress"), std::string::npos) << error.what();
+  }
+}
+
 // However long the steps are, the guard vanishes at its event, to some rounding errors of the terms
 // of which it is the difference.
 TEST(EventMethod, LocatesEventsToRoundingAtEveryTolerance) {
