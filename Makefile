@@ -287,6 +287,7 @@ RUNS ?= 1000
 stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (minutes)
 	$(call build-target,random-rotors stable-steps digits-reference)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 100000 $(BUILD)/stress-results
+	@verification/robustness/differential.sh 10000 $(BUILD)/stress-results/differential $(ROTOR) outcome $(ROTOR) end
 	@$(BUILD)/stable-steps $(BUILD)/stress-results
 	@LC_ALL=C.UTF-8 gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
 	  figures/paper/style.gp verification/robustness/stress.gp

@@ -66,7 +66,7 @@ if (shows eq "outcome") {
   set logscale cb
   darkest = 1000; greatest = 0
   set cbrange [1:darkest]
-  value = "kN(strcol('peak_normal_force_N'))"
+  value = "kN(strcol('peak_force_to_rolling_N'))"
   eval sprintf("stats data using (force = %s, greatest = force > greatest ? force : greatest, column('%s')) nooutput", \
     value, abscissa)
   if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }

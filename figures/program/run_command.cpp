@@ -207,6 +207,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
     say_what_is_traced(options, scene, trace ? trace->rows() : samples->rows());
   Printed printed{to_json(result), remarks(result)};
   if (energy) printed.summary["energy_J"] = to_json(*energy);
+  if (energy && result.early.leaves_rest_open()) printed.summary["energy_J"]["until_end"] = nullptr;
   return printed;
 }
 

@@ -25,7 +25,7 @@ set datafile columnheaders
 array seen[7] = [0, 0, 0, 0, 0, 0, 0]
 stats data using (has_outcome ? seen[code(0) + 1] = seen[code(0) + 1] + 1 : 0, 0) name "all" nooutput
 # A run without contact has no force, which is drawn as 0; other results are then missing. A refused point has no outcome.
-without = result eq "peak_normal_force_N" ? 0 : NaN
+without = result eq "peak_force_to_rolling_N" ? 0 : NaN
 is_refused(unused) = has_outcome ? strcol("outcome") eq "" : 1
 or_without(v) = v == v ? v : is_refused(0) ? NaN : without
 # The draws of a point are adjacent; the mean of a single draw is the draw.

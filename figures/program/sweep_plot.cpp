@@ -104,10 +104,10 @@ std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
   const std::vector<std::string> all = sweep.columns.empty() ? result_columns() : sweep.columns;
   const auto has = [&](const std::string& name) { return contains(all, name); };
   const auto number = std::find_if(all.begin(), all.end(), is_number);
-  const std::string key = !stated.empty()              ? stated
-                          : has("peak_normal_force_N") ? "peak_normal_force_N"
-                          : number != all.end()        ? *number
-                                                       : "outcome";
+  const std::string key = !stated.empty()                  ? stated
+                          : has("peak_force_to_rolling_N") ? "peak_force_to_rolling_N"
+                          : number != all.end()            ? *number
+                                                           : "outcome";
   if (!has(key))
     throw InputError("--column {}: there is no such result{}; there are: {}", shown(key),
                      suggestion(key, all), fmt::join(all, ", "));

@@ -12,7 +12,7 @@
 namespace rotor {
 namespace {
 
-constexpr int schema = 3;
+constexpr int schema = 4;
 
 Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 Json json_of(const std::optional<double>& value) { return value ? json_of(*value) : Json(); }
@@ -56,7 +56,9 @@ const std::vector<Circumstance>& circumstances() {
   };
   static const std::vector<Circumstance> all = {
       {"stop_on",
-       "Where the run was to stop early",
+       "Where the run was to stop early. A run that stopped at its outcome or at rolling has null "
+       "for "
+       "values that the rest of the run could change",
        {{"enum", with(all_names<StopOn>(), nullptr)}},
        [](const A& a) { return a.early.stop_on ? Json(name_of(*a.early.stop_on)) : Json(); }},
       {"stop_reached", "Whether the run stopped there", type("boolean"),
@@ -99,7 +101,8 @@ const std::vector<Circumstance>& circumstances() {
        inputs_of},
       {"version", "Version of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
       {"schema",
-       "Version of this schema; 2 had the keys of separation and collisions, 1 no outcome or "
+       "Version of this schema; 3 had values of stopped runs that the rest could change, 2 had the "
+       "keys of separation and collisions, 1 no outcome or "
        "inputs",
        {{"const", schema}},
        [](const A&) { return Json(schema); }}};
@@ -108,12 +111,13 @@ const std::vector<Circumstance>& circumstances() {
 
 /// The schema of a result of this type.
 template <class T>
-Json allowed(T Summary::* /*of*/) {
+Json allowed(T Summary::* /*of*/, bool may_be_open) {
   if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
-  if constexpr (std::is_same_v<T, long>) return type("integer");
-  if constexpr (std::is_same_v<T, bool>) return type("boolean");
+  if constexpr (std::is_same_v<T, bool>) return {{"type", {"boolean", "null"}}};
   Json types = {"number", "object"};  // object: with --digits
-  if constexpr (std::is_same_v<T, std::optional<double>>) types.push_back("null");
+  if constexpr (std::is_same_v<T, long>) types = {"integer"};
+  if (may_be_open || std::is_same_v<T, std::optional<double>>) types.push_back("null");
+  if constexpr (std::is_same_v<T, long>) return {{"type", types}};
   return {{"type", types}, {"$ref", "#/$defs/estimate"}};
 }
 
@@ -134,14 +138,18 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
     summary.on_instant(simulation.instant());
   const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
   const bool stop_reached = stop && stop->is_reached();
-  return {scenario, summary.summary(), end, {stop_on, stop_reached, end.stopped && !stop_reached}};
+  return {scenario,     summary.summary(),
+          end,          {stop_on, stop_reached, end.stopped && !stop_reached},
+          std::nullopt, summary.reversals()};
 }
 
 Json to_json(const RunResult& result) {
   Json json;
   for (const auto& field : summary_fields<double>)
-    std::visit([&](auto member) { json[std::string(field.key)] = json_of(result.summary.*member); },
-               field.value);
+    json[std::string(field.key)] =
+        !result.early.leaves_rest_open() || field.is_settled(result.summary)
+            ? std::visit([&](auto member) { return json_of(result.summary.*member); }, field.value)
+            : Json();
   for (const Circumstance& said : circumstances()) json[std::string(said.key)] = said.value(result);
   if (result.early.interrupted) json["cut_short_at_s"] = result.summary.final_time_s;
   return json;
@@ -156,7 +164,9 @@ Json summary_schema() {
   describe("run", "Name of the run, if there are several", type("string"));
   for (const auto& field : summary_fields<double>) {
     describe(field.key, field.meaning,
-             std::visit([](auto member) { return allowed(member); }, field.value));
+             std::visit(
+                 [&](auto member) { return allowed(member, field.settled != Settled::once_known); },
+                 field.value));
     required.push_back(field.key);
   }
   for (const Circumstance& said : circumstances()) {
@@ -271,20 +281,29 @@ std::vector<Remark> remarks(const RunResult& result) {
                    Of::limit});
   // At mu = 0.05 each multiplies errors by 2.7 in the mean: so many use up the tolerance.
   const double many = -std::log(result.scenario.tolerance);
-  if (static_cast<double>(summary.touch_downs) > many && !result.estimated_relative_error)
-    all.push_back(
-        {fmt::format("with {} touch-downs, differences in the last digits may lead to another "
-                     "course; a sample of runs shows it",
-                     summary.touch_downs)});
+  const auto is_sensitive = [&](const std::string& cause) {
+    if (result.estimated_relative_error) return;
+    all.push_back({cause + ", differences in the last digits may lead to another course; a sample "
+                           "of runs shows it"});
+  };
+  if (static_cast<double>(summary.touch_downs) > many)
+    is_sensitive(fmt::format("with {} touch-downs", summary.touch_downs));
+  if (result.reversals > 1)
+    is_sensitive(
+        fmt::format("the rotation reversed {} times out of contact, as a pendulum's may: near its "
+                    "turning points",
+                    result.reversals));
   const double clearance = p.stator_radius - p.rotor_radius;
   const double displacement =
       std::max(summary.max_displacement_m.value_or(0), summary.max_displacement_before_loss_m);
-  for (const std::string& sentence : remarks_on_indentation(displacement - clearance, p))
+  for (const std::string& sentence :
+       remarks_on_indentation(displacement - clearance, p, early.leaves_rest_open()))
     all.push_back({sentence, Of::limit});
   return all;
 }
 
-std::vector<std::string> remarks_on_indentation(double indentation, const Parameters& p) {
+std::vector<std::string> remarks_on_indentation(double indentation, const Parameters& p,
+                                                bool at_least) {
   constexpr double large = 0.1;
   const double clearance = p.stator_radius - p.rotor_radius;
   std::vector<std::string> all;
@@ -294,10 +313,10 @@ std::vector<std::string> remarks_on_indentation(double indentation, const Parame
   for (const auto& [length, name] :
        {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
     if (indentation > large * length)
-      all.push_back(
-          fmt::format("the ring is indented by {:.3g} times the {}: the model's linear contact is "
-                      "valid only below {}",
-                      indentation / length, name, large));
+      all.push_back(fmt::format(
+          "the ring is indented by {}{:.3g} times the {}: the model's linear contact is "
+          "valid only below {}",
+          at_least ? "at least " : "", indentation / length, name, large));
   return all;
 }
 

@@ -17,6 +17,9 @@ struct EarlyEnd {
   std::optional<StopOn> stop_on;  ///< as requested
   bool stop_reached = false;
   bool interrupted = false;
+
+  /// Whether the rest of the run could change results. Where to rest is an end of its own.
+  bool leaves_rest_open() const { return stop_reached && stop_on != StopOn::rest; }
 };
 
 struct RunResult {
@@ -25,6 +28,7 @@ struct RunResult {
   RunEnd end;
   EarlyEnd early;
   std::optional<double> estimated_relative_error{};  ///< of the summary, if requested
+  long reversals = 0;                                ///< of the rotation out of contact
 };
 
 /// Continues a run from a checkpoint to its end, or to where it is to stop. `others` are shown
@@ -47,7 +51,9 @@ struct Remark {
 };
 std::vector<Remark> remarks(const RunResult& result);
 
-/// A linear contact and a round ring are valid only for small indentations, m.
-std::vector<std::string> remarks_on_indentation(double indentation, const Parameters& p);
+/// A linear contact and a round ring are valid only for small indentations, m; this one may still
+/// grow if it is `at_least` that.
+std::vector<std::string> remarks_on_indentation(double indentation, const Parameters& p,
+                                                bool at_least = false);
 
 }  // namespace rotor

@@ -88,29 +88,52 @@ class BasicOutcomeWatch {
     return touched_ ? Outcome::bouncing : Outcome::undecided;
   }
 
-  /// Whether the free rotor cannot reach the ring at any speed that it can have until the end of
-  /// the run, driven by its motor or braked by the damping of its supports.
+  /// Whether the free rotor cannot reach the ring until the end of the run, nor stall, at any speed
+  /// that it can have until then: driven by its motor or by gravity, braked by the damping of its
+  /// supports or by gravity. Linear springs only.
   bool stays_clear() const {
-    using std::abs, std::max, std::sqrt;
+    using std::abs, std::hypot, std::max, std::min, std::sqrt;
     const Body<S>& body = last_.body;
     const Motion<S> motion = last_.motion();
+    const S clearance = Ring<S>(parameters_).clearance, e = body.eccentricity;
     const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
     const S stiffness = supports_.springs.linear_stiffness("the resonance");
     const S square = stiffness / body.mass, decay = supports_.damping / body.mass;
     const auto response = [&](const S& w) {  // steady displacement of O by the unbalance
-      return (supports_.unbalance_response(body, w) - Vector<S>(body.eccentricity, S(0))).norm();
+      return (supports_.unbalance_response(body, w) - Vector<S>(e, S(0))).norm();
     };
-    // Energy that rotation and vibration can exchange, and that damping can take.
+    // Energy that rotation and vibration can exchange, and that damping can take. The moment of the
+    // weight at the eccentricity has a potential; the whole moment of gravity has none, and may
+    // drive or brake the rotor as long as the run lasts.
     const S farthest = reach(body, supports_, motion), vibration = farthest - response(speed);
     const S velocity = vibration * sqrt(square) + response(speed) * speed;
-    const S exchanged = body.mass * (velocity * velocity / 2 + 2 * supports_.gravity * farthest) +
-                        stiffness * farthest * farthest / 2;
+    const bool balanced = supports_.balanced_by_springs;
+    const S weight = body.mass * supports_.gravity, arm = balanced ? e : S(clearance + e);
+    const S exchanged =
+        body.mass * velocity * velocity / 2 + 2 * weight * e + stiffness * farthest * farthest / 2;
     const S damped = supports_.damping * velocity * velocity * left_s;
     const S driven = last_.motor_on ? supports_.torque / body.inertia * left_s : S(0);
-    const S least = sqrt(max(S(0), S(speed * speed - 2 * (exchanged + damped) / body.inertia)));
-    const S most = sqrt(speed * speed + 2 * exchanged / body.inertia) + driven;
-    const S clearance = Ring<S>(parameters_).clearance;
-    const auto is_clear_at = [&](const S& w) { return vibration + response(w) < clearance; };
+    const S pumped = balanced ? S(0) : S(weight * arm / body.inertia * left_s);
+    const S braked = motion.speed < 0 ? S(driven + pumped) : pumped;
+    const S least = max(
+        S(0),
+        S(sqrt(max(S(0), S(speed * speed - 2 * (exchanged + damped) / body.inertia))) - braked));
+    const S most = sqrt(speed * speed + 2 * exchanged / body.inertia) + driven + pumped;
+    if (driven > 0 && least < fastest_stall()) return false;
+    // Gravity's moment makes the angle ripple, and the unbalance with it, which shakes the rotor at
+    // frequencies that may be its natural one.
+    const S slowest = min(least, sqrt(square));
+    S shaken(0);
+    if (arm > 0 && weight > 0) {
+      if (!(slowest > 0)) return false;
+      const S ripple = weight * arm / (body.inertia * slowest * slowest);
+      const S force = e * ripple * hypot(stiffness, supports_.damping * most);
+      shaken = force / sqrt(square) * left_s / (2 * body.mass);
+      if (decay > 0) shaken = min(shaken, S(force / (supports_.damping * sqrt(square))));
+    }
+    const auto is_clear_at = [&](const S& w) {
+      return vibration + shaken + response(w) < clearance;
+    };
     // In between the response is greatest at the resonance, if that lies there.
     const S resonance = square * square / (square - decay * decay / 2);  // squared
     const bool is_passed = resonance > least * least && resonance < most * most;
@@ -124,12 +147,15 @@ class BasicOutcomeWatch {
     const Motion<S> motion = last_.motion();
     if (last_.touches() && cross(motion.displacement, motion.velocity) * motion.speed < 0)
       return false;
-    using std::abs, std::sqrt;
-    const S critical = sqrt(supports_.springs.tangent_stiffness(S(0)) / last_.body.mass);
+    using std::abs;
     const S unresisted = supports_.torque / last_.body.inertia * (last_.time_s - time_of_speed_s_);
     const S speed = last_.state[5];
-    return abs(speed) < S(stalling_speeds) * critical &&
-           speed - *early_speed_ < S(stalling_share) * unresisted;
+    return abs(speed) < fastest_stall() && speed - *early_speed_ < S(stalling_share) * unresisted;
+  }
+
+  S fastest_stall() const {  // rad/s
+    using std::sqrt;
+    return S(stalling_speeds) * sqrt(supports_.springs.tangent_stiffness(S(0)) / last_.body.mass);
   }
 
   /// A rotor stalls if over this many natural periods of its supports it

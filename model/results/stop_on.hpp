@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 
+#include "model/results/next_maximum.hpp"
 #include "model/results/outcome.hpp"
 #include "model/scenario/observer.hpp"
 
@@ -20,9 +20,8 @@ class StopObserver : public Observer {
   StopObserver(StopOn stop_on, const Scenario& scenario)
       : stop_on_(stop_on),
         loses_mass_(scenario.loses_mass()),
-        has_fixed_steps_(scenario.method == Method::rk4),
-        ring_(scenario.parameters),
         watch_(scenario),
+        force_(scenario),
         has_turned_(!(scenario.parameters.torque > 0)) {}
 
   bool is_reached() const { return reached_; }
@@ -32,7 +31,10 @@ class StopObserver : public Observer {
     if (at.event == Event::mass_loss) slow_since_s_ = at.time_s;
     mass_lost_ = at.mass_lost;
     if (at.contact == ContactState::rolling) rolled_ = true;
-    if (has_fixed_steps_) note_force(at);
+    if (rolled_ && (stop_on_ == StopOn::rolling || (stop_on_ == StopOn::outcome && loss_is_over())))
+      force_.await();
+    force_.on_instant(at);
+    reached_ = reached_ || force_.is_found();
     if (stop_on_ != StopOn::outcome || !loss_is_over()) return;
     const Outcome outcome = watch_.outcome();
     const bool rolled_before = at.event == Event::mass_loss && rolled_ && !at.touches();
@@ -43,12 +45,13 @@ class StopObserver : public Observer {
   }
 
   double threshold(Extreme of, const double& from_s, const double& until_s) const override {
-    return of == Extreme::normal_force && awaits_maximum()
+    return of == Extreme::normal_force && force_.is_awaited()
                ? 0
                : Observer::threshold(of, from_s, until_s);
   }
   void on_maximum(const Maximum& maximum) override {
-    if (maximum.of == Extreme::normal_force && awaits_maximum()) reached_ = true;
+    force_.on_maximum(maximum);
+    reached_ = reached_ || force_.is_found();
   }
 
   bool goes_on(const Progress& now) override {
@@ -62,30 +65,15 @@ class StopObserver : public Observer {
   }
 
  private:
-  /// For fixed steps, which show no maxima: the force falls after it has risen.
-  void note_force(const Instant& at) {
-    if (!awaits_maximum()) return;
-    const double force = -ring_.normal_force(ring_.rim_point(at.motion()));
-    const bool falls = last_force_ && force < *last_force_;
-    if (falls && rises_) reached_ = true;
-    rises_ = last_force_ && (rises_ || force > *last_force_);
-    last_force_ = force;
-  }
   bool loss_is_over() const { return mass_lost_ || !loses_mass_; }
-  bool awaits_maximum() const {
-    const bool rolling_decides =
-        stop_on_ == StopOn::rolling || (stop_on_ == StopOn::outcome && loss_is_over());
-    return rolling_decides && rolled_ && !reached_;
-  }
 
   StopOn stop_on_;
-  bool loses_mass_, has_fixed_steps_;
-  Ring<double> ring_;
+  bool loses_mass_;
   OutcomeWatch watch_;
+  NextMaximum<double> force_;
   double slow_since_s_ = 0;
-  std::optional<double> last_force_;  ///< while its maximum is awaited
   bool has_turned_;
-  bool rises_ = false, mass_lost_ = false, rolled_ = false, reached_ = false;
+  bool mass_lost_ = false, rolled_ = false, reached_ = false;
 };
 
 }  // namespace rotor

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "model/results/next_maximum.hpp"
 #include "model/results/outcome.hpp"
 #include "model/scenario/observer.hpp"
 
@@ -17,9 +18,10 @@ namespace rotor {
 template <class S>
 struct BasicSummary {
   Outcome outcome = Outcome::undecided;
-  long touch_downs = 0, touch_downs_before_loss = 0;
+  long touch_downs = 0, touch_downs_before_loss = 0, touch_downs_to_rolling = 0;
   std::optional<S> first_contact_s;
   std::optional<S> rolling_onset_s, rolling_onset_speed_Hz, rolling_onset_force_N, rolling_until_s;
+  std::optional<S> peak_force_to_rolling_N;
   std::optional<S> peak_normal_force_N, peak_time_s, peak_normal_force_before_loss_N;
   std::optional<S> max_displacement_m;
   S max_displacement_before_loss_m{0};
@@ -32,7 +34,7 @@ struct BasicSummary {
   S critical_speed_Hz{0};
   std::optional<S> damping_ratio;
   std::optional<S> lost_mass_kg, inertia_after_loss_kg_m2;
-  bool mass_loss_reached = false, motor_off_reached = false;
+  bool mass_loss_reached = false;
 };
 
 /// The reference of a result's relative error.
@@ -42,6 +44,14 @@ enum class ErrorScale {
   force,       ///< the same, but at least the supports' force at that length
   of_another,  ///< its magnitude; it follows from another result, or from the inputs
   exact        ///< no error: it is stated, not computed
+};
+
+/// What decides a result, so that the rest of a run cannot change it.
+enum class Settled {
+  once_known,   ///< nothing but its own event: empty until then
+  by_loss,      ///< the mass loss
+  by_contacts,  ///< the last contact
+  by_end        ///< the end of the run
 };
 
 /// One result. Text, JSON and its schema, the columns of sweeps and guaranteed digits all follow
@@ -55,11 +65,28 @@ struct SummaryField {
   std::variant<Outcome Of::*, long Of::*, bool Of::*, S Of::*, std::optional<S> Of::*> value;
   ErrorScale scale = ErrorScale::own;
   S (*made_of)(const Of&) = nullptr;  ///< the larger quantity of which it is a part or difference
+  Settled settled = Settled::once_known;
+
+  /// Whether a run that stopped as soon as its outcome was decided has the whole run's value.
+  bool is_settled(const Of& of) const {
+    switch (settled) {
+      case Settled::once_known:
+        return true;
+      case Settled::by_loss:
+        return of.speed_at_mass_loss_Hz.has_value();
+      case Settled::by_contacts:
+        return of.outcome == Outcome::freed || of.outcome == Outcome::no_contact;
+      default:
+        return false;
+    }
+  }
 };
 
 template <class S>
 inline constexpr auto summary_fields = [] {
   using Of = BasicSummary<S>;
+  using enum ErrorScale;
+  constexpr Settled loss = Settled::by_loss, contacts = Settled::by_contacts, end = Settled::by_end;
   constexpr auto rho = [](const Of& s) { return S(Vector<S>(s.final_q1_m, s.final_q2_m).norm()); };
   return std::to_array<SummaryField<S>>({
       {"outcome",
@@ -73,67 +100,78 @@ inline constexpr auto summary_fields = [] {
        "but one is possible)",
        &Of::outcome},
       {"first_contact_s", "Time of the first touch-down", &Of::first_contact_s},
-      {"touch_downs", "Number of touch-downs", &Of::touch_downs},
+      {"touch_downs_to_rolling",
+       "Number of touch-downs until rolling sets in, or all of them if it does not",
+       &Of::touch_downs_to_rolling},
+      {"touch_downs", "Number of touch-downs", &Of::touch_downs, own, nullptr, contacts},
       {"rolling_onset_s", "Onset of rolling: first time without slip that friction can hold",
        &Of::rolling_onset_s},
       {"rolling_onset_speed_Hz", "Rotation speed at the onset of rolling",
        &Of::rolling_onset_speed_Hz},
       {"rolling_onset_force_N", "Normal force at the onset of rolling", &Of::rolling_onset_force_N},
       {"rolling_until_s", "End of the last interval of rolling; null while the rotor rolls",
-       &Of::rolling_until_s},
+       &Of::rolling_until_s, own, nullptr, end},
+      {"peak_force_to_rolling_N",
+       "Largest normal force up to its first maximum after the onset of rolling, or of the whole "
+       "run "
+       "if rolling does not set in",
+       &Of::peak_force_to_rolling_N},
       {"peak_normal_force_N", "Largest normal force, at a located maximum",
-       &Of::peak_normal_force_N},
-      {"peak_time_s", "Time of the largest normal force", &Of::peak_time_s},
+       &Of::peak_normal_force_N, own, nullptr, contacts},
+      {"peak_time_s", "Time of the largest normal force", &Of::peak_time_s, own, nullptr, contacts},
       {"max_displacement_m",
        "Largest distance of O from O_a after the mass loss, or in a run without one; at a located "
        "maximum",
-       &Of::max_displacement_m, ErrorScale::length},
+       &Of::max_displacement_m, length, nullptr, end},
       {"touch_downs_before_loss",
        "Touch-downs before the mass loss; all of them in a run without one",
-       &Of::touch_downs_before_loss},
+       &Of::touch_downs_before_loss, own, nullptr, loss},
       {"peak_normal_force_before_loss_N", "Largest normal force before the mass loss",
-       &Of::peak_normal_force_before_loss_N},
+       &Of::peak_normal_force_before_loss_N, own, nullptr, loss},
       {"max_displacement_before_loss_m", "Largest distance of O from O_a before the mass loss",
-       &Of::max_displacement_before_loss_m, ErrorScale::length},
-      {"contact_time_s", "Time spent sliding and rolling", &Of::contact_time_s, ErrorScale::own,
-       [](const Of& s) { return s.contact_time_s > 0 ? s.final_time_s : S(0); }},
+       &Of::max_displacement_before_loss_m, length, nullptr, loss},
+      {"contact_time_s", "Time spent sliding and rolling", &Of::contact_time_s, own,
+       [](const Of& s) { return s.contact_time_s > 0 ? s.final_time_s : S(0); }, contacts},
       {"peak_bearing_force_N",
        "Largest |k r_O + d v_O|, of the supports together, without the weight",
-       &Of::peak_bearing_force_N, ErrorScale::force},
+       &Of::peak_bearing_force_N, force, nullptr, end},
       {"whirl_frequency_Hz",
        "Whirl frequency of O about O_a, negative against the rotation: mean over the last interval "
        "of rolling, from whirl_from_s to whirl_until_s",
-       &Of::whirl_frequency_Hz, ErrorScale::own,
+       &Of::whirl_frequency_Hz, own,
        [](const Of& s) {
          using std::abs;
          if (!s.whirl_frequency_Hz) return S(0);
          const S until = *s.whirl_until_s;
          return S(abs(*s.whirl_frequency_Hz) * until / (until - *s.whirl_from_s));
-       }},
-      {"whirl_from_s", "Start of the interval of whirl_frequency_Hz", &Of::whirl_from_s},
-      {"whirl_until_s", "End of the interval of whirl_frequency_Hz", &Of::whirl_until_s},
+       },
+       end},
+      {"whirl_from_s", "Start of the interval of whirl_frequency_Hz", &Of::whirl_from_s, own,
+       nullptr, end},
+      {"whirl_until_s", "End of the interval of whirl_frequency_Hz", &Of::whirl_until_s, own,
+       nullptr, end},
       {"motor_off_s", "Time at which the motor is switched off", &Of::motor_off_s},
       {"speed_at_mass_loss_Hz", "Rotation speed at the mass loss", &Of::speed_at_mass_loss_Hz},
       {"speed_ratio_at_mass_loss", "Rotation speed at the mass loss over the critical speed",
-       &Of::speed_ratio_at_mass_loss, ErrorScale::of_another},
-      {"final_time_s", "End of the run", &Of::final_time_s, ErrorScale::exact},
-      {"final_speed_Hz", "Rotation speed at the end", &Of::final_speed_Hz},
+       &Of::speed_ratio_at_mass_loss, of_another},
+      {"final_time_s", "End of the run, or where it stopped", &Of::final_time_s, exact},
+      {"final_speed_Hz", "Rotation speed at the end", &Of::final_speed_Hz, own, nullptr, end},
       {"final_kinetic_energy_J", "Kinetic energy T of the rotor at the end",
-       &Of::final_kinetic_energy_J},
+       &Of::final_kinetic_energy_J, own, nullptr, end},
       {"final_q1_m", "Coordinate of O along x of the rotating axes at the end", &Of::final_q1_m,
-       ErrorScale::length, rho},
+       length, rho, end},
       {"final_q2_m", "Coordinate of O along y of the rotating axes at the end", &Of::final_q2_m,
-       ErrorScale::length, rho},
+       length, rho, end},
       {"critical_speed_Hz", "Critical speed sqrt(k/m) / 2 pi before the mass loss",
-       &Of::critical_speed_Hz, ErrorScale::of_another},
+       &Of::critical_speed_Hz, of_another},
       {"damping_ratio", "Damping ratio d / (2 sqrt(k m)) before the mass loss; null if k = 0",
-       &Of::damping_ratio, ErrorScale::of_another},
+       &Of::damping_ratio, of_another},
       {"lost_mass_kg", "Lost mass m_u, Eq. (5); null without mass loss", &Of::lost_mass_kg,
-       ErrorScale::of_another},
+       of_another},
       {"inertia_after_loss_kg_m2", "Moment of inertia I_C1; null without mass loss",
-       &Of::inertia_after_loss_kg_m2, ErrorScale::of_another},
-      {"mass_loss_reached", "Whether mass has been lost", &Of::mass_loss_reached},
-      {"motor_off_reached", "Whether the motor has been switched off", &Of::motor_off_reached},
+       &Of::inertia_after_loss_kg_m2, of_another},
+      {"mass_loss_reached", "Whether mass has been lost", &Of::mass_loss_reached, own, nullptr,
+       loss},
   });
 }();
 
@@ -149,7 +187,8 @@ class BasicSummaryObserver : public BasicObserver<S> {
   explicit BasicSummaryObserver(const Scenario& scenario)
       : ring_(scenario.parameters),
         supports_(scenario.parameters, scenario.equations),
-        watch_(scenario) {
+        watch_(scenario),
+        in_rolling_(scenario) {
     note_parameters(scenario.parameters);
   }
 
@@ -158,6 +197,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
   BasicSummaryObserver with(const Scenario& scenario) const {
     BasicSummaryObserver branch = *this;
     branch.ring_ = Ring<S>(scenario.parameters);
+    branch.in_rolling_ = NextMaximum<S>(scenario);
     branch.watch_ = BasicOutcomeWatch<S>(scenario);
     branch.watch_.note_speed(watch_.early_speed());
     branch.note_parameters(scenario.parameters);
@@ -178,13 +218,13 @@ class BasicSummaryObserver : public BasicObserver<S> {
     }
     note_extremes(at, motion);
     note_contact(at, motion);
+    in_rolling_.on_instant(at);
     watch_.note(at);
     last_ = at;
     begun_ = true;
 
     summary_.outcome = watch_.outcome();
     summary_.mass_loss_reached = at.mass_lost && *summary_.lost_mass_kg > 0;
-    summary_.motor_off_reached = !at.motor_on;
     summary_.final_time_s = at.time_s;
     summary_.final_speed_Hz = in_Hz(motion.speed);
     summary_.final_kinetic_energy_J = kinetic_energy(at.body, motion);
@@ -209,12 +249,13 @@ class BasicSummaryObserver : public BasicObserver<S> {
       case Extreme::bearing_force:
         return summary_.peak_bearing_force_N;
       default:
-        return summary_.peak_normal_force_N.value_or(S(0));
+        return in_rolling_.is_awaited() ? S(0) : summary_.peak_normal_force_N.value_or(S(0));
     }
   }
 
   void on_maximum(const BasicMaximum<S>& maximum) override {
     note_extremes(maximum.at, maximum.at.motion());
+    in_rolling_.on_maximum(maximum);
   }
 
   bool goes_on(const BasicProgress<S>& now) override {
@@ -223,6 +264,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
     if (!watch_.early_speed() && last_progress_ && last_progress_->time_s <= time_s &&
         time_s < now.time_s)
       watch_.note_speed(last_progress_->speed);
+    if (last_progress_ && !last_.touches() && last_progress_->speed * now.speed < 0) ++reversals_;
     last_progress_ = whirl_ = now;
     if (!rolls_) return true;
     if (!rolls_since_) rolls_since_ = now;
@@ -236,6 +278,10 @@ class BasicSummaryObserver : public BasicObserver<S> {
   }
 
   const BasicSummary<S>& summary() const { return summary_; }
+
+  /// How often the rotation changed its direction out of contact, as when a heavy rotor swings like
+  /// a pendulum.
+  long reversals() const { return reversals_; }
 
  private:
   void note_parameters(const Parameters& p) {
@@ -262,6 +308,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
     if (!at.touches()) return;
     const S force = -ring_.touching_force(ring_.rim_point(motion));
     if (!at.mass_lost) raise(summary_.peak_normal_force_before_loss_N, force);
+    if (!in_rolling_.is_found()) raise(summary_.peak_force_to_rolling_N, force);
     if (force > summary_.peak_normal_force_N.value_or(S(0))) {
       summary_.peak_normal_force_N = force;
       summary_.peak_time_s = at.time_s;
@@ -275,10 +322,12 @@ class BasicSummaryObserver : public BasicObserver<S> {
     if (begins) {
       ++summary_.touch_downs;
       if (!at.mass_lost) ++summary_.touch_downs_before_loss;
+      if (!summary_.rolling_onset_s) ++summary_.touch_downs_to_rolling;
       if (!summary_.first_contact_s) summary_.first_contact_s = at.time_s;
     }
     const bool rolls = at.contact == ContactState::rolling;
     if (rolls && !summary_.rolling_onset_s) {
+      in_rolling_.await();
       summary_.rolling_onset_s = at.time_s;
       summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
       summary_.rolling_onset_force_N = -ring_.touching_force(ring_.rim_point(motion));
@@ -302,8 +351,10 @@ class BasicSummaryObserver : public BasicObserver<S> {
   Ring<S> ring_;
   Supports<S> supports_;
   BasicOutcomeWatch<S> watch_;
+  NextMaximum<S> in_rolling_;  ///< of the normal force
   BasicInstant<S> last_;
   bool begun_ = false, rolls_ = false, loses_mass_ = true;
+  long reversals_ = 0;
   std::optional<BasicProgress<S>> last_progress_;
   std::optional<BasicProgress<S>> whirl_;        ///< where the angle was last known
   std::optional<BasicProgress<S>> rolls_since_;  ///< its angle counted like the present one

@@ -98,7 +98,7 @@ TEST(AccidentLaws, RollsInASoftRingAsTheLawsSay) {
             .expect_left(run.rolling_onset_speed_Hz.value() * two_pi / law.rolling_speed.value() -
                          1);
         Law("largest force in rolling, soft ring", 1e-2)
-            .expect_left(run.peak_normal_force_N.value() / law.rolling_force.value() - 1);
+            .expect_left(run.peak_force_to_rolling_N.value() / law.rolling_force.value() - 1);
       }
 }
 

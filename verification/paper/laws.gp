@@ -7,7 +7,7 @@ set logscale xy
 set key bottom right noopaque font small samplen 0.5
 share = "law_unbalance_share"
 y(name, unit, low, high) = strcol("outcome") eq "rolling" && column(share) >= low && column(share) < high ? column(name)/unit : NaN
-panels = "rolling_onset_speed_Hz law_rolling_speed_Hz peak_normal_force_N law_peak_force_N"
+panels = "rolling_onset_speed_Hz law_rolling_speed_Hz peak_force_to_rolling_N law_peak_force_N"
 array of[2] = ["speed at which rolling begins, Hz", "largest normal force, kN"]
 array units[2] = [1, 1e3]
 array least[2] = [0.5, 0.5]

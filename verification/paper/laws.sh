@@ -14,7 +14,7 @@ grep -v '^#' "$1" | awk -F, '
   function row(quantity, from, to, ratio) { printf "%s,%s,%s,%s,%s\n", $1, quantity, from, to, ratio }
   of("refusal") != "" { next }
   {
-    touches = of("touch_downs") > 0
+    touches = of("touch_downs_to_rolling") > 0
     row("touches", "", "", touches == (of("law_contact_after_loss_s") != ""))
     rolls = of("outcome") == "rolling"
     if (of("law_outcome") == "rolling") row("rolls_above_both_frictions", "", "", rolls)
@@ -25,7 +25,7 @@ grep -v '^#' "$1" | awk -F, '
     from = share < 0.03 ? 0 : share < 0.1 ? 0.03 : share < 0.3 ? 0.1 : 0.3
     to = share < 0.03 ? 0.03 : share < 0.1 ? 0.1 : share < 0.3 ? 0.3 : ""
     speed = of("rolling_onset_speed_Hz")/of("law_rolling_speed_Hz")
-    force = of("peak_normal_force_N")/of("law_peak_force_N")
+    force = of("peak_force_to_rolling_N")/of("law_peak_force_N")
     row("rolling_speed", from, to, speed); row("peak_force", from, to, force)
     row("rolling_speed", 0, "", speed); row("peak_force", 0, "", force)
   }' | sort -t, -k1,1 -k2,2 -k3,3g -k4,4 -k5,5g | awk -F, '

@@ -70,7 +70,7 @@ TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
     };
     near("law_speed_at_loss_Hz", "speed_at_mass_loss_Hz", 2e-3);  // run-up without drag
     near("law_rolling_speed_Hz", "rolling_onset_speed_Hz", 0.1);
-    near("law_peak_force_N", "peak_normal_force_N", 0.1);
+    near("law_peak_force_N", "peak_force_to_rolling_N", 0.1);
   }
 }
 

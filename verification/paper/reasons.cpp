@@ -64,7 +64,7 @@ End end_of(const ScenarioSpec& spec) {
       finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, in_rolling).summary;
   return {summary.touch_downs > 0,
           summary.outcome == Outcome::rolling,
-          {summary.peak_normal_force_N.value_or(0), in_rolling.largest}};
+          {summary.peak_force_to_rolling_N.value_or(0), in_rolling.largest}};
 }
 
 double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }

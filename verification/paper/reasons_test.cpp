@@ -102,7 +102,9 @@ TEST_F(ReasonsExamples, FailAsRunsOfTheirOwn) {
       EXPECT_TRUE(less_rolls || reason.judged == Criterion::touches) << example;
       EXPECT_TRUE(reason.judged != Criterion::rolls || !more_rolls) << example;
       const auto force = [](const Json& of) {
-        return of["peak_normal_force_N"].is_null() ? 0 : of["peak_normal_force_N"].get<double>();
+        return of["peak_force_to_rolling_N"].is_null()
+                   ? 0
+                   : of["peak_force_to_rolling_N"].get<double>();
       };
       const double ratio = force(more) / force(less);
       EXPECT_NEAR(sizes.front(), reason.judged == Criterion::harmless ? 1 / ratio : ratio,
