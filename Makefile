@@ -1,25 +1,40 @@
 # The front door: `make help` lists all targets. CMake builds, gnuplot draws.
 
-SHELL       := bash
-.SHELLFLAGS := -eo pipefail -c
+override SHELL := bash
+.SHELLFLAGS    := -eo pipefail -c
 
 FORMAT    ?= svg
 EQUATIONS ?= published
 FIG       ?=
 POINTS    ?= 400
-BUILD     := build
+SEED      ?= 1
+HAND      ?= 50
+COUNT     ?= 100
+UNDER     ?=
+RUNS      ?= 1000
+ID        ?=
+PYTHON    ?= $(firstword $(wildcard /usr/bin/python3) python3)
+OPTIONS   := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS ID PYTHON CXX
+
+# Options are text: neither make nor a shell runs what is in them. Other variables are no options.
+$(foreach name,$(OPTIONS),$(if $(filter command environment,$(origin $(name))),$(eval override $(name) := $$(strip $$(value $(name))))))
+$(foreach name,$(filter-out $(OPTIONS),$(shell sed -n 's/^ *\([A-Za-z_]*\) *[:?]*=.*/\1/p' Makefile)),$(if \
+  $(filter command,$(origin $(name))),$(error $(name) is not an option; options are: $(OPTIONS))))
+quote = '$(subst ','\'',$(1))'
 SCENES    := $(sort $(wildcard figures/paper/fig[0-9][0-9].toml))
 FIGURES   := $(SCENES:figures/paper/%.toml=%)
 
 # Another compiler builds in its own folder: make verify CXX=clang++
-ifneq ($(origin CXX),default)
+BUILD := build
+ifneq ($(filter-out default undefined,$(origin CXX)),)
   BUILD := build/$(notdir $(lastword $(filter-out -%,$(CXX))))
+  $(if $(shell [[ $(call quote,$(BUILD)) =~ ^build/[A-Za-z][A-Za-z0-9_.+-]*$$ ]] && echo yes),,$(error CXX=$(CXX): must end in the name of a compiler, such as clang++))
   export CXX
 endif
 ROTOR := $(BUILD)/rotor
 
-# CMake has no escape for these.
-$(foreach char,; " \,$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake cannot handle; move the checkout)))
+# CMake or Ninja has no escape for these.
+$(foreach char,; " \ [ ] * ? < > | & ' ` ^,$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake or Ninja cannot handle; move the checkout)))
 
 # Misspelt options are reported before anything is built.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
@@ -27,7 +42,9 @@ $(call one_of,FORMAT,svg pdf png)
 $(call one_of,EQUATIONS,published consistent)
 NUMBERS := $(FIGURES:fig%=%)
 $(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be among: $(NUMBERS)))
-$(if $(shell [[ "$(POINTS)" =~ ^[1-9][0-9]+$$ && "$(POINTS)" -ge 20 ]] && echo yes),,$(error POINTS=$(POINTS): must be a whole number of at least 20))
+whole = $(if $(shell n=$(call quote,$($(1))); [[ $$n =~ ^(0|[1-9][0-9]{0,8})$$ && $$n -ge $(2) ]] && echo yes),,$(error \
+  $(1)=$($(1)): must be a whole number of at least $(2)))
+$(call whole,POINTS,20)$(call whole,SEED,0)$(call whole,HAND,0)$(call whole,COUNT,0)$(call whole,RUNS,1)
 
 # Figures of the published equations are in build/figures, others in a subfolder.
 OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
@@ -129,13 +146,17 @@ need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
 	[ -z "$$missing" ]
 
 # Silent unless there is something to do or to report. CMake runs again if packages have changed, and
-# `make -j1` runs one compiler.
-elsewhere  = $(shell grep -s ^CMAKE_HOME_DIRECTORY: $(BUILD)/CMakeCache.txt | grep -vxF 'CMAKE_HOME_DIRECTORY:INTERNAL=$(CURDIR)')
-configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BUILD)/build.ninja -nt CMakePresets.json ] && echo yes)
+# `make -j1` runs one compiler. An optional program, $(2), needs $(3); what CMake knew of those is forgotten.
+home       = CMAKE_HOME_DIRECTORY:INTERNAL=
+elsewhere  = $(shell grep -s ^$(home) $(BUILD)/CMakeCache.txt | grep -vxF $(call quote,$(home)$(CURDIR)))
+configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BUILD)/build.ninja -nt CMakePresets.json ] && \
+  grep -qx ROTOR_WITH:STRING= $(BUILD)/CMakeCache.txt && echo yes)
 define build-target
-	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(lastword $(subst =, ,$(elsewhere))); remove it: make clean))
-	$(if $(configured),,@log=$$(cmake --preset release -B $(BUILD) 2>&1) || { echo "$$log" >&2; exit 1; })
-	@cmake --build $(BUILD) --target $(1) $(filter -j%,$(MAKEFLAGS))| sed -u '/no work to do\|globbed directories/d'
+	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(patsubst $(home)%,%,$(elsewhere)); remove it: make clean))
+	$(if $(and $(2),$(shell command -v dpkg-query),$(call missing,$(3))),$(error Missing packages: $(call missing,$(3)) (make deps-$(2) installs them)))
+	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
+	  echo "$$log" >&2; $(if $(2),echo "Install $(3) anew for make $(2)." >&2; )exit 1; })
+	@cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|globbed directories/d'
 endef
 
 build: need-deps ## build the program, build/rotor
@@ -202,7 +223,7 @@ verify: build ## build, run all tests, and compare the published numbers with ou
 
 claim: build ## print all that is known about one claim of the paper: make claim ID=speed
 	$(call build-target,report-numbers)
-	@$(BUILD)/report-numbers reference-data claim "$(ID)"
+	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
 
 # Each set of equations is drawn by its own make.
 report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## make the reviewer's page, build/report/index.html: one file that needs no network
@@ -228,8 +249,7 @@ sanitize: need-deps ## run the tests with address and undefined-behaviour saniti
 	@verification/tests.sh $(BUILD)/sanitize
 
 mpi: build ## build build/mpi/rotor, which mpirun runs on many machines, and compare it with threads
-	$(if $(and $(shell command -v dpkg-query),$(call missing,$(MPI_PACKAGES))),$(error Missing packages: $(call missing,$(MPI_PACKAGES)) (make deps-mpi installs them)))
-	$(call build-target,rotor-mpi)
+	$(call build-target,rotor-mpi,mpi,$(MPI_PACKAGES))
 	@verification/program/mpi.sh $(BUILD)/mpi/rotor
 
 engine: need-deps
@@ -242,11 +262,8 @@ check-explore: explore ## operate that page in a browser and compare it with the
 portable: build ## build for another processor, and compare results to the last bit
 	@verification/program/portable.sh $(BUILD)
 
-SEED  ?= 1
-HAND  ?= 50
-COUNT ?= 100
 mutants: need-deps ## break the program on purpose in many ways: the tests must notice every listed fault (minutes)
-	@$(PYTHON) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under "$(UNDER)"
+	@$(call quote,$(PYTHON)) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call quote,$(UNDER))
 
 reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (minutes)
 	$(call build-target,reference digits-reference)
@@ -258,8 +275,7 @@ ensembles: build ## recompute reference-data/ensembles.csv: every claim over the
 	@$(BUILD)/ensembles reference-data 10000
 
 prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-data/proven.csv (minutes)
-	$(if $(and $(shell command -v dpkg-query),$(call missing,$(PROVE_PACKAGES))),$(error Missing packages: $(call missing,$(PROVE_PACKAGES)) (make deps-prove installs them)))
-	$(call build-target,prove prover-tests)
+	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))
 	@$(BUILD)/prover-tests --gtest_brief=1
 	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
@@ -273,9 +289,8 @@ laws: build ## test the laws of model/theory on 10,000 random rotors: reference-
 	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
-PYTHON ?= $(firstword $(wildcard /usr/bin/python3) python3)
 bench-programs: build ## build the programs of make bench, stress and reference
-	$(call build-target,benchmark random-rotors stable-steps reference digits-reference)
+	$(call build-target,benchmark random-rotors stable-steps reference digits-reference,bench,$(BENCH_PACKAGES))
 bench: bench-programs ## measure run time against error of every method, with pictures, into build/bench
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
 	@LC_ALL=C.UTF-8 gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
@@ -283,7 +298,6 @@ bench: bench-programs ## measure run time against error of every method, with pi
 	  verification/benchmark/work-precision.gp
 	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
 
-RUNS ?= 1000
 stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (minutes)
 	$(call build-target,random-rotors stable-steps digits-reference)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 100000 $(BUILD)/stress-results

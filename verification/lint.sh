@@ -18,5 +18,5 @@ for file in "$build"/CMakeFiles/*/Unity/unity_*; do mv "$file" "${file/unity_/Un
 sed -i 's/unity_/UnifiedSource_/g' "$build/compile_commands.json"
 sed -n 's/.*"file": "\(.*\)".*/\1/p' "$build/compile_commands.json" |
   grep -v 'certified/\(in_extended\|in_quadruple\|event_method\).cpp' |
-  xargs -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet --warnings-as-errors='*' \
+  xargs -d '\n' -P "$(nproc)" -n 1 clang-tidy -p "$build" --quiet --warnings-as-errors='*' \
     --checks=-bugprone-suspicious-include 2>/dev/null

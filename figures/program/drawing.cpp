@@ -83,7 +83,7 @@ fs::path new_folder() {
   std::error_code error;
   const fs::path parent = fs::temp_directory_path(error);
   if (error) throw InputError("TMPDIR: must be an existing folder for gnuplot's files");
-  std::string path = (parent / "rotor-plot-XXXXXX").string();
+  std::string path = (fs::absolute(parent) / "rotor-plot-XXXXXX").string();
   if (!::mkdtemp(path.data()))
     throw std::runtime_error(
         fmt::format("{}: cannot be written: {}", parent.string(), std::strerror(errno)));

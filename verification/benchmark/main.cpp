@@ -14,11 +14,9 @@
 #include "model/integration/fehlberg.hpp"
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
+#include "verification/benchmark/gsl_method.hpp"
 #include "verification/support/follow_with.hpp"
 #include "verification/support/program.hpp"
-#ifdef ROTOR_GSL
-#include "verification/benchmark/gsl_method.hpp"
-#endif
 
 namespace rotor {
 namespace {
@@ -161,7 +159,6 @@ std::vector<Curve> curves(const Problem& problem) {
                                    method.advance(scenario.until, null_observer);
                                    return RunEnd{method.instant(), method.counters()};
                                  }});
-#ifdef ROTOR_GSL
   add("GSL rk8pd", 4, 11, [=, &problem](double tolerance) {
     return GslMethod<PaperChart, PaperChart>(problem.scenario, tolerance, start)
         .run(problem.scenario.until);
@@ -170,7 +167,6 @@ std::vector<Curve> curves(const Problem& problem) {
     return GslMethod<FlightChart<double>, ContactChart<double>>(problem.scenario, tolerance, start)
         .run(problem.scenario.until);
   });
-#endif
   return all;
 }
 
@@ -207,9 +203,6 @@ int main(const Arguments& arguments) {
   if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER");
   const std::filesystem::path folder = arguments[0];
   std::filesystem::create_directories(folder);
-#ifndef ROTOR_GSL
-  fmt::print("Without GSL, which make deps-bench installs.\n");
-#endif
   std::string csv =
       "# Run time against error, from make bench\n"
       "problem,method,setting,error_state,time_s,right_hand_sides\n";

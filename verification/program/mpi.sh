@@ -3,7 +3,7 @@
 # a program built with MPI.
 set -euo pipefail
 rotor=$(realpath "$1")
-work=$(mktemp -d)
+work=$(realpath "$(mktemp -d)")
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 cat >sweep.toml <<'TOML'

@@ -351,6 +351,9 @@ def main():
     parser.add_argument('--under', default='', help='folders of the mechanical changes: model figures')
     parser.add_argument('--check', action='store_true', help='only whether those by hand can be made')
     options = parser.parse_args()
+    for folder in options.under.split():
+        if not (ROOT / folder).is_dir():
+            parser.error(f'UNDER={folder}: must be a folder, such as model or figures/input')
 
     start = time.monotonic()
     hand = list(by_hand())

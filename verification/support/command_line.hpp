@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 class CommandLine : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("rotor-test-" + std::to_string(::getpid()));
+    folder_ =
+        fs::absolute(fs::temp_directory_path()) / ("rotor-test-" + std::to_string(::getpid()));
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
