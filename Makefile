@@ -34,7 +34,8 @@ endif
 ROTOR := $(BUILD)/rotor
 
 # CMake or Ninja has no escape for these.
-$(foreach char,; " \ [ ] * ? < > | & ' ` ^,$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake or Ninja cannot handle; move the checkout)))
+hash := \#
+$(foreach char,; " \ [ ] * ? < > | & ' ` ^ $(hash),$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake or Ninja cannot handle; move the checkout)))
 
 # Misspelt options are reported before anything is built.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))

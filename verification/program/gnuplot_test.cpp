@@ -61,6 +61,16 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
 
 // The share that rolls at each point of a map, and of a distribution with draws that have no
 // result.
+TEST_F(Gnuplot, DrawsASweepInARelativeFolder) {
+  fs::create_directory(folder_ / "drafts");
+  write("s.toml",
+        "[parameters]\nequations = \"consistent\"\nstart_speed_hz = 150\nuntil = 1e-3\n"
+        "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.2]\n");
+  const auto [status, output] = shell("TMPDIR=drafts $rotor plot s.toml --column outcome");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_TRUE(fs::is_empty(folder_ / "drafts"));
+}
+
 TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
   const std::string sample =
       "[sample]\ncount = 7\nseed = 1\n[[sample.over]]\nquantity = \"friction\"\n"

@@ -48,6 +48,23 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg.part"));
 }
 
+// MPI without its headers stops only a build that asks for it; CI=false is no CI.
+TEST_F(Make, DoesNotLookForOptionalPackagesUnasked) {
+  write("mpicxx", "#!/bin/sh\necho c++ -I/nowhere -lmpi\n");
+  fs::permissions(folder_ / "mpicxx", fs::perms::owner_all);
+  const auto configure = [&](const std::string& with) {
+    return shell("CI=false PATH=$PWD:$PATH cmake -S '" ROTOR_SOURCES
+                 "' -B made -G Ninja -DROTOR_VERIFICATION=OFF -DHAS_QUADMATH=OFF -DROTOR_WITH=" +
+                 with);
+  };
+  const auto [status, output] = configure("");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_EQ(content("made/build.ninja").find("-Werror"), std::string::npos);
+  const auto [asked_status, asked_output] = configure("mpi");
+  EXPECT_NE(asked_status, 0);
+  EXPECT_NE(asked_output.find("MPI"), std::string::npos) << asked_output;
+}
+
 // Where a test fails or crashes, tests.sh returns an error.
 TEST_F(Make, SaysThatTestsHaveFailed) {
   const std::string run = "sh -c '" ROTOR_SOURCES "/verification/tests.sh fake'";
