@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "figures/input/toml_file.hpp"
 #include "figures/sweep/sweep_row.hpp"
@@ -14,6 +15,12 @@ namespace {
 constexpr double most_points = 1e8, bytes_a_row = 600;
 /// Limit of the number of corners to check.
 constexpr std::size_t most_dimensions = 12;
+
+/// Whether steps in a range exceed the roundings of its numbers (see Range::at), so that all differ.
+bool has_room(double from, double until, double steps) {
+  constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();
+  return (until - from) / steps > roundings * std::max(std::abs(from), std::abs(until));
+}
 
 class SweepReader : TomlFile {
  public:
@@ -66,8 +73,7 @@ class SweepReader : TomlFile {
       if (!contains(allowed, name))
         fail(item, "columns", "there is no result \"{}\"{}; there are: {}", shown(name),
              suggestion(name, allowed), fmt::join(allowed, ", "));
-      if (contains(all, name)) fail(item, "columns", "duplicate column \"{}\"", name);
-      all.push_back(name);
+      add_new(all, name, item, "columns");
     }
     return all;
   }
@@ -110,14 +116,24 @@ class SweepReader : TomlFile {
     if (in.size() != 2) fail_at(in, "values", "exclude from, to, points and spacing");
     for (const toml::node& item : list(in, "values"))
       if (named) {
-        axis.names.push_back(item.value_or<std::string>(""));
+        const auto name = item.value_or<std::string>("");
         ScenarioSpec ignored;
-        at(item, "values", [&] { named->state(ignored, axis.names.back()); });
+        at(item, "values", [&] { named->state(ignored, name); });
+        add_new(axis.names, name, item, "values");
       } else {
-        axis.numbers.push_back(listed_number(item, "values"));
-        require_allowed(item, "values", axis.numbers.back(), input->quantity);
+        const double number = listed_number(item, "values");
+        require_allowed(item, "values", number, input->quantity);
+        add_new(axis.numbers, number, item, "values");
       }
     return axis;
+  }
+
+  /// Adds to a list what must not be in it already: its points would count twice.
+  template <class T>
+  void add_new(std::vector<T>& list, const T& value, const toml::node& item,
+               std::string_view key) const {
+    if (contains(list, value)) fail(item, key, "duplicate {}", value);
+    list.push_back(value);
   }
 
   double listed_number(const toml::node& item, std::string_view key) const {
@@ -139,6 +155,9 @@ class SweepReader : TomlFile {
     range.points = count(in, "points", 2);
     if (!std::isfinite(range.at(1)))
       fail_at(in, "to", "is too far from {} for equal steps", range.from);
+    if (!has_room(range.from, range.until, static_cast<double>(range.points - 1)))
+      fail_at(in, "points", "{} numbers from {} to {} cannot all differ", range.points, range.from,
+              range.until);
     return range;
   }
 
@@ -158,13 +177,14 @@ class SweepReader : TomlFile {
     if (method != "sobol" && method != "random")
       fail_at(in, "method", R"(must be "sobol" or "random")");
     sample.method = method == "sobol" ? Sampling::sobol : Sampling::random;
-    for (const toml::table* over : tables(in, "over")) sample.over.push_back(draw(*over));
+    for (const toml::table* over : tables(in, "over"))
+      sample.over.push_back(draw(*over, sample.count));
     if (sample.over.empty())
       fail(in, "sample", "needs a [[sample.over]] for each quantity that is drawn");
     return sample;
   }
 
-  Draw draw(const toml::table& in) const {
+  Draw draw(const toml::table& in, long count) const {
     expect_keys(in, {"quantity", "uniform", "log_uniform", "normal"});
     Draw draw{quantity(in), Distribution::uniform, 0, 0};
     if (find_named_input(draw.quantity))
@@ -197,6 +217,8 @@ class SweepReader : TomlFile {
     if (!std::isfinite(draw.quantile(least_share)) ||
         !std::isfinite(draw.quantile(1 - least_share)))
       fail(node, key, "is too wide: numbers in it cannot be computed");
+    if (!has_room(draw.quantile(0.25), draw.quantile(0.75), static_cast<double>(count) / 2))
+      fail(node, key, "is too narrow: count = {} draws cannot all differ", count);
     return draw;
   }
 
@@ -213,13 +235,17 @@ class SweepReader : TomlFile {
 
   /// A quantity must not be stated or varied twice, or one would be ignored.
   void require_one_statement_each(const Sweep& sweep) const {
+    std::vector<const toml::table*> varying = tables(root(), "axis");
+    for (const toml::table* in : tables(table(root(), "sample"), "over")) varying.push_back(in);
     std::vector<std::string> varied;
     for (const std::string& quantity : sweep.quantities()) {
+      const toml::table& in = *varying[varied.size()];
       for (const std::string& other : varied)
         if (other == quantity)
-          fail(root(), quantity, "varies twice");
+          fail_at(in, "quantity", "{} varies twice", quantity);
         else if (determined_by(other) == determined_by(quantity))
-          fail(root(), quantity, "varies, and so does {}, which determines it", other);
+          fail_at(in, "quantity", "{} varies, and so does {}: one determines the other", quantity,
+                  other);
       varied.push_back(quantity);
       for (const auto& [stated, number] : sweep.base.numbers)
         if (determined_by(stated) == determined_by(quantity))
