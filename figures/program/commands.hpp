@@ -69,8 +69,9 @@ void write_figures(const FigureOptions& options);
 /// `rotor plot` draws a scene or a sweep.
 void plot(const PlotOptions& options);
 void plot_sweep(const PlotOptions& options);
-/// Spectra of displacement and force in the stator's frame, over the scene's window.
-void plot_spectrum(const Scene& scene, const Drawing& drawing);
+/// Spectra of displacement and force in the stator's frame, over the scene's window: a picture, or
+/// the numbers if the output file is a CSV file.
+void plot_spectrum(const Scene& scene, const PlotOptions& options);
 
 /// `rotor sweep` runs many rotors.
 void run_sweep(const SweepOptions& options);

@@ -98,7 +98,8 @@ void add_options(CLI::App& command, PlotOptions& options) {
               "end of what is drawn (default: the end of the window or the run)");
   command.add_flag("--spectrum", options.spectrum,
                    "draw the spectrum of displacement and force in the stator's frame over that "
-                   "time, with f, 2f, f_n and the whirl frequency marked");
+                   "time, with f, 2f, f_n and the whirl frequency marked; or, with --out FILE.csv, "
+                   "write its numbers");
   add_name(command, "--column", options.column,
            "result of a sweep to draw beside the outcome (default: the largest normal force)",
            "a column");

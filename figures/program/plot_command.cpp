@@ -11,7 +11,8 @@ namespace rotor {
 namespace {
 
 /// Force, speed, displacement and orbit.
-void plot_motion(const Scene& scene, const Drawing& drawing) {
+void plot_motion(const Scene& scene, const PlotOptions& options) {
+  const Drawing drawing(options.file, options.out);
   const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
   std::string settings = fmt::format("heading = {}; runs = {}\n",
                                      numbered(drawing.heading(scene.title)), scene.runs.size());
@@ -42,8 +43,7 @@ void plot(const PlotOptions& options) {
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
-  const Drawing drawing(options.file, options.out);
-  options.spectrum ? plot_spectrum(scene, drawing) : plot_motion(scene, drawing);
+  options.spectrum ? plot_spectrum(scene, options) : plot_motion(scene, options);
   say_what_is_assumed(scene.runs);
 }
 

@@ -1,34 +1,23 @@
+#include "figures/program/spectrum.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <complex>
-#include <unsupported/Eigen/FFT>
+#include <filesystem>
+#include <optional>
 
+#include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
+#include "figures/results/provenance.hpp"
 
 namespace rotor {
 namespace {
 
 using Complex = std::complex<double>;
 using Signal = std::vector<Complex>;
-
-/// Amplitude at each frequency n / T: first n below half the number of samples, then the negative
-/// ones. A steady rotation on a circle has the circle's radius as its amplitude. Hann's window
-/// suppresses leakage from the ends of the time.
-std::vector<double> amplitudes(Signal signal) {
-  const auto count = static_cast<double>(signal.size());
-  constexpr double mean_of_window = 0.5;
-  for (std::size_t k = 0; k < signal.size(); ++k)
-    signal[k] *= (1 - std::cos(two_pi * static_cast<double>(k) / count)) / 2;
-  Signal transformed;
-  Eigen::FFT<double>().fwd(transformed, signal);
-  std::vector<double> all;
-  for (const Complex& value : transformed)
-    all.push_back(std::abs(value) / (mean_of_window * count));
-  return all;
-}
 
 /// Displacement of O from O_a, and contact force on the rotor, in the stator's frame.
 struct Signals {
@@ -60,14 +49,19 @@ struct Signals {
   }
 };
 
-/// The largest amplitude in each step of frequency that a logarithmic axis can show, backward whirl
-/// at negative frequencies.
-std::string spectrum(const Signals& signals, double length_s) {
+constexpr std::array columns_of_spectrum = {
+    Column{
+        "frequency_Hz", "of the largest displacement within 0.4 %; negative: backward whirl", {}},
+    Column{"displacement_m", "largest amplitude within 0.4 %: radius of a steady circle of O", {}},
+    Column{"force_N", "the same of the contact force on the rotor in the stator's frame", {}}};
+
+/// The largest amplitude in each step of frequency that a logarithmic axis can show.
+Table spectrum(const Signals& signals, double length_s) {
   constexpr double step = 1.004;
   const std::vector<double> displacement = amplitudes(signals.displacement),
                             force = amplitudes(signals.force);
   const std::size_t count = displacement.size();
-  std::string csv = "frequency_Hz,displacement_m,force_N\n";
+  Table table(columns_of_spectrum.size());
   for (const bool backward : {true, false})
     for (std::size_t n = 1; n < count / 2;) {
       const double from_Hz = static_cast<double>(n) / length_s;
@@ -78,19 +72,38 @@ std::string spectrum(const Signals& signals, double length_s) {
         its_displacement = std::max(its_displacement, displacement[at]);
         its_force = std::max(its_force, force[at]);
       }
-      csv += fmt::format("{},{},{}\n", backward ? -at_Hz : at_Hz, its_displacement, its_force);
+      table.add(std::array{backward ? -at_Hz : at_Hz, its_displacement, its_force});
     }
-  return csv;
+  return table;
 }
 
 }  // namespace
 
-void plot_spectrum(const Scene& scene, const Drawing& drawing) {
+void plot_spectrum(const Scene& scene, const PlotOptions& options) {
   if (scene.window.from_rolling_onset)
     throw InputError("--spectrum: needs a window that starts at a stated time; state --from");
   constexpr double samples_a_period = 16, most_samples = 1 << 22;
-  std::string settings = fmt::format("heading = {}; runs = {}\n",
-                                     numbered(drawing.heading(scene.title)), scene.runs.size());
+  Scene described = scene;
+  described.columns.clear();
+  for (const Column& column : columns_of_spectrum) described.columns.push_back(&column);
+  const std::string title =
+      fmt::format("Spectra from {} s {}, flat-top window{}{}", scene.window.from_s,
+                  std::isfinite(scene.window.length_s)
+                      ? fmt::format("to {} s", scene.window.from_s + scene.window.length_s)
+                      : "on",
+                  scene.title.empty() ? "" : ": ", scene.title);
+  const std::string head = csv_head(title, described, "run");
+  FileTransaction numbers;  // instead of a drawing
+  std::optional<Drawing> drawing;
+  std::string settings;
+  if (const std::filesystem::path out = options.out; out.extension() == ".csv") {
+    FileTransaction::require_distinct({out}, options.file);
+    numbers.open(out).write(head);
+  } else {
+    drawing.emplace(options.file, options.out);
+    settings = fmt::format("heading = {}; runs = {}\n", numbered(drawing->heading(scene.title)),
+                           scene.runs.size());
+  }
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
     const auto& [name, scenario] = std::tie(scene.runs[n - 1].name, scene.runs[n - 1].scenario);
     const Parameters& p = scenario.parameters;
@@ -118,7 +131,12 @@ void plot_spectrum(const Scene& scene, const Drawing& drawing) {
     const double whirl_s = static_cast<double>(signals.rows) * length_s / samples;
     signals.displacement.resize(static_cast<std::size_t>(samples));
     signals.force.resize(static_cast<std::size_t>(samples));
-    drawing.write(fmt::format("run{}.csv", n), spectrum(signals, length_s));
+    const std::string of_run = csv_rows({{name, spectrum(signals, length_s)}});
+    if (!drawing) {
+      numbers.write_to_all(of_run);
+      continue;
+    }
+    drawing->write(fmt::format("run{}.csv", n), head + of_run);
     settings += fmt::format(
         "run{0} = {1}; from_s{0} = {2}; until_s{0} = {3}; samples{0} = {4}; whirl{0} = {5}; f{0} = "
         "{6}; f_least{0} = {7}; f_greatest{0} = {8}; f_n{0} = {9}; rolls{0} = {10}\n",
@@ -126,7 +144,8 @@ void plot_spectrum(const Scene& scene, const Drawing& drawing) {
         whirl_s > 0 ? signals.turns / whirl_s : 0, signals.sum_Hz / rows, signals.least_Hz,
         signals.greatest_Hz, in_Hz(critical), signals.rolls ? 1 : 0);
   }
-  drawing.finish(settings, "spectrum.gp");
+  if (drawing) drawing->finish(settings, "spectrum.gp");
+  numbers.commit();
 }
 
 }  // namespace rotor

@@ -4,7 +4,7 @@
 
 of(what, i) = value(sprintf("%s%d", what, i))
 data(i) = sprintf("run%d.csv", i)
-resolution(i) = 1.5/(of("until_s", i) - of("from_s", i))    # of Hann's window
+resolution(i) = 3.8/(of("until_s", i) - of("from_s", i))    # of the flat-top window: where its power is halved
 said_of(i) = sprintf("%g s to %g s, resolution %.2g Hz: mean f = %.1f Hz%s%s", of("from_s", i), of("until_s", i), resolution(i), \
   of("f", i), of("f_greatest", i) - of("f_least", i) < resolution(i) ? "" : \
   sprintf(" (from %.1f to %.1f)", of("f_least", i), of("f_greatest", i)), \
@@ -20,7 +20,7 @@ set label 1 "{/:Bold Spectrum}" at screen 0.5,0.97 center
 set label 2 shortened(heading, 80) at screen 0.5,0.93 center noenhanced
 rolling = 0    # the first run that rolls
 do for [i = 1:runs] { rolling = !rolling && of("rolls", i) ? i : rolling }
-set label 3 "Hann window. Dashed: f; dotted: 2f".(rolling ? ", the whirl while rolling and f_n" : " and f_n") \
+set label 3 "Flat-top window: a circle at a steady frequency has its radius as height. Dashed: f; dotted: 2f".(rolling ? ", the whirl while rolling and f_n" : " and f_n") \
   at screen 0.5,0.03 center font small
 do for [i = 1:runs] {
   set label (runs > 1 ? greek(of("run", i)).": " : "").said_of(i) at screen 0.5,screen 0.885 - 0.04*(i - 1) center \

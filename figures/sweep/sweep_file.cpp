@@ -16,7 +16,8 @@ constexpr double most_points = 1e8, bytes_a_row = 600;
 /// Limit of the number of corners to check.
 constexpr std::size_t most_dimensions = 12;
 
-/// Whether steps in a range exceed the roundings of its numbers (see Range::at), so that all differ.
+/// Whether steps in a range exceed the roundings of its numbers (see Range::at), so that all
+/// differ.
 bool has_room(double from, double until, double steps) {
   constexpr double roundings = 8 * std::numeric_limits<double>::epsilon();
   return (until - from) / steps > roundings * std::max(std::abs(from), std::abs(until));
