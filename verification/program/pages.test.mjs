@@ -1,21 +1,26 @@
-// Units, signs and names on the page, for known numbers: `node --test` runs it.
+// Units, signs and names on the page, for known numbers, and its story for random runs of the program
+// $ROTOR: `node --test` runs it.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import os from "node:os";
+import path from "node:path";
 import test from "node:test";
 
 import { panels, ticks } from "../../figures/explore/page/curves.js";
 import { inMilliseconds, inRotorAxes, inWords, stateAt, whirlAt } from "../../figures/explore/page/motion.js";
-import { numbersOf, sentence, textsOf } from "../../figures/explore/page/outcome.js";
+import { numbersOf, outcomes, sentence, textsOf } from "../../figures/explore/page/outcome.js";
 import { stacked } from "../../figures/explore/page/plots.js";
 import { column, Recorded } from "../../figures/explore/page/recorded.js";
 import { forceTip } from "../../figures/explore/page/rotor.js";
-import { addressOf, commandOf, inSet, setOf, settingsIn } from "../../figures/explore/page/settings.js";
+import { addressOf, commandOf, inSet, placeIn, setOf, settingsIn } from "../../figures/explore/page/settings.js";
 import { bandsOf, storyOf } from "../../figures/explore/page/story.js";
 
 const summary = {
-  outcome: "no_contact", touch_downs: 7, first_contact_s: 29.1046, rolling_onset_s: 29.1277, rolling_onset_speed_Hz: 45.148,
+  outcome: "no_contact", touch_downs: 7, mass_loss_reached: true, first_contact_s: 29.1046, rolling_onset_s: 29.1277, rolling_onset_speed_Hz: 45.148,
   peak_normal_force_N: 454827, peak_time_s: 29.12786, max_displacement_m: 0.0035675, whirl_frequency_Hz: -595.61,
   speed_at_mass_loss_Hz: 149.9925, critical_speed_Hz: 10.0658, final_speed_Hz: 23.035, remarks: ["the ring is round"],
-  inputs: { mass: 5, eccentricity: 1.5e-4, unbalance_factor: 3, stator_radius: 0.063, rotor_radius: 0.06 },
+  inputs: { mass: 5, inertia: 0.009, eccentricity: 1.5e-4, unbalance_factor: 3, stator_radius: 0.063, rotor_radius: 0.06, friction: 0.3 },
 };
 
 test("numbers are in their units", () => {
@@ -100,16 +105,111 @@ test("the story has six moments in their order, with the run's numbers", () => {
   assert.equal(story.length, 6);
   story.slice(1).forEach(({ time_s }, n) => assert.ok(time_s >= story[n].time_s, story[n].title));
   const text = story.map((moment) => moment.title + moment.text).join(" ").replaceAll("\u00a0", " ");
-  for (const part of ["150 Hz", "15 times", "0.3 mm", "3.0 mm", "5.0 ms later", "7 touch-downs", "45.1 Hz", "455 kN", "9300 times"])
+  for (const part of ["150 Hz", "15 times", "0.3 mm", "3 mm", "4.6 ms later", "3 touch-downs", "45.1 Hz", "455 kN", "9300 times"])
     assert.ok(text.includes(part), `${part}: ${text}`);
   const motion = { time_s: [29, 29.1, 29.2, 29.3], x_a_m: [5, 0, 1, 3], y_a_m: [0, 0, 2, 0] };
-  const clear = storyOf({ ...rolling, motion, events: [] });
+  const clear = storyOf({ ...rolling, motion, events: [], until_s: 29.3, summary: { ...summary, first_contact_s: null } });
   assert.deepEqual([clear.length, clear.at(-1).time_s], [3, 29.3]); // when it is farthest out after the loss
+});
+
+/// A run of the program in the form of the engine's answers, or null for settings that are refused.
+function pictureOf(folder, options) {
+  const words = Object.entries(options).flatMap(([name, value]) => (value === "" ? [`--${name}`] : [`--${name}`, String(value)]));
+  const run = (...more) => execFileSync(path.resolve(process.env.ROTOR ?? "build/rotor"), ["run", "--json", ...words, ...more],
+    { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], cwd: folder });
+  const tableOf = (name) => {
+    const [head, ...rows] = readFileSync(path.join(folder, name), "utf8").trim().split("\n").filter((line) => !line.startsWith("#"))
+      .map((line) => line.split(","));
+    return rows.map((row) => Object.fromEntries(head.map((column, n) => [column, Number.isNaN(Number(row[n])) ? row[n] : Number(row[n])])));
+  };
+  try {
+    const found = JSON.parse(run("--events", "events.csv", "--trace", "trace.csv", "--columns", "time_s,x_a_m,y_a_m"));
+    const motion = tableOf("trace.csv"), from_s = motion[0].time_s;
+    return { summary: found, events: tableOf("events.csv"), from_s, until_s: found.final_time_s,
+      mass_loss_s: found.speed_at_mass_loss_Hz === null ? null : found.inputs.mass_loss_time,
+      motion: Object.fromEntries(["time_s", "x_a_m", "y_a_m"].map((name) => [name, motion.map((row) => row[name])])) };
+  } catch (error) {
+    if (error.status === 1) return null;
+    throw error;
+  }
+}
+
+test("no story contradicts its run, and its moments are in their order", () => {
+  const folder = mkdtempSync(path.join(os.tmpdir(), "rotor-story-"));
+  let state = 1; // xorshift32
+  const share = () => {
+    for (const shift of [13, -17, 5]) state ^= shift > 0 ? state << shift : state >>> -shift;
+    return (state >>> 0) / 2 ** 32;
+  };
+  const between = (least, greatest) => least + (greatest - least) * share();
+  const log = (least, greatest) => least * (greatest / least) ** share();
+  const one = (...of) => of[Math.floor(of.length * share())];
+  const random = () => ({ equations: one("published", "consistent"), "start-speed-hz": between(1, 160), torque: one(0, log(0.05, 10)),
+    friction: one(0, between(0, 0.6)), clearance: log(2e-4, 2e-3), "contact-damping": log(1e2, 1e5), eccentricity: log(5e-5, 5e-4),
+    "support-stiffness": log(2e3, 2e5), "support-damping": between(0, 200), gravity: one(0, 9.81, 100),
+    ...one({ until: log(3e-3, 0.3) }, { until: 0.3 }, { until: 0.3, "mass-loss-time": between(0, 0.4) }, { until: 0.2, "no-mass-loss": "" }),
+    ...one({}, { "unbalance-factor": between(1, 6) }, { "unbalance-factor": 1 }) });
+  const seen = new Set();
+  try {
+    for (const options of [{ until: 29.103 }, { clearance: "1.3e-3" }, { clearance: "1.3e-3", "no-mass-loss": "", until: 5 },
+      { friction: 0.08 }, ...Array.from({ length: 100 }, random)]) {
+      const picture = pictureOf(folder, options);
+      if (picture === null) continue;
+      const run = picture.summary, story = storyOf(picture), case_ = JSON.stringify([options, story], null, 1);
+      const texts = story.map(({ title, text }) => `${title}. ${text}`), all = [...texts, sentence(run)].join("\n").replaceAll("\u00a0", " ");
+      story.forEach(({ time_s }, n) => assert.ok(
+        time_s >= (story[n - 1]?.time_s ?? picture.from_s) && time_s <= picture.until_s, `moment ${n} of ${case_}`));
+      assert.ok(!/NaN|Infinity|undefined|null|[-−][\d.]+ m?s\b/.test(all), case_);
+      const says = (...words) => words.some((word) => texts.some((text) => text.includes(word)));
+      for (const [outcome, words] of Object.entries(outcomes)) {
+        if (outcome !== run.outcome) assert.ok(!says(words), `${outcome}: ${case_}`);
+        else if (outcome !== "rolling") assert.ok(says(words), `no ${outcome}: ${case_}`);
+      }
+      const touches = run.first_contact_s !== null, rolls = run.rolling_onset_s !== null;
+      const touches_first = touches && run.first_contact_s < picture.mass_loss_s;
+      for (const [words, holds] of [
+        ["It stays clear", run.outcome === "no_contact"],
+        ["No contact so far", !touches && run.outcome !== "no_contact"],
+        ["First impact", touches],
+        ["touch-down", touches && (!rolls || run.touch_downs > 1) && says("touch-down")],
+        ["Slip ends", rolls],
+        ["No rolling", touches && !rolls],
+        ["The rotor keeps all of its mass", !run.mass_loss_reached],
+        ["A piece leaves the rim", run.mass_loss_reached],
+        ["ms later", run.mass_loss_reached && touches && !touches_first],
+        ["touches the ring before", run.mass_loss_reached && touches_first],
+        ["Friction at the rim", touches && run.inputs.friction > 0],
+        ["holds the mass on this circle", rolls && run.peak_time_s >= run.rolling_onset_s],
+      ]) assert.equal(says(words), holds, `${words}: ${case_}`);
+      const end_s = bandsOf(picture).reduce((before_s, { from_s, until_s }) => {
+        assert.ok(from_s === before_s && until_s > from_s, `${JSON.stringify(bandsOf(picture))} of ${case_}`);
+        return until_s;
+      }, picture.from_s);
+      assert.equal(end_s, picture.until_s, case_);
+      seen.add(run.outcome);
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  assert.ok(seen.size >= 6, `only ${[...seen].join(", ")}`);
+});
+
+test("a view that cannot be shown is ignored", () => {
+  const picture = { from_s: 29.08, until_s: 29.35, mass_loss_s: 29.1 };
+  const viewIn = (hash) => { const [, view] = settingsIn(hash); return { ...view, ...placeIn(view, picture) }; };
+  for (const hash of ["#/at=NaN", "#/at=1e999", "#/at=Infinity", "#/at=", "#/at=0x10", "#/at=300", "#/at=-20.01", "#/from=3&until=2",
+    "#/from=1", "#/from=-21&until=5", "#/frame=moon", "#/zoom=NaN", "#/zoom=0", "#/zoom=1e9", "#/zoom=-1", "#/turn=1"]) {
+    const { at, from, until, ...rest } = viewIn(hash);
+    assert.deepEqual(rest, { time_s: null, part: null }, hash);
+  }
+  const { time_s, part, zoom, frame } = viewIn(addressOf({}, { at: "0.000", from: "-20.000", until: "250.000", zoom: "2.50", frame: "stator" }));
+  assert.deepEqual([time_s, zoom, frame], [29.1, 2.5, "stator"]);
+  assert.ok(Math.abs(part[0] - 29.08) < 1e-9 && Math.abs(part[1] - 29.35) < 1e-9);
 });
 
 test("an address keeps settings and view, and its command is that of one program", () => {
   assert.deepEqual(settingsIn(addressOf({ friction: "0.2", "no-mass-loss": "" }, { at: "-1.5", frame: "ring" })),
-    [{ friction: "0.2", "no-mass-loss": "" }, { at: "-1.5", frame: "ring" }]);
+    [{ friction: "0.2", "no-mass-loss": "" }, { at: -1.5, frame: "ring" }]);
   for (const hash of ["#friction=0.2&x%3Btouch%20p%3B%23=1", "#friction=0.2%3Btouch%20p", "#%24(touch p)=&until=1`p`",
     "#until=29.2%0Atouch%20p%0A&a%0Ap=1", "#friction='&until='", "#--=%1b[2J&\u202e=1"])
     assert.match(commandOf(settingsIn(hash)[0]), /^build\/rotor run( --[a-z-]+ [\w.+-]+)* --energy --json$/);

@@ -13,7 +13,7 @@ else
   failed=1
 fi
 
-tests=$(node --test verification/program/pages.test.mjs) || { echo "$tests" >&2; failed=1; }
+tests=$(ROTOR=$build/rotor node --test verification/program/pages.test.mjs) || { echo "$tests" >&2; failed=1; }
 
 # The data next to the page belong to the equations named by their folder.
 for set in published consistent; do

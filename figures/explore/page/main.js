@@ -9,7 +9,7 @@ import { sentence, showEvents, showNumbers } from "./outcome.js";
 import { Plots } from "./plots.js";
 import { Recorded } from "./recorded.js";
 import { RotorView } from "./rotor.js";
-import { addressOf, commandOf, corrections, inSet, setOf, settingsIn } from "./settings.js";
+import { addressOf, commandOf, corrections, inSet, placeIn, setOf, settingsIn } from "./settings.js";
 import { storyOf } from "./story.js";
 import { Sureness } from "./sureness.js";
 
@@ -73,8 +73,8 @@ function show(answer) {
   const part = same_part ? plots.part : null;
   picture = answer;
   story = storyOf(picture);
-  const loss_s = picture.mass_loss_s ?? 0, in_s = (ms) => loss_s + Number(ms) / 1e3;
-  time_s = view.at ? in_s(view.at) : same_part ? time_s : story.at(-1).time_s;
+  const place = placeIn(view, picture);
+  time_s = place.time_s ?? (same_part ? time_s : story.at(-1).time_s);
   at("outcome").textContent = sentence(picture.summary);
   at("summary").textContent = JSON.stringify(picture.summary, null, 2);
   showEvents(at("events"), picture.events);
@@ -83,7 +83,7 @@ function show(answer) {
   say("");
   orbit.show(picture, time_s);
   rotor.show(picture, time_s);
-  plots.show(picture, view.from && view.until ? [in_s(view.from), in_s(view.until)] : part ?? accident(), time_s);
+  plots.show(picture, place.part ?? part ?? accident(), time_s);
   view = { frame: view.frame, zoom: view.zoom };
   map.show({ set: setOf(options) ?? "published", speed_Hz: picture.summary.speed_at_mass_loss_Hz ?? picture.summary.final_speed_Hz,
     friction: picture.summary.inputs.friction });
@@ -216,7 +216,7 @@ at("play").addEventListener("click", () => {
 
 function showFrame() {
   if (view.frame) at("frame").value = view.frame;
-  if (view.zoom > 0) orbit.zoom = Number(view.zoom);
+  if (view.zoom) orbit.zoom = view.zoom;
   const is_orbit = at("frame").value !== "ring";
   at("rotor").hidden = is_orbit;
   at("orbit").hidden = !is_orbit;

@@ -1,6 +1,7 @@
 // The path of the rotor's centre in the time shown, in the stator's or the rotor's axes.
 import { cleared, colour } from "./colours.js";
 import { inRotorAxes, rowAt, stateAt } from "./motion.js";
+import { zooms } from "./settings.js";
 
 /// Coordinates to the right and downwards: as in the paper, x_a points down.
 const frames = {
@@ -39,7 +40,7 @@ export class Orbit {
     this.paint();
   }
   enlarge(factor) {
-    this.zoom = Math.min(100, Math.max(0.5, this.zoom * factor));
+    this.zoom = Math.min(zooms[1], Math.max(zooms[0], this.zoom * factor));
     this.paint();
   }
   set frame(name) {

@@ -11,17 +11,18 @@ export const outcomes = {
   undecided: "has not touched the ring so far, but contact is possible",
 };
 
-const digits = (value, count) => Number(value.toPrecision(count)).toString();
+/// With a number of significant digits.
+export const digits = (value, count) => Number(value.toPrecision(count)).toString();
 export const inKilonewton = (force_N) => `${(force_N / 1e3).toFixed(1)} kN`;
 const inSeconds = (time_s) => `${time_s.toFixed(4)} s`;
 
 export function sentence(summary) {
   const parts = [`The rotor ${outcomes[summary.outcome]}.`];
-  const { touch_downs: touchDowns, first_contact_s, rolling_onset_s } = summary;
+  const { touch_downs: touchDowns, first_contact_s, rolling_onset_s, peak_normal_force_N } = summary;
   if (touchDowns > 0)
     parts.push(`It touches down ${touchDowns === 1 ? "once" : `${touchDowns} times`}, first at ` +
-      `${inSeconds(first_contact_s)}, and presses on the ring with up to ` +
-      `${inKilonewton(summary.peak_normal_force_N)}.`);
+      inSeconds(first_contact_s) +
+      (peak_normal_force_N === null ? "." : `, and presses on the ring with up to ${inKilonewton(peak_normal_force_N)}.`));
   if (rolling_onset_s !== null)
     parts.push(`Rolling sets in at ${inSeconds(rolling_onset_s)}, ` +
       `${digits(1e3 * (rolling_onset_s - first_contact_s), 3)} ms after the first contact.`);
