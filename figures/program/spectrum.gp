@@ -43,7 +43,7 @@ do for [row = 0:1] { do for [forward = 0:1] {
     if (forward) {
       eval mark(of("f", i), "(8,5)", "f", i, row).mark(2*of("f", i), "(2,4)", "2f", i, row)
     }
-    is_close(x) = forward && abs(log(of("f_n", i)/x)) < 0.35    # of two labels
+    is_close(x) = forward && x > 0 && of("f_n", i) > 0 && abs(log(of("f_n", i)/x)) < 0.35    # of two labels
     eval mark(of("f_n", i), "(2,4)", is_close(of("f", i)) || is_close(2*of("f", i)) ? "" : "f_n", i, row)
     if (of("rolls", i) && (of("whirl", i) > 0) == forward) {
       eval mark(abs(of("whirl", i)), "(2,4)", "whirl", i, row)

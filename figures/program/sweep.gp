@@ -106,7 +106,8 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
     } else {    # points at the ends are drawn in full
       if (x_are_listed) { set xtics autofreq }
       stats data using (x_of(0)) name "along" nooutput
-      edge = 0.015*(along_max - along_min)
+      edge = along_max - along_min > 1e-6*abs(along_max) ? 0.015*(along_max - along_min) : \
+        along_max == 0 ? 1 : 0.01*abs(along_max)    # of a single value
       set xrange [along_min - edge:along_max + edge]
     }
     if (of_outcome && draws == 1) {

@@ -23,6 +23,7 @@ std::string sweep_above(const fs::path& results) {
   std::string text;
   for (std::string line; file.peek() == '#' && std::getline(file, line);)
     if (line.starts_with("#   ")) text += line.substr(4) + '\n';
+  if (file.bad()) throw InputError("{}: cannot be read", results.string());
   if (text.empty())
     throw InputError("{}: must be results of rotor sweep, with the sweep file above them",
                      results.string());
@@ -67,6 +68,13 @@ std::string settings_of(const char* letter, const Axis& axis, long stride) {
       listed.empty() ? 0 : 1, axis.range.logarithmic ? logarithmic_tics(axis.range) : listed);
 }
 
+/// Whether an axis has numbers to draw along it; a single one only if nothing else is drawn.
+bool is_drawn(const Axis& axis, const Sweep& sweep) {
+  const auto varies = [](const Axis& other) { return other.names.empty() && other.points() > 1; };
+  if (!axis.names.empty() || axis.points() > 1) return axis.names.empty();
+  return sweep.sample.over.empty() && std::none_of(sweep.axes.begin(), sweep.axes.end(), varies);
+}
+
 /// Axes of numbers, the last one along x, and an axis of names with a panel for each.
 std::string settings_of(const Sweep& sweep) {
   std::string text, panels = "panels = 1; of_panel = ''; panel0 = ''\n";
@@ -80,7 +88,7 @@ std::string settings_of(const Sweep& sweep) {
                            column_of(axis.quantity));
       for (std::size_t n = 0; n < axis.names.size(); ++n)
         panels += fmt::format("panel{} = '{}'\n", n, axis.names[n]);
-    } else if (axis.points() > 1) {
+    } else if (is_drawn(axis, sweep) && (axis.points() > 1 || numbers == 0)) {
       text += settings_of(numbers++ == 0 ? "x" : "y", axis, stride);
     }
     stride *= axis.points();
@@ -88,7 +96,7 @@ std::string settings_of(const Sweep& sweep) {
   if (numbers > 2 || names > 1)
     throw InputError("a picture can show at most two axes of numbers and one of names");
   if (numbers == 0 && sweep.sample.over.empty())
-    throw InputError("the sweep has neither an axis of several numbers nor a sample to draw");
+    throw InputError("the sweep has neither an axis of numbers nor a sample to draw");
   return text + panels + fmt::format("dimensions = {}; draws = {}\n", numbers, sweep.sample.count);
 }
 
@@ -111,9 +119,8 @@ std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
   if (!has(key))
     throw InputError("--column {}: there is no such result{}; there are: {}", shown(key),
                      suggestion(key, all), fmt::join(all, ", "));
-  const bool has_axis = std::any_of(sweep.axes.begin(), sweep.axes.end(), [](const Axis& axis) {
-    return axis.names.empty() && axis.points() > 1;
-  });
+  const bool has_axis = std::any_of(sweep.axes.begin(), sweep.axes.end(),
+                                    [&](const Axis& axis) { return is_drawn(axis, sweep); });
   if (key == "outcome" ? !has_axis : !is_number(key))
     throw InputError("{}: must be a result with numbers",
                      stated.empty() ? "columns" : "--column " + key);
