@@ -117,10 +117,12 @@ std::vector<CsvRow> read_csv(std::istream& stream, const std::string& name) {
   std::vector<CsvRow> rows;
   for (;;) {
     skip_comments(stream, next_line);
-    if (stream.peek() == std::istream::traits_type::eof()) return rows;
+    if (stream.peek() == std::istream::traits_type::eof()) break;
     const int line = next_line;
     rows.emplace_back(fmt::format("{}:{}", name, line), headings, next_row(stream, next_line));
   }
+  if (stream.bad()) throw std::runtime_error(fmt::format("{}: cannot be read", name));
+  return rows;
 }
 
 }  // namespace rotor

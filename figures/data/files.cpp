@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -40,14 +42,66 @@ std::string identity(const fs::path& file) {
   return S_ISCHR(status.st_mode) ? "" : fmt::format("{}:{}", status.st_dev, status.st_ino);
 }
 
+/// Removes a draft that no process has locked. Others' drafts stay, even if they could be removed.
+void remove_if_abandoned(const fs::path& draft) {
+  const int descriptor =
+      ::open(draft.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  struct stat status {};
+  std::error_code ignored;
+  if (::fstat(descriptor, &status) == 0 && status.st_uid == ::geteuid() &&
+      ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_at(descriptor, draft))
+    fs::remove_all(draft, ignored);
+  ::close(descriptor);
+}
+
 }  // namespace
 
-bool is_standard_output(const fs::path& file) {
+std::string read_file(const fs::path& file, std::size_t most) {
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::string text, piece(1U << 16U, '\0');
+  for (std::streamsize size = 1; size > 0 && text.size() < most; size = stream.gcount()) {
+    stream.read(piece.data(),
+                static_cast<std::streamsize>(std::min(piece.size(), most - text.size())));
+    text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || stream.bad())
+    throw std::runtime_error(
+        fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+  return text;
+}
+
+bool is_at(int descriptor, const fs::path& path) {
   struct stat its {
-  }, of_output{};
-  const bool is_same = ::stat(file.c_str(), &its) == 0 && ::fstat(STDOUT_FILENO, &of_output) == 0 &&
-                       its.st_dev == of_output.st_dev && its.st_ino == of_output.st_ino;
-  return file == "-" || (is_same && (!S_ISCHR(its.st_mode) || ::isatty(STDOUT_FILENO) == 1));
+  }, there{};
+  return ::fstat(descriptor, &its) == 0 && ::stat(path.c_str(), &there) == 0 &&
+         its.st_dev == there.st_dev && its.st_ino == there.st_ino;
+}
+
+Draft::Draft(const fs::path& of, Kind kind) {
+  const bool is_folder = kind == Kind::folder;
+  for (int number = 0;; ++number) {
+    path = of.parent_path() / fmt::format(".{}.{}.part", of.filename().string(), number);
+    remove_if_abandoned(path);
+    const bool is_there = is_folder && ::mkdir(path.c_str(), 0700) == 0;
+    if (is_there || !is_folder)
+      descriptor = ::open(
+          path.c_str(),
+          O_CLOEXEC | (is_folder ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_CREAT | O_EXCL), 0666);
+    // Another process is writing it, or has taken it for abandoned before it was locked.
+    if (descriptor < 0 && errno == (is_there ? ENOENT : EEXIST)) continue;
+    if (descriptor < 0) throw std::system_error(errno, std::generic_category());
+    static_cast<void>(::flock(descriptor, LOCK_EX));  // some file systems have no locks
+    if (is_at(descriptor, path)) return;
+    ::close(std::exchange(descriptor, -1));
+  }
+}
+
+bool is_standard_output(const fs::path& file) {
+  std::error_code error;
+  return file == "-" || (is_at(STDOUT_FILENO, file) &&
+                         (!fs::is_character_file(file, error) || ::isatty(STDOUT_FILENO) == 1));
 }
 
 OutputFile::OutputFile(const fs::path& file) : named_(file), target_(file) {
@@ -78,12 +132,13 @@ void OutputFile::open_draft() {
   const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail_by_errno();
   require_folder();
-  const fs::path draft =
-      target_.parent_path() / fmt::format(".{}.{}.part", target_.filename().string(), ::getpid());
-  ::unlink(draft.c_str());  // left by a killed process with the same id
-  descriptor_ = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail_by_errno();
-  draft_ = draft;
+  try {
+    const Draft draft(target_, Draft::Kind::file);
+    descriptor_ = draft.descriptor;
+    draft_ = draft.path;
+  } catch (const std::system_error& error) {
+    fail(error.code().message());
+  }
   if (exists) static_cast<void>(::fchmod(descriptor_, status.st_mode & 07777U));
 }
 
@@ -97,8 +152,8 @@ void OutputFile::require_folder() const {
 }
 
 OutputFile::~OutputFile() {
+  if (!draft_.empty()) ::unlink(draft_.c_str());  // while it is locked
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!draft_.empty()) ::unlink(draft_.c_str());
 }
 
 void OutputFile::write(std::string_view text) {
@@ -125,7 +180,8 @@ void OutputFile::sync() {
 
 void OutputFile::commit() {
   flush();
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail_by_errno();
+  const int copy = ::dup(descriptor_);  // closing it reports late errors; the lock remains
+  if (copy >= 0 && ::close(copy) != 0) fail_by_errno();
   if (!draft_.empty() && ::rename(draft_.c_str(), target_.c_str()) != 0) fail_by_errno();
   draft_.clear();
 }

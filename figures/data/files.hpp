@@ -1,4 +1,4 @@
-/// Writes files whole or not at all.
+/// Reads files whole, and writes them whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,15 @@
 
 namespace rotor {
 
+/// The content of a file, but not more than the given number of bytes. Throws std::runtime_error
+/// with the file and the reason.
+std::string read_file(const std::filesystem::path& file, std::size_t most = std::string::npos);
+
 /// A file that is being written. A regular file is written as a draft in the same folder, which
 /// replaces it, with its mode, on commit. Until then no existing file changes; without a commit the
-/// draft is removed, unless the process is killed. Links are followed; folders are not created. A
-/// device, a pipe or "-", which is standard output, is written directly. Throws std::runtime_error
-/// with the file and the reason.
+/// draft is removed; if the process is killed, by the next one that writes this file. Links are
+/// followed; folders are not created. A device, a pipe or "-", which is standard output, is written
+/// directly. Throws std::runtime_error with the file and the reason.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);
@@ -39,6 +43,20 @@ class OutputFile {
   std::filesystem::path draft_;   ///< empty if the file is written directly
   int descriptor_ = -1;
   std::string buffer_;
+};
+
+/// Whether a path leads to an open file or folder; if not, it has been removed or replaced since.
+bool is_at(int descriptor, const std::filesystem::path& path);
+
+/// A new hidden file or folder for a draft of what a path names, in the same folder. It is locked
+/// while its descriptor is open; an unlocked one of the same name was left by a killed process, and
+/// is removed. Throws std::system_error.
+struct Draft {
+  enum class Kind { file, folder };
+  Draft(const std::filesystem::path& of, Kind kind);
+
+  std::filesystem::path path;
+  int descriptor = -1;
 };
 
 /// Whether a path leads to standard output: "-" or another name for it.

@@ -15,7 +15,7 @@ void note(int signal) { noted = signal; }
 }  // namespace
 
 void note_interruptions() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
     struct sigaction action {};
     ::sigaction(signal, nullptr, &action);
     if (signal == SIGHUP && action.sa_handler == SIG_IGN) continue;  // started by nohup

@@ -5,7 +5,8 @@
 
 namespace rotor {
 
-/// From now on SIGINT, SIGTERM and SIGHUP are only noted and do not end the program.
+/// From now on the signals that ask a program to end are only noted: SIGINT, SIGTERM, SIGHUP,
+/// SIGQUIT, and SIGXCPU of `ulimit -t`.
 void note_interruptions();
 
 /// Whether one has been noted.

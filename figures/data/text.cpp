@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
@@ -72,9 +73,9 @@ std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;    // libc++ 14 has std::from_chars only for integers
   errno = 0;
   const double value = std::strtod(text.c_str(), &end);
-  const bool vanishes = errno == ERANGE && value == 0;
+  const bool is_out_of_range = errno == ERANGE && (value == 0 || std::isinf(value));
   const bool whole = end == text.c_str() + text.size();
-  return whole && !vanishes ? std::optional(value) : std::nullopt;
+  return whole && !is_out_of_range ? std::optional(value) : std::nullopt;
 }
 
 std::string unless_number(const std::string& text) {

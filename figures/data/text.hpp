@@ -20,7 +20,7 @@ std::string shown(std::string_view text);
 /// Prints a message on standard error, in one line. A failure to write it is ignored.
 void print_message(std::string_view message);
 
-/// The text as a number, if it is one from end to end.
+/// The text as a number, if it is one from end to end, and one that a double can hold.
 std::optional<double> number_in(const std::string& text);
 /// An error message for a text that is not a number; empty for a number.
 std::string unless_number(const std::string& text);

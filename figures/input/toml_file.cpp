@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+
+#include "figures/data/files.hpp"
 
 namespace rotor {
 namespace {
@@ -23,36 +23,50 @@ long line_with_a_deep_key(const std::string& text) {
   return at == text.end() ? 0 : 1 + std::count(text.begin(), at, '\n');
 }
 
+/// Of a regular file of bounded size.
+std::string content_of(const std::filesystem::path& file) {
+  constexpr std::size_t most = 1U << 20U;
+  std::error_code error;
+  const auto refuse = [&](std::string_view reason) {
+    throw InputError("{}: cannot be read: {}",
+                     file.empty() ? "a scene file without a name" : file.string(), reason);
+  };
+  const auto status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) refuse("there is no such file");
+  if (error) refuse(error.message());
+  if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
+  std::string text = read_file(file, most + 1);
+  if (text.size() > most) refuse(fmt::format("it is larger than {} bytes", most));
+  return text;
+}
+
+/// The number that starts in a line and column, which is counted in letters.
+std::string_view decimals_at(std::string_view text, const toml::source_position& place) {
+  for (auto line = place.line; line > 1; --line) text.remove_prefix(text.find('\n') + 1);
+  const auto is_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
+  for (auto column = place.column; column > 1 || !is_letter(text.front()); text.remove_prefix(1))
+    if (is_letter(text.front())) --column;
+  return text.substr(0, text.find_first_not_of("0123456789+-._eE"));
+}
+
+/// Whether a decimal number that was read as 0 is another one.
+bool vanishes(std::string_view decimals) {
+  return decimals.substr(0, decimals.find_first_of("eE")).find_first_of("123456789") !=
+         std::string_view::npos;
+}
+
 }  // namespace
 
-TomlFile::TomlFile(std::filesystem::path file) : file_(std::move(file)) {
-  const std::string text = content();
-  if (const long line = line_with_a_deep_key(text); line > 0)
+TomlFile::TomlFile(std::filesystem::path file)
+    : file_(std::move(file)), content_(content_of(file_)) {
+  if (const long line = line_with_a_deep_key(content_); line > 0)
     throw InputError("{}:{}: a key has more than 200 parts", file_.string(), line);
   try {
-    root_ = toml::parse(text, file_.string());
+    root_ = toml::parse(content_, file_.string());
   } catch (const toml::parse_error& error) {
     throw InputError("{}:{}: {}", file_.string(), error.source().begin.line,
                      one_line(error.description()));
   }
-}
-
-std::string TomlFile::content() const {
-  constexpr std::uintmax_t most = 1U << 20U;
-  std::error_code error;
-  const auto refuse = [&](std::string_view reason) {
-    throw InputError("{}: cannot be read: {}",
-                     file_.empty() ? "a scene file without a name" : file_.string(), reason);
-  };
-  const auto status = std::filesystem::status(file_, error);
-  if (!std::filesystem::exists(status)) refuse("there is no such file");
-  if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
-  if (std::filesystem::file_size(file_, error) > most)
-    refuse(fmt::format("it is larger than {} bytes", most));
-  std::ifstream stream(file_, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) refuse("reading it fails");
-  return text;
 }
 
 void TomlFile::refuse(const toml::node& at, std::string_view key, std::string_view reason) const {
@@ -71,9 +85,14 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
            fmt::join(allowed, ", "));
 }
 
-std::optional<double> TomlFile::number(const toml::node& node) {
+std::optional<double> TomlFile::number(const toml::node& node, std::string_view key) const {
   if (const auto* const whole = node.as_integer()) return static_cast<double>(whole->get());
-  return node.value<double>();
+  const auto found = node.value<double>();
+  if (found == 0.)  // the parser does not report an underflow
+    if (const std::string_view text = decimals_at(content_, node.source().begin); vanishes(text))
+      fail(node, key, "{} is too small for a double, the least of which is 4.9e-324; state 0",
+           text);
+  return found;
 }
 
 std::optional<std::string> TomlFile::text(const toml::table& in, std::string_view key) const {

@@ -23,7 +23,7 @@ class TomlFile {
 
   const toml::table& root() const { return root_; }
   const std::filesystem::path& path() const { return file_; }
-  std::string content() const;
+  const std::string& content() const { return content_; }
 
   template <class... Args>
   [[noreturn]] void fail(const toml::node& at, std::string_view key,
@@ -46,7 +46,7 @@ class TomlFile {
     if (!node) return std::nullopt;
     std::optional<T> found;
     if constexpr (std::is_same_v<T, double>)
-      found = number(*node);
+      found = number(*node, key);
     else if (node->is_boolean() == std::is_same_v<T, bool>)
       found = node->value<T>();
     const auto text = node->value<std::string>();
@@ -54,8 +54,8 @@ class TomlFile {
       fail(*node, key, "must be {}{}", kind, text ? fmt::format(", not \"{}\"", shown(*text)) : "");
     return found;
   }
-  /// The node as a double, if it is a number, whole or not.
-  static std::optional<double> number(const toml::node& node);
+  /// The node as a double, if it is a number, whole or not, that a double can hold.
+  std::optional<double> number(const toml::node& node, std::string_view key) const;
   /// One line without control characters, because messages and pictures show it.
   std::optional<std::string> text(const toml::table& in, std::string_view key) const;
   /// A time in seconds: finite and not below zero.
@@ -80,6 +80,7 @@ class TomlFile {
                            std::string_view reason) const;
 
   std::filesystem::path file_;
+  std::string content_;
   toml::table root_;
   mutable Keys keys_of_root_;  ///< once they have been checked
 };

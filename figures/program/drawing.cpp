@@ -7,17 +7,12 @@
 
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <thread>
 #include <vector>
 
-#include "figures/data/files.hpp"
 #include "figures/data/interruption.hpp"
 #include "figures/input/names.hpp"
 
@@ -66,8 +61,7 @@ int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
 /// What gnuplot has drawn. Its status is 0 even if the disk was full, it does not escape "]]>", and
 /// browsers would blend the cells of its maps.
 std::string read_picture(const fs::path& path, const Format& format) {
-  std::ifstream file(path, std::ios::binary);
-  std::string picture(std::istreambuf_iterator<char>(file), {});
+  std::string picture = read_file(path);
   const std::size_t after_end = 4;  // a line's end, or a png's check sum
   const std::size_t at = picture.rfind(format.end);
   if (at == std::string::npos || picture.size() - at > format.end.size() + after_end)
@@ -79,15 +73,24 @@ std::string read_picture(const fs::path& path, const Format& format) {
   return picture;
 }
 
-fs::path new_folder() {
+/// The picture's file, if it can be written: errors are reported before any work.
+fs::path checked(const fs::path& out, const std::string& source) {
+  static_cast<void>(format_of(out));
+  FileTransaction::require_distinct({out}, source);
+  FileTransaction().open(out);
+  return out;
+}
+
+Draft new_folder() {
   std::error_code error;
   const fs::path parent = fs::temp_directory_path(error);
   if (error) throw InputError("TMPDIR: must be an existing folder for gnuplot's files");
-  std::string path = (fs::absolute(parent) / "rotor-plot-XXXXXX").string();
-  if (!::mkdtemp(path.data()))
+  try {
+    return {fs::absolute(parent) / "rotor-plot", Draft::Kind::folder};
+  } catch (const std::system_error& failure) {
     throw std::runtime_error(
-        fmt::format("{}: cannot be written: {}", parent.string(), std::strerror(errno)));
-  return path;
+        fmt::format("{}: cannot be written: {}", parent.string(), failure.code().message()));
+  }
 }
 
 }  // namespace
@@ -100,16 +103,15 @@ std::string numbered(std::string_view text) {
 
 Drawing::Drawing(const std::string& file, const std::string& out)
     : name_(fs::path(file).stem().string()),
-      out_(out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out)) {
-  extension_ = format_of(out_).extension;
-  FileTransaction::require_distinct({out_}, file);
-  FileTransaction().open(out_);  // errors of the output file are reported before any work
-  folder_ = new_folder();
-}
+      out_(checked(
+          out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out), file)),
+      extension_(format_of(out_).extension),
+      folder_(new_folder()) {}
 
 Drawing::~Drawing() {
   std::error_code ignored;
-  fs::remove_all(folder_, ignored);
+  fs::remove_all(folder_.path, ignored);  // while it is locked
+  ::close(folder_.descriptor);
 }
 
 std::string Drawing::heading(const std::string& title) const {
@@ -132,7 +134,7 @@ void Drawing::finish(const std::string& settings, const std::string& script) con
   try {
     status = status_of({"gnuplot", "--default-settings", "settings.gp", scenes + "/style.gp",
                         scenes + "/../program/" + script},
-                       folder_);
+                       folder_.path);
   } catch (const std::system_error& error) {
     throw std::runtime_error(fmt::format("gnuplot cannot be started: {}", error.what()));
   }

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "figures/data/files.hpp"
+
 namespace rotor {
 
 /// A text for gnuplot as the octal numbers of its bytes: no part of it can act as a command.
@@ -21,7 +23,7 @@ class Drawing {
   ~Drawing();
 
   /// The path of a draft in gnuplot's folder.
-  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+  std::filesystem::path file(const std::string& name) const { return folder_.path / name; }
   void write(const std::string& name, std::string_view text) const;
 
   /// The title, or the name of the scene or sweep if that is empty.
@@ -32,8 +34,9 @@ class Drawing {
 
  private:
   std::string name_;
-  std::filesystem::path out_, folder_;
+  std::filesystem::path out_;
   std::string_view extension_;
+  Draft folder_;
 };
 
 }  // namespace rotor

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 /// The scenes that were requested. A scene may state its own equations and methods.
 std::map<int, Scene> read_scenes(const FigureOptions& options) {
-  if (!fs::is_directory(options.scenes))
+  std::error_code error;
+  if (!fs::is_directory(options.scenes, error))
     throw InputError("--scenes {}: there is no such folder", shown(options.scenes));
   const std::map<int, fs::path> files = figure_files(options.scenes);
   if (files.empty())

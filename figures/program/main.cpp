@@ -251,7 +251,8 @@ void occupy_standard_streams() {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
-  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));  // a lost reader is reported as an error
+  for (const int signal : {SIGPIPE, SIGXFSZ})  // a lost reader or a limit is reported as an error
+    static_cast<void>(std::signal(signal, SIG_IGN));
   note_interruptions();
   CLI::App app(
       "Simulates an overcritical rotor that loses mass and rubs: the paper's figures, or your own "

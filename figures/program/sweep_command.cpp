@@ -48,10 +48,14 @@ void estimate(const Sweep& sweep, int jobs) {
 class Writer {
  public:
   Writer(const Sweep& sweep, const std::string& out)
-      : points_(sweep.points()), journal_(out, sweep_head(sweep)), written_(journal_.rows()) {
+      : points_(sweep.points()),
+        journal_(out, sweep_head(sweep), points_),
+        written_(journal_.rows()) {
     if (journal_.dropped() > 0)
-      print_message(fmt::format("rotor: {}: the {} bytes after row {} are damaged and were dropped",
-                                journal_.path().string(), journal_.dropped(), journal_.rows()));
+      print_message(
+          fmt::format("rotor: {}: the {} bytes after row {} are damaged or too many, and were "
+                      "dropped",
+                      journal_.path().string(), journal_.dropped(), journal_.rows()));
     if (written_ > 0)
       print_message(fmt::format("rotor: {} of {} points are already in {}", written_.load(),
                                 points_, journal_.path().string()));
@@ -114,7 +118,9 @@ std::function<Work()> workers(const Sweep& sweep) {
 
 void require_sense(const SweepOptions& options, const Ranks& ranks) {
   if (options.out.empty()) throw InputError("--out is required, or --dry-run");
-  if (options.out == "-" || (fs::exists(options.out) && !fs::is_regular_file(options.out)))
+  std::error_code error;  // reported as it is opened
+  const fs::file_status status = fs::status(options.out, error);
+  if (options.out == "-" || (fs::exists(status) && !fs::is_regular_file(status)))
     throw InputError(
         "--out {}: must be a regular file: a sweep resumes from the journal next to it",
         shown(options.out));

@@ -93,6 +93,18 @@ Json laws(const Scenario& scenario) {
   return json;
 }
 
+Json laws_or_nulls(const Scenario& scenario) {
+  if (scenario.parameters.loses_mass) {
+    try {
+      return laws(scenario);
+    } catch (const std::domain_error&) {  // supports that do not vibrate
+    }
+  }
+  Json nulls;
+  for (const Law& law : all_laws()) nulls[std::string(law.key)] = nullptr;
+  return nulls;
+}
+
 std::vector<std::string> remarks_on_laws(const Scenario& scenario) {
   const Parameters& p = scenario.parameters;
   const Prediction predicted = prediction_of(scenario);

@@ -13,6 +13,10 @@ namespace rotor {
 /// std::domain_error for supports that do not vibrate.
 Json laws(const Scenario& scenario);
 
+/// The same, all null where they do not apply: without a mass loss, or where supports do not
+/// vibrate.
+Json laws_or_nulls(const Scenario& scenario);
+
 /// Why a rotor may not be one that the closed forms, or the model, apply to.
 std::vector<std::string> remarks_on_laws(const Scenario& scenario);
 

@@ -8,7 +8,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -30,15 +29,15 @@ std::string line_of(std::uint64_t sum, std::string_view row) {
 
 }  // namespace
 
-Journal::Journal(const std::filesystem::path& file, std::string head)
-    : file_(file), path_(file.string() + ".journal"), head_(std::move(head)) {
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
-  if (descriptor_ < 0) fail_by_errno();
+Journal::Journal(const std::filesystem::path& file, std::string head, long most_rows)
+    : file_(file),
+      path_(file.string() + ".journal"),
+      head_(std::move(head)),
+      most_rows_(most_rows) {
   try {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0) fail_by_errno();
-    if (!S_ISREG(status.st_mode)) fail("must be a regular file: the sweep resumes from it");
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) fail("another sweep is writing it");
+    // The sweep that held the lock may have finished, and removed the file that was opened here.
+    do open();
+    while (!is_at(descriptor_, path_));
     take_up();
   } catch (...) {
     ::close(descriptor_);
@@ -46,35 +45,64 @@ Journal::Journal(const std::filesystem::path& file, std::string head)
   }
 }
 
+void Journal::open() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
+  struct stat status {};
+  if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) fail_by_errno();
+  if (!S_ISREG(status.st_mode)) fail("must be a regular file: the sweep resumes from it");
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  if (errno == EWOULDBLOCK) fail("another sweep is writing it");
+  fail_by_errno("cannot be locked");
+}
+
 Journal::~Journal() { ::close(descriptor_); }
 
-/// Reads the rows up to the first damaged one. Returns where they end.
+/// The bytes from a place on; fewer than the most only at the end of the file.
+std::string Journal::read_at(off_t at, std::size_t most) const {
+  std::string text(most, '\0');
+  std::size_t size = 0;
+  while (size < most) {
+    const ssize_t more =
+        ::pread(descriptor_, &text[size], most - size, at + static_cast<off_t>(size));
+    if (more < 0 && errno == EINTR) continue;
+    if (more < 0) fail_by_errno("cannot be read");
+    if (more == 0) break;
+    size += static_cast<std::size_t>(more);
+  }
+  text.resize(size);
+  return text;
+}
+
+/// Reads the rows up to the first damaged one, and not more than there can be. Returns where they
+/// end.
 template <class Take>
 off_t Journal::read_rows(const Take& take) {
-  std::ifstream file(path_, std::ios::binary);
+  constexpr std::size_t piece = 1U << 20U;  // much longer than a row
   auto end = static_cast<off_t>(head_.size());
-  file.seekg(end);
   sum_ = sum_with(first_sum, head_);
-  for (std::string line; std::getline(file, line) && !file.eof();) {
-    const std::size_t mark = line.find(' ');
-    const std::string row = line.substr(mark == std::string::npos ? line.size() : mark + 1);
-    const std::uint64_t sum = sum_with(sum_, row);
-    if (line != line_of(sum, row)) break;
-    sum_ = sum;
-    end += static_cast<off_t>(line.size()) + 1;
-    take(row);
+  for (long rows = 0; rows < most_rows_;) {
+    const std::string text = read_at(end, piece);
+    std::size_t from = 0, until = 0;
+    for (; rows < most_rows_ && (until = text.find('\n', from)) != std::string::npos;
+         from = until + 1, ++rows) {
+      const std::string line = text.substr(from, until - from);
+      const std::size_t mark = line.find(' ');
+      const std::string row = line.substr(mark == std::string::npos ? line.size() : mark + 1);
+      const std::uint64_t sum = sum_with(sum_, row);
+      if (line != line_of(sum, row)) return end + static_cast<off_t>(from);
+      sum_ = sum;
+      take(row);
+    }
+    if (from == 0) break;
+    end += static_cast<off_t>(from);
   }
-  if (file.bad()) fail("cannot be read");
   return end;
 }
 
 /// Cuts off the first damaged row and all that follows; everything, if the head is incomplete.
 void Journal::take_up() {
-  std::string beginning(head_.size(), '\0');
-  std::ifstream file(path_, std::ios::binary);
-  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  if (file.bad()) fail("cannot be read");
-  beginning.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string beginning = read_at(0, head_.size());
   if (!head_.starts_with(beginning))
     fail("belongs to another sweep file or version of rotor; resume with that, or remove it");
   const bool is_begun = beginning.size() == head_.size();
@@ -128,8 +156,8 @@ void Journal::fail(std::string_view reason) const {
   throw std::runtime_error(fmt::format("{}: {}", path_.string(), reason));
 }
 
-void Journal::fail_by_errno() const {
-  fail(fmt::format("cannot be written: {}", std::strerror(errno)));
+void Journal::fail_by_errno(std::string_view what) const {
+  fail(fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
 }  // namespace rotor

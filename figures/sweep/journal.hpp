@@ -16,15 +16,16 @@ namespace rotor {
 /// everything up to and including the row. All functions throw std::runtime_error.
 class Journal {
  public:
-  /// Resumes from the undamaged part of the journal that exists, or starts one. Refuses a journal
-  /// that another sweep is writing, and one with another head.
-  Journal(const std::filesystem::path& file, std::string head);
+  /// Resumes from the undamaged part of the journal that exists, up to the number of rows that the
+  /// sweep has, or starts one. Refuses a journal that another sweep is writing, and one with
+  /// another head.
+  Journal(const std::filesystem::path& file, std::string head, long most_rows);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
   long rows() const { return rows_; }         ///< in the journal
-  off_t dropped() const { return dropped_; }  ///< damaged bytes after them
+  off_t dropped() const { return dropped_; }  ///< bytes after them, damaged or too many
   const std::filesystem::path& path() const { return path_; }
 
   /// Adds whole rows, one line each. They survive the end of the program; after a power cut the
@@ -35,17 +36,19 @@ class Journal {
   void finish(const std::function<void(std::string_view row)>& see = {});
 
  private:
+  void open();
   void take_up();
+  std::string read_at(off_t at, std::size_t most) const;
   template <class Take>
   off_t read_rows(const Take& take);
   void write_all(std::string_view text);
   [[noreturn]] void fail(std::string_view reason) const;
-  [[noreturn]] void fail_by_errno() const;
+  [[noreturn]] void fail_by_errno(std::string_view what = "cannot be written") const;
 
   std::filesystem::path file_, path_;
   std::string head_;
   int descriptor_ = -1;
-  long rows_ = 0;
+  long most_rows_, rows_ = 0;
   off_t dropped_ = 0;
   std::uint64_t sum_ = 0;  ///< of the head and all rows
 };

@@ -138,7 +138,7 @@ class SweepReader : TomlFile {
   }
 
   double listed_number(const toml::node& item, std::string_view key) const {
-    const auto found = TomlFile::number(item);
+    const auto found = TomlFile::number(item, key);
     if (!found) fail(item, key, "must be numbers");
     return *found;
   }

@@ -36,7 +36,7 @@ std::string field(const Json& value, int digits) {
 
 std::string cells(Json summary, const Scenario& scenario, const std::vector<std::string>& columns) {
   const auto is_law = [&](const std::string& column) { return !summary.contains(column); };
-  if (std::any_of(columns.begin(), columns.end(), is_law)) summary.update(laws(scenario));
+  if (std::any_of(columns.begin(), columns.end(), is_law)) summary.update(laws_or_nulls(scenario));
   const int digits = asked_digits(summary);
   std::string row;
   for (const std::string& key : columns) row += field(summary.at(key), digits) + ',';

@@ -126,7 +126,8 @@ TEST_F(Writing, LeavesNothingBehindWhenItsReaderGoesAway) {
 }
 
 TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
-  const std::map<std::string, int> statuses = {{"INT", 130}, {"TERM", 143}, {"HUP", 129}};
+  const std::map<std::string, int> statuses = {
+      {"INT", 130}, {"TERM", 143}, {"HUP", 129}, {"QUIT", 131}};
   for (const auto& [signal, expected] : statuses) {
     write("t.csv", "precious");
     const std::string output =
@@ -136,6 +137,52 @@ TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
     EXPECT_EQ(content("t.csv"), "precious");
     remove("t.csv");
   }
+}
+
+// A killed process cannot clean up. The next one that writes the same file does so, but leaves
+// alone the draft of one that is still running.
+TEST_F(Writing, RemovesWhatAKilledProcessHasLeft) {
+  const std::string again = "\"$0\" " + short_run + " --trace t.csv 2>/dev/null >&2; ls -A";
+  const std::string output =
+      with_rows("", again + "; kill -KILL %1; wait %1 2>messages; " + again).output;
+  EXPECT_TRUE(output.starts_with(".t.csv.0.part\nt.csv\n")) << output;
+  EXPECT_TRUE(output.ends_with("\nmessages\nt.csv\n")) << output;
+  EXPECT_EQ(output.rfind(".part"), output.find(".part")) << output;
+  remove("messages");
+  remove("t.csv");
+  write("s.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n");
+  write("gnuplot", "#!/bin/sh\nls -A $TMPDIR; kill -KILL $PPID\n");
+  fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
+  fs::create_directory(folder_ / "drafts");
+  for (int n = 0; n < 2; ++n)
+    EXPECT_TRUE(shell("TMPDIR=$PWD/drafts PATH=$PWD:$PATH $rotor plot s.toml")
+                    .output.starts_with(".rotor-plot.0.part\n"));
+  EXPECT_EQ(shell("TMPDIR=$PWD/drafts $rotor plot s.toml 2>&1").status, 0);
+  EXPECT_TRUE(fs::is_empty(folder_ / "drafts"));
+  for (const char* name : {"drafts", "gnuplot", "s.toml", "s.svg"}) remove(name);
+}
+
+// `ulimit -f` limits files to some kB. Only a sweep leaves something: the journal from which it
+// resumes.
+TEST_F(Writing, LeavesNothingBehindWhereFilesMayNotGrow) {
+  write("s.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n");
+  write("sweep.toml", content("s.toml") +
+                          "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 9\n");
+  fs::create_directory(folder_ / "drafts");
+  for (const char* command :
+       {"run --scene s.toml --trace t.csv", "run --scene s.toml --trace - >t.csv",
+        "run --scene s.toml --json >t.csv", "estimate --help >t.csv", "figure --out .",
+        "plot s.toml", "plot s.toml --spectrum", "plot sweep.toml",
+        "sweep sweep.toml --out t.csv --jobs 1"}) {
+    const auto [status, output] =
+        shell(std::string("ulimit -f 1; TMPDIR=$PWD/drafts $rotor ") + command + "; ls drafts");
+    EXPECT_TRUE(output.starts_with("rotor: ") && output.ends_with(": File too large\n"))
+        << command << ": " << output;
+    fs::remove(folder_ /
+               (std::string_view(command).starts_with("sweep") ? "t.csv.journal" : "t.csv"));
+    EXPECT_EQ(files(), 3) << command;
+  }
+  for (const char* name : {"drafts", "s.toml", "sweep.toml"}) remove(name);
 }
 
 // Searches for a speed within single turns and over hours, and figures.
@@ -192,10 +239,39 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   EXPECT_EQ(rotor(short_run + " --trace up/../t.csv").status, 0);
   EXPECT_GT(rows_of("other/t.csv").size(), 10U);
   fs::remove_all(folder_ / "other");
-  fs::create_symlink("loop", folder_ / "loop");
-  expect_refusal(short_run + " --trace loop", "loop: cannot be written: ");
   remove("up");
-  remove("loop");
+}
+
+TEST_F(Writing, SaysWhyAFileCannotBeWritten) {
+  write("s.toml",
+        "[parameters]\nuntil = 1e-3\n[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
+  fs::create_directory(folder_ / "folder.svg");
+  ASSERT_EQ(
+      shell("ln -s loop.svg loop.svg; ln -s nowhere/a.svg astray.svg; ln -s /dev/full full.svg; "
+            "mkfifo pipe.svg")
+          .status,
+      0);
+  const std::string long_name = std::string(300, 'a') + ".svg";
+  for (const std::string command :
+       {"run --until 1e-3 --trace ", "sweep s.toml --out ", "plot s.toml --out "}) {
+    const bool is_sweep = command.starts_with("sweep");
+    expect_refusal(command + "loop.svg", "loop.svg: cannot be written: Too many levels");
+    expect_refusal(command + "astray.svg", "astray.svg: cannot be written: there is no folder");
+    expect_refusal(command + "no/a.svg", "no/a.svg: cannot be written: there is no folder no");
+    expect_refusal(command + "s.toml/a.svg", "s.toml/a.svg: cannot be written: Not a directory");
+    expect_refusal(command + long_name, "cannot be written: File name too long");
+    expect_refusal(command + "folder.svg", is_sweep ? "must be a regular file" : "it is a folder");
+    expect_refusal(command + "full.svg", is_sweep ? "must be a regular file" : "No space left");
+    if (is_sweep) expect_refusal(command + "pipe.svg", "must be a regular file");
+  }
+  expect_refusal("figure 3 --out loop.svg", "cannot be written: Too many levels");
+  expect_refusal("figure 3 --scenes loop.svg", "--scenes loop.svg: there is no such folder");
+  expect_refusal("run --scene loop.svg", "loop.svg: cannot be read: Too many levels");
+  expect_refusal("run --scene /proc/self/mem",
+                 "/proc/self/mem: cannot be read: Input/output error");
+  for (const char* name :
+       {"s.toml", "folder.svg", "loop.svg", "astray.svg", "full.svg", "pipe.svg"})
+    remove(name);
 }
 
 // Read-only files, and the file from which the runs are read.
