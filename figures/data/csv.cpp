@@ -40,6 +40,20 @@ std::vector<std::string> next_row(std::istream& stream, int& line) {
   return cells;
 }
 
+void read_rows(std::istream& stream, const std::string& name,
+               const std::function<void(const CsvRow&)>& take) {
+  int next_line = 1;
+  skip_comments(stream, next_line);
+  const auto headings = std::make_shared<std::vector<std::string>>(next_row(stream, next_line));
+  for (;;) {
+    skip_comments(stream, next_line);
+    if (stream.peek() == std::istream::traits_type::eof()) return;
+    const int line = next_line;
+    take({fmt::format("{}:{}", name, line), headings, next_row(stream, next_line)});
+  }
+  if (stream.bad()) throw std::runtime_error(fmt::format("{}: cannot be read", name));
+}
+
 }  // namespace
 
 std::string csv_field(std::string_view text) {
@@ -104,24 +118,21 @@ void CsvRow::fail(std::string_view reason) const {
   throw std::runtime_error(fmt::format("{}: {}", place_, reason));
 }
 
-std::vector<CsvRow> read_csv(const std::filesystem::path& file) {
+void read_csv(const std::filesystem::path& file, const std::function<void(const CsvRow&)>& take) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));
-  return read_csv(stream, file.string());
+  read_rows(stream, file.string(), take);
+}
+
+std::vector<CsvRow> read_csv(const std::filesystem::path& file) {
+  std::vector<CsvRow> rows;
+  read_csv(file, [&](const CsvRow& row) { rows.push_back(row); });
+  return rows;
 }
 
 std::vector<CsvRow> read_csv(std::istream& stream, const std::string& name) {
-  int next_line = 1;
-  skip_comments(stream, next_line);
-  const auto headings = std::make_shared<std::vector<std::string>>(next_row(stream, next_line));
   std::vector<CsvRow> rows;
-  for (;;) {
-    skip_comments(stream, next_line);
-    if (stream.peek() == std::istream::traits_type::eof()) break;
-    const int line = next_line;
-    rows.emplace_back(fmt::format("{}:{}", name, line), headings, next_row(stream, next_line));
-  }
-  if (stream.bad()) throw std::runtime_error(fmt::format("{}: cannot be read", name));
+  read_rows(stream, name, [&](const CsvRow& row) { rows.push_back(row); });
   return rows;
 }
 

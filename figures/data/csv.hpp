@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <span>
@@ -68,7 +69,9 @@ class CsvRow {
   std::vector<std::string> cells_;
 };
 
-/// The rows of a CSV file below its header row. Lines that start with "#" are skipped.
+/// The rows of a CSV file below its header row, one after the other. Lines that start with "#" are
+/// skipped.
+void read_csv(const std::filesystem::path& file, const std::function<void(const CsvRow&)>& take);
 std::vector<CsvRow> read_csv(const std::filesystem::path& file);
 /// The same for a text; messages refer to it by `name`.
 std::vector<CsvRow> read_csv(std::istream& stream, const std::string& name);

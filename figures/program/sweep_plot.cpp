@@ -2,9 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
+#include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/laws.hpp"
@@ -53,51 +55,81 @@ std::string logarithmic_tics(const Range& range) {
   return tics;
 }
 
-/// What gnuplot needs about an axis of numbers: its column, its values, and how to show them.
-std::string settings_of(const char* letter, const Axis& axis, long stride) {
+/// The values of an axis in a picture, which repeat over the rows of the results.
+struct Places {
+  std::vector<double> of;
+  long stride;  ///< of equal values, in rows
+
+  double at(long row) const { return of[static_cast<std::size_t>(row / stride) % of.size()]; }
+};
+
+/// The axes of a picture: the last one of numbers is x, one before it y, and one of names
+/// distinguishes panels.
+struct PictureAxes {
+  std::vector<Places> numbers;
+  Places panels{{0}, 1};
+  std::string settings;
+  bool is_map() const { return numbers.size() == 2; }
+};
+
+/// An axis of numbers: its values or, listed, their numbers; and how gnuplot is to show them.
+void add(PictureAxes& axes, const Axis& axis, long stride, bool at_equal_distances) {
   const std::string_view unit = find_input_quantity(axis.quantity)->quantity.unit;
   std::string text = with_spaces(axis.quantity), listed;
   if (text.ends_with(" hz")) text.resize(text.size() - 3);
   if (!unit.empty()) text += fmt::format(", {}", unit);
-  for (std::size_t n = 0; n < axis.numbers.size(); ++n)
-    listed += fmt::format("{}'{:.4g}' {}", n > 0 ? ", " : "", axis.numbers[n], n);
-  return fmt::format(
-      "{0}_key = '{1}'; {0}_name = '{2}'; {0}_points = {3}; {0}_stride = {4}; {0}_log = {5}; "
-      "{0}_are_listed = {6}; {0}_tics = \"{7}\"\n",
-      letter, column_of(axis.quantity), text, axis.points(), stride, axis.range.logarithmic ? 1 : 0,
-      listed.empty() ? 0 : 1, axis.range.logarithmic ? logarithmic_tics(axis.range) : listed);
+  Places places{{}, stride};
+  const bool is_listed = !axis.numbers.empty(), is_logarithmic = axis.range.logarithmic;
+  for (long n = 0; n < axis.points(); ++n) {
+    const double value = axis.number(n);
+    places.of.push_back(is_listed && at_equal_distances ? static_cast<double>(n)
+                        : is_logarithmic                ? std::log10(value)
+                                                        : value);
+    if (is_listed) listed += fmt::format("{}'{:.4g}' {}", n > 0 ? ", " : "", value, n);
+  }
+  const auto [least, greatest] = std::minmax_element(places.of.begin(), places.of.end());
+  axes.settings += fmt::format(
+      "{0}_name = '{1}'; {0}_least = {2:#}; {0}_greatest = {3:#}; {0}_are_listed = {4}; {0}_tics = "
+      "\"{5}\"\n",
+      axes.numbers.empty() ? "x" : "y", text, *least, *greatest, is_listed ? 1 : 0,
+      is_logarithmic ? logarithmic_tics(axis.range) : listed);
+  axes.numbers.push_back(std::move(places));
 }
 
 /// Whether an axis has numbers to draw along it; a single one only if nothing else is drawn.
 bool is_drawn(const Axis& axis, const Sweep& sweep) {
   const auto varies = [](const Axis& other) { return other.names.empty() && other.points() > 1; };
   if (!axis.names.empty() || axis.points() > 1) return axis.names.empty();
-  return sweep.sample.over.empty() && std::none_of(sweep.axes.begin(), sweep.axes.end(), varies);
+  const auto last = std::find_if(sweep.axes.rbegin(), sweep.axes.rend(),
+                                 [](const Axis& other) { return other.names.empty(); });
+  return sweep.sample.over.empty() && &axis == &*last &&
+         std::none_of(sweep.axes.begin(), sweep.axes.end(), varies);
 }
 
-/// Axes of numbers, the last one along x, and an axis of names with a panel for each.
-std::string settings_of(const Sweep& sweep) {
-  std::string text, panels = "panels = 1; of_panel = ''; panel0 = ''\n";
-  int numbers = 0, names = 0;
-  long stride = sweep.sample.count;
-  const std::vector from_the_last(sweep.axes.rbegin(), sweep.axes.rend());
-  for (const auto& axis : from_the_last) {
-    if (!axis.names.empty()) {
-      ++names;
-      panels = fmt::format("panels = {}; of_panel = '{}'\n", axis.names.size(),
-                           column_of(axis.quantity));
-      for (std::size_t n = 0; n < axis.names.size(); ++n)
-        panels += fmt::format("panel{} = '{}'\n", n, axis.names[n]);
-    } else if (is_drawn(axis, sweep) && (axis.points() > 1 || numbers == 0)) {
-      text += settings_of(numbers++ == 0 ? "x" : "y", axis, stride);
-    }
-    stride *= axis.points();
-  }
+PictureAxes axes_of(const Sweep& sweep) {
+  const auto is_of_numbers = [&](const Axis& axis) { return is_drawn(axis, sweep); };
+  const auto numbers = std::count_if(sweep.axes.begin(), sweep.axes.end(), is_of_numbers);
+  const auto names = std::count_if(sweep.axes.begin(), sweep.axes.end(),
+                                   [](const Axis& axis) { return !axis.names.empty(); });
   if (numbers > 2 || names > 1)
     throw InputError("a picture can show at most two axes of numbers and one of names");
   if (numbers == 0 && sweep.sample.over.empty())
     throw InputError("the sweep has neither an axis of numbers nor a sample to draw");
-  return text + panels + fmt::format("dimensions = {}; draws = {}\n", numbers, sweep.sample.count);
+  PictureAxes axes;
+  long stride = sweep.sample.count;
+  for (auto axis = sweep.axes.rbegin(); axis != sweep.axes.rend(); ++axis) {
+    if (is_of_numbers(*axis)) add(axes, *axis, stride, numbers == 2 || sweep.sample.count > 1);
+    if (!axis->names.empty()) axes.panels = {{}, stride};
+    for (std::size_t n = 0; n < axis->names.size(); ++n) {
+      axes.settings +=
+          fmt::format("panel{} = '{} {}'\n", n, with_spaces(axis->quantity), axis->names[n]);
+      axes.panels.of.push_back(static_cast<double>(n));
+    }
+    stride *= axis->points();
+  }
+  axes.settings += fmt::format("dimensions = {}; draws = {}; panels = {}\n", numbers,
+                               sweep.sample.count, axes.panels.of.size());
+  return axes;
 }
 
 bool is_number(const std::string& key) {
@@ -107,15 +139,22 @@ bool is_number(const std::string& key) {
   return types.find("number") != std::string::npos || types.find("integer") != std::string::npos;
 }
 
+constexpr const char* usual_result = "peak_force_to_rolling_N";
+
 /// What is drawn beside the outcome.
-std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
+struct DrawnResult {
+  std::string key;  ///< "outcome" if there is nothing else
+  bool has_outcome, has_value;
+};
+
+DrawnResult drawn_result(const std::string& stated, const Sweep& sweep) {
   const std::vector<std::string> all = sweep.columns.empty() ? result_columns() : sweep.columns;
   const auto has = [&](const std::string& name) { return contains(all, name); };
   const auto number = std::find_if(all.begin(), all.end(), is_number);
-  const std::string key = !stated.empty()                  ? stated
-                          : has("peak_force_to_rolling_N") ? "peak_force_to_rolling_N"
-                          : number != all.end()            ? *number
-                                                           : "outcome";
+  const std::string key = !stated.empty()       ? stated
+                          : has(usual_result)   ? usual_result
+                          : number != all.end() ? *number
+                                                : "outcome";
   if (!has(key))
     throw InputError("--column {}: there is no such result{}; there are: {}", shown(key),
                      suggestion(key, all), fmt::join(all, ", "));
@@ -124,8 +163,105 @@ std::string settings_of_result(const std::string& stated, const Sweep& sweep) {
   if (key == "outcome" ? !has_axis : !is_number(key))
     throw InputError("{}: must be a result with numbers",
                      stated.empty() ? "columns" : "--column " + key);
-  return fmt::format("result = '{}'; has_outcome = {}; has_value = {}\n", key,
-                     has("outcome") ? 1 : 0, key == "outcome" ? 0 : 1);
+  return {key, has("outcome"), key != "outcome"};
+}
+
+/// A result's name with the unit in which it is drawn, and that unit in SI units.
+std::pair<std::string, double> label_and_unit(const std::string& key) {
+  struct Unit {
+    std::string_view of_result, drawn;
+    double in_si;
+  };
+  constexpr std::array<Unit, 6> units = {{{"N", "kN", 1e3},
+                                          {"m", "mm", 1e-3},
+                                          {"s", "s", 1},
+                                          {"Hz", "Hz", 1},
+                                          {"J", "J", 1},
+                                          {"kg", "kg", 1}}};
+  const std::size_t at = key.rfind('_');
+  for (const Unit& unit : units)
+    if (at != std::string::npos && key.substr(at + 1) == unit.of_result)
+      return {fmt::format("{}, {}", with_spaces(key.substr(0, at)), unit.drawn), unit.in_si};
+  return {with_spaces(key), 1};
+}
+
+/// The mean of numbers; NaN if there are none.
+class Mean {
+ public:
+  void add(double value) {
+    if (std::isnan(value)) return;
+    sum_ += value;
+    ++count_;
+  }
+  double take() {
+    const double mean = count_ > 0 ? sum_ / static_cast<double>(count_) : NAN;
+    *this = {};
+    return mean;
+  }
+
+ private:
+  double sum_ = 0;
+  long count_ = 0;
+};
+
+/// Outcomes by their code in style.gp; the code after the last one is that of stalled, or of none.
+constexpr std::array coded_outcomes = {Outcome::no_contact, Outcome::freed,   Outcome::bouncing,
+                                       Outcome::sliding,    Outcome::rolling, Outcome::undecided};
+
+std::size_t code_of(std::string_view name) {
+  const auto found = std::find_if(coded_outcomes.begin(), coded_outcomes.end(),
+                                  [&](Outcome outcome) { return name_of(outcome) == name; });
+  return static_cast<std::size_t>(found - coded_outcomes.begin());
+}
+
+/// Writes a table for each panel, so that gnuplot reads each number once: x and y, the code of the
+/// outcome, and the result. A row is a draw or, in maps, the mean of the draws at a point, with the
+/// share that rolls instead of the code. Returns what else gnuplot needs.
+std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const DrawnResult& result,
+                         const fs::path& results, const Sweep& sweep) {
+  const auto drawn = label_and_unit(result.key);
+  std::vector<std::string> panels(axes.panels.of.size());
+  std::array<long, coded_outcomes.size() + 1> seen{};
+  double least = INFINITY, greatest = -INFINITY;
+  const long draws = axes.is_map() ? sweep.sample.count : 1;
+  Mean outcome, value;
+  long n = 0;
+  read_csv(results, [&](const CsvRow& row) {
+    const std::string name = result.has_outcome ? row["outcome"] : "";
+    const std::size_t code = code_of(name);
+    ++seen[code];
+    if (draws == 1)
+      outcome.add(static_cast<double>(code));
+    else if (!name.empty())  // a refused point has no outcome
+      outcome.add(name == name_of(Outcome::rolling) ? 1 : 0);
+    // A run without contact has no force, which is drawn as 0; other results are then missing.
+    if (result.has_value && !row[result.key].empty())
+      value.add(static_cast<double>(row.number(result.key)) / drawn.second);
+    else if (!name.empty() && result.key == usual_result)
+      value.add(0);
+    if (++n % draws != 0) return;
+    const auto place = [&](std::size_t axis) {
+      return axis < axes.numbers.size() ? axes.numbers[axis].at(n - 1) : 0;
+    };
+    const double its_outcome = outcome.take(), its_value = value.take();
+    least = std::fmin(least, its_value);
+    greatest = std::fmax(greatest, its_value);
+    fmt::format_to(std::back_inserter(panels[static_cast<std::size_t>(axes.panels.at(n - 1))]),
+                   "{},{},{},{}\n", place(0), place(1), its_outcome, its_value);
+  });
+  if (n != sweep.points())
+    throw InputError("{}: has {} rows; the sweep file above them has {} points", results.string(),
+                     n, sweep.points());
+  for (std::size_t p = 0; p < panels.size(); ++p)
+    drawing.write(fmt::format("panel{}.csv", p), panels[p]);
+  const bool is_empty = least > greatest;
+  return fmt::format(
+      "result_name = '{}'; has_outcome = {}; has_value = {}; is_empty = {}; least = {:#}; greatest "
+      "= "
+      "{:#}; array seen[{}] = [{}]\n",
+      drawn.first, result.has_outcome ? 1 : 0, result.has_value ? 1 : 0,
+      result.has_value && is_empty ? 1 : 0, is_empty ? 0 : least, is_empty ? 0 : greatest,
+      seen.size(), fmt::join(seen, ", "));
 }
 
 }  // namespace
@@ -144,9 +280,8 @@ void plot_sweep(const PlotOptions& options) {
     drawing.write("sweep.toml", sweep_above(options.file));
   }
   const Sweep sweep = read_sweep(source);
-  const std::string heading = drawing.heading(sweep.title);
-  const std::string settings = settings_of(sweep) + settings_of_result(options.column, sweep) +
-                               fmt::format("heading = {}; data = ", numbered(heading));
+  const PictureAxes axes = axes_of(sweep);
+  const DrawnResult result = drawn_result(options.column, sweep);
   if (!has_results) {
     results = drawing.file("sweep.csv");
     try {
@@ -158,7 +293,9 @@ void plot_sweep(const PlotOptions& options) {
           "plot NAME.csv draws its results");
     }
   }
-  drawing.finish(settings + numbered(results.string()) + '\n', "sweep.gp");
+  drawing.finish(axes.settings + write_panels(drawing, axes, result, results, sweep) +
+                     fmt::format("heading = {}\n", numbered(drawing.heading(sweep.title))),
+                 "sweep.gp");
   say_what_is_assumed(sweep);
 }
 

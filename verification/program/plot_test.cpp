@@ -71,5 +71,21 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   EXPECT_EQ(curve, picture.curves.size());
 }
 
+// Also where the rows of the panels alternate.
+TEST_F(Plot, DrawsTheLineOfASweepInEachPanel) {
+  write("s.toml",
+        "columns = [\"outcome\", \"peak_normal_force_N\"]\n[parameters]\nstart_speed_hz = "
+        "150\nuntil = 0.01\n"
+        "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.2\npoints = 11\n"
+        "[[axis]]\nquantity = \"equations\"\nvalues = [\"published\", \"consistent\"]\n");
+  ASSERT_EQ(rotor("plot s.toml").status, 0);
+  const std::string picture = content("s.svg");
+  for (const std::string of : {"a", "b"}) {  // from point to point, where a gap starts with an M
+    const auto from = picture.find("gnuplot_plot_1" + of), to = picture.find("gnuplot_plot_2" + of);
+    ASSERT_LT(from, to);
+    EXPECT_EQ(std::ranges::count(picture.substr(from, to - from), 'L'), 10);
+  }
+}
+
 }  // namespace
 }  // namespace rotor
