@@ -294,19 +294,17 @@ bench-programs: build ## build the programs of make bench, stress and reference
 	$(call build-target,benchmark random-rotors stable-steps reference digits-reference,bench,$(BENCH_PACKAGES))
 bench: bench-programs ## measure run time against error of every method, with pictures, into build/bench
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
-	@LC_ALL=C.UTF-8 gnuplot -d -e "data = '$(BUILD)/bench/work-precision.csv'; output = '$(BUILD)/bench/.first'; \
-	  folder = '$(BUILD)/bench'; format = '$(FORMAT)'" figures/paper/style.gp \
-	  verification/benchmark/work-precision.gp
-	@rm -f $(BUILD)/bench/.first && echo "$(BUILD)/bench/work-precision-*.$(FORMAT)"
+	@for scene in 1 2 3 4 5 6 7; do \
+	  figures/draw.sh $(BUILD)/bench/work-precision-$$scene.$(FORMAT) \
+	    "data = '$(BUILD)/bench/work-precision.csv'; scene = $$scene" verification/benchmark/work-precision.gp; done
 
 stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (minutes)
 	$(call build-target,random-rotors stable-steps digits-reference)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 100000 $(BUILD)/stress-results
 	@verification/robustness/differential.sh 10000 $(BUILD)/stress-results/differential $(ROTOR) outcome $(ROTOR) end
 	@$(BUILD)/stable-steps $(BUILD)/stress-results
-	@LC_ALL=C.UTF-8 gnuplot -d -e "folder = '$(BUILD)/stress-results'; format = '$(FORMAT)'; output = folder.'/.first'" \
-	  figures/paper/style.gp verification/robustness/stress.gp
-	@rm -f $(BUILD)/stress-results/.first && ls $(BUILD)/stress-results/*.$(FORMAT)
+	@figures/draw.sh $(BUILD)/stress-results/stability.$(FORMAT) "data = '$(BUILD)/stress-results/stability.csv'" \
+	  verification/robustness/stress.gp
 	@$(BUILD)/digits-reference stress $(RUNS) $(SEED) $(BUILD)/stress-results
 
 clean: ## remove the folder build

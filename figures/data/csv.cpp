@@ -47,7 +47,7 @@ void read_rows(std::istream& stream, const std::string& name,
   const auto headings = std::make_shared<std::vector<std::string>>(next_row(stream, next_line));
   for (;;) {
     skip_comments(stream, next_line);
-    if (stream.peek() == std::istream::traits_type::eof()) return;
+    if (stream.peek() == std::istream::traits_type::eof()) break;
     const int line = next_line;
     take({fmt::format("{}:{}", name, line), headings, next_row(stream, next_line)});
   }

@@ -1,18 +1,18 @@
 #include "figures/program/drawing.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <boost/algorithm/string/replace.hpp>
 #include <chrono>
 #include <csignal>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "figures/data/files.hpp"
 #include "figures/data/interruption.hpp"
 #include "figures/input/names.hpp"
 
@@ -21,21 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A format: the extension of its files, and how their contents end.
-struct Format {
-  std::string_view extension, end;
-};
-constexpr std::array<Format, 3> formats = {
-    {{".svg", "</svg>"}, {".pdf", "%%EOF"}, {".png", "IEND"}}};
-
-const Format& format_of(const fs::path& out) {
-  const std::string extension = out.extension().string();
-  for (const Format& format : formats)
-    if (format.extension == extension) return format;
-  throw InputError("--out {}: must end in .svg, .pdf or .png", shown(out.string()));
-}
-
-/// Runs a program in a folder and returns its status. Throws if it cannot be started.
+/// Runs a program in a folder, silently but for its errors, and returns its status. It is a process
+/// group, so that what it has started ends with it. Throws if it cannot be started.
 int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
   std::vector<char*> arguments;
   for (const std::string& argument : command)
@@ -44,38 +31,30 @@ int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_addchdir_np(&actions, drafts.c_str());
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t group;
+  ::posix_spawnattr_init(&group);
+  ::posix_spawnattr_setflags(&group, POSIX_SPAWN_SETPGROUP);
   pid_t child = 0;
   int status =
-      ::posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+      ::posix_spawnp(&child, arguments.front(), &actions, &group, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&group);
   ::posix_spawn_file_actions_destroy(&actions);
   if (status != 0) throw std::system_error(status, std::generic_category());
   constexpr std::chrono::milliseconds pause(5);
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (is_interrupted()) ::kill(child, SIGKILL);
+    if (is_interrupted()) ::kill(-child, SIGKILL);
     std::this_thread::sleep_for(pause);
   }
   if (is_interrupted()) throw Interrupted();
   return status;
 }
 
-/// What gnuplot has drawn. Its status is 0 even if the disk was full, it does not escape "]]>", and
-/// browsers would blend the cells of its maps.
-std::string read_picture(const fs::path& path, const Format& format) {
-  std::string picture = read_file(path);
-  const std::size_t after_end = 4;  // a line's end, or a png's check sum
-  const std::size_t at = picture.rfind(format.end);
-  if (at == std::string::npos || picture.size() - at > format.end.size() + after_end)
-    throw std::runtime_error("gnuplot did not draw the whole picture");
-  if (format.extension == ".svg") {
-    boost::replace_all(picture, "]]>", "]]&gt;");
-    boost::replace_all(picture, "<image ", "<image style='image-rendering:pixelated' ");
-  }
-  return picture;
-}
-
 /// The picture's file, if it can be written: errors are reported before any work.
 fs::path checked(const fs::path& out, const std::string& source) {
-  static_cast<void>(format_of(out));
+  const fs::path extension = out.extension();
+  if (extension != ".svg" && extension != ".pdf" && extension != ".png")
+    throw InputError("--out {}: must end in .svg, .pdf or .png", shown(out.string()));
   FileTransaction::require_distinct({out}, source);
   FileTransaction().open(out);
   return out;
@@ -105,7 +84,7 @@ Drawing::Drawing(const std::string& file, const std::string& out)
     : name_(fs::path(file).stem().string()),
       out_(checked(
           out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out), file)),
-      extension_(format_of(out_).extension),
+      picture_(fs::path("picture").replace_extension(out_.extension()).string()),
       folder_(new_folder()) {}
 
 Drawing::~Drawing() {
@@ -124,24 +103,24 @@ void Drawing::write(const std::string& name, std::string_view text) const {
   draft.commit();
 }
 
-/// Without the user's settings, and in a locale with all letters.
 void Drawing::finish(const std::string& settings, const std::string& script) const {
-  write("settings.gp",
-        settings + fmt::format("output = 'picture'; format = '{}'\n", extension_.substr(1)));
-  ::setenv("LC_ALL", "C.UTF-8", 1);
-  const std::string scenes = ROTOR_SCENES;
+  write("settings.gp", settings);
+  const std::string figures = std::string(ROTOR_SCENES) + "/..";
   int status = 0;
   try {
-    status = status_of({"gnuplot", "--default-settings", "settings.gp", scenes + "/style.gp",
-                        scenes + "/../program/" + script},
-                       folder_.path);
+    status = status_of(
+        {figures + "/draw.sh", picture_, "load 'settings.gp'", figures + "/program/" + script},
+        folder_.path);
   } catch (const std::system_error& error) {
-    throw std::runtime_error(fmt::format("gnuplot cannot be started: {}", error.what()));
+    throw std::runtime_error(
+        fmt::format("{}/draw.sh cannot be started: {}", figures, error.what()));
   }
-  if (!(WIFEXITED(status) && WEXITSTATUS(status) == 0))
-    throw std::runtime_error("gnuplot did not draw the picture");
+  constexpr int not_found = 127;  // of a shell
+  if (WIFEXITED(status) && WEXITSTATUS(status) == not_found)
+    throw std::runtime_error("gnuplot cannot be started");
+  if (status != 0) throw std::runtime_error("gnuplot did not draw the picture");
   FileTransaction files;
-  files.write(out_, read_picture(file("picture"), format_of(out_)));
+  files.write(out_, read_file(file(picture_)));
   files.commit();
   fmt::print("{}\n", one_line(out_.string()));
 }

@@ -35,7 +35,7 @@ class Drawing {
  private:
   std::string name_;
   std::filesystem::path out_;
-  std::string_view extension_;
+  std::string picture_;
   Draft folder_;
 };
 

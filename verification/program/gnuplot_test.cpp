@@ -81,10 +81,9 @@ TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
                         "\"clearance\"\nvalues = [2e-3, 3e-3]\n" +
                         sample);
   write("sample.toml", rotor_at_150_Hz + sample);
-  const auto drawn = [&](const std::string& name, const std::string& block,
+  const auto drawn = [&](const std::string& name, const std::string& kept,
                          const std::string& column) {
-    write_gnuplot("PATH=${PATH#*:} gnuplot \"$@\" -e 'set print \"kept\"; print $" + block +
-                  "' && cp kept \"$KEPT\"\n");
+    write_gnuplot("PATH=${PATH#*:} gnuplot \"$@\"" + kept + " \"$KEPT\"\n");
     EXPECT_EQ(rotor("sweep " + name + ".toml --out " + name + ".csv").status, 0);
     const auto [status, output] =
         shell("KEPT=$PWD/kept PATH=$PWD:$PATH $rotor plot " + name + ".csv " + column);
@@ -99,7 +98,7 @@ TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
         all.push_back(row);
     return std::pair(all, read_csv(folder_ / (name + ".csv")));
   };
-  const auto [cells, draws] = drawn("map", "cells", "");
+  const auto [cells, draws] = drawn("map", " && cp panel0.csv", "");
   ASSERT_EQ(cells.size(), 6U);
   double parts = 0;
   for (const auto& [x, y, share] : cells) {
@@ -111,7 +110,11 @@ TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
     parts += share * (1 - share);
   }
   EXPECT_GT(parts, 0);  // some, but not all
-  const auto [bins, sample_draws] = drawn("sample", "bins", "--column rolling_onset_speed_Hz");
+  shell("sed -i '$d' map.csv");
+  expect_refusal("plot map.csv", "map.csv: has 41 rows; the sweep file above them has 42 points");
+  const auto [bins, sample_draws] =
+      drawn("sample", " -e 'set print \"bins\"; print $bins' && cp bins",
+            "--column rolling_onset_speed_Hz");
   const auto roll = std::count_if(sample_draws.begin(), sample_draws.end(), [](const CsvRow& row) {
     return !row["rolling_onset_speed_Hz"].empty();
   });
@@ -145,12 +148,12 @@ TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
 TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
   write_gnuplot(
       "PATH=${PATH#*:} gnuplot \"$@\"\n"
-      "truncate -s -20 \"$(sed -n \"s/.*output = '\\([^']*\\)'.*/\\1/p\" \"$2\")\"\n");
+      "truncate -s -20 \"$(echo \"$3\" | sed -n \"s/.*output = '\\([^']*\\)'.*/\\1/p\")\"\n");
   for (const std::string name : {"a.svg", "a.pdf", "a.png"}) {
     write(name, "old");
     const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out " + name);
     EXPECT_NE(status, 0);
-    EXPECT_EQ(output, "rotor: gnuplot did not draw the whole picture\n");
+    EXPECT_NE(output.find("gnuplot did not draw the whole picture\n"), std::string::npos) << output;
     EXPECT_EQ(content(name), "old");
   }
 }

@@ -1,7 +1,4 @@
-# Stability of the published method's steps. The caller sets folder and format, and loads figures/paper/style.gp first.
-file(name) = folder."/".name.".".format
-
-set output file("stability")
+# Stability of the published method's steps. The caller sets what style.gp needs.
 set title "{/:Bold Largest stable step of the published method} (lines: linear theory of a straight ring)"
 set logscale xy
 set format x "10^{%T}"
@@ -12,7 +9,6 @@ set key top right
 dampings = "0 10000 1000000 10000000"
 of(d, c) = column("contact_damping_Ns_per_m") == d ? column(c) : NaN
 k_t = "contact_stiffness_N_per_m"
-data = folder."/stability.csv"
 set arrow from 8e8, graph 0 to 8e8, graph 1 nohead linestyle published
 set label "the paper's k_t" at 8e8, graph 0.96 offset 0.5,0
 set arrow from graph 0, first 5e-6 to graph 1, first 5e-6 nohead linestyle published
