@@ -124,15 +124,15 @@ TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
   EXPECT_LT(roll, 7);
 }
 
-// Frequencies of 0, a single value, values that differ by rounding, and results that no point has.
+// Frequencies of 0, a single value, values that hardly differ, and results that no point has.
 // gnuplot prints nothing.
 TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
   const std::string axis = "until = 1e-3\n[[axis]]\nquantity = \"friction\"\n",
-                    close = "from = 0.1\nto = 0.10000000000000002\npoints = 2\n";
-  for (const std::string parameters :
-       {"support_stiffness = 0\nstart_speed_hz = 50\nuntil = 0.01\n",
-        "torque = 0\nno_mass_loss = true\nuntil = 0.01\n", (axis + "values = [0.1]\n").c_str(),
-        (axis + close).c_str(), (axis + close + "spacing = \"log\"\n").c_str()}) {
+                    close = "from = 0.1\nto = 0.1000000000001\npoints = 2\n";
+  for (const std::string& parameters :
+       {std::string("support_stiffness = 0\nstart_speed_hz = 50\nuntil = 0.01\n"),
+        std::string("torque = 0\nno_mass_loss = true\nuntil = 0.01\n"), axis + "values = [0.1]\n",
+        axis + close, axis + close + "spacing = \"log\"\n"}) {
     write("s.toml", "[parameters]\nequations = \"consistent\"\n" + parameters);
     const bool is_scene = parameters.find("axis") == std::string::npos;
     for (const char* option : {is_scene ? "--spectrum" : "", is_scene ? "" : "--column outcome"}) {

@@ -74,7 +74,7 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
 // Also where the rows of the panels alternate.
 TEST_F(Plot, DrawsTheLineOfASweepInEachPanel) {
   write("s.toml",
-        "columns = [\"outcome\", \"peak_normal_force_N\"]\n[parameters]\nstart_speed_hz = "
+        "columns = [\"outcome\", \"peak_force_to_rolling_N\"]\n[parameters]\nstart_speed_hz = "
         "150\nuntil = 0.01\n"
         "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.2\npoints = 11\n"
         "[[axis]]\nquantity = \"equations\"\nvalues = [\"published\", \"consistent\"]\n");

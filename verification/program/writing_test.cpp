@@ -151,11 +151,14 @@ TEST_F(Writing, RemovesWhatAKilledProcessHasLeft) {
   remove("messages");
   remove("t.csv");
   write("s.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n");
-  write("gnuplot", "#!/bin/sh\nls -A $TMPDIR; kill -KILL $PPID\n");
+  // rotor calls a shell that calls gnuplot
+  write("gnuplot",
+        "#!/bin/bash\nls -A $TMPDIR >&2\nread -r _ _ _ rotor _ </proc/$PPID/stat; kill -KILL "
+        "$rotor\n");
   fs::permissions(folder_ / "gnuplot", fs::perms::owner_all);
   fs::create_directory(folder_ / "drafts");
   for (int n = 0; n < 2; ++n)
-    EXPECT_TRUE(shell("TMPDIR=$PWD/drafts PATH=$PWD:$PATH $rotor plot s.toml")
+    EXPECT_TRUE(shell("TMPDIR=$PWD/drafts PATH=$PWD:$PATH $rotor plot s.toml 2>&1")
                     .output.starts_with(".rotor-plot.0.part\n"));
   EXPECT_EQ(shell("TMPDIR=$PWD/drafts $rotor plot s.toml 2>&1").status, 0);
   EXPECT_TRUE(fs::is_empty(folder_ / "drafts"));
