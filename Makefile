@@ -286,7 +286,8 @@ reasons: build ## retry the reasons for the accident on 1000 rotors: reference-d
 
 laws: build ## test the laws of model/theory on 10,000 random rotors: reference-data/laws.csv, and a picture
 	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --out $(BUILD)/laws/laws.csv
-	@verification/paper/laws.sh $(BUILD)/laws/laws.csv > $(BUILD)/laws/quantiles.csv
+	@$(ROTOR) sweep verification/paper/region.toml --out $(BUILD)/laws/region.csv
+	@verification/paper/laws.sh $(BUILD)/laws/laws.csv $(BUILD)/laws/region.csv > $(BUILD)/laws/quantiles.csv
 	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 

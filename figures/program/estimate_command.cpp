@@ -35,8 +35,8 @@ void estimate_rotor(const CaseOptions& options) {
     row.update(laws(run.scenario));
     row["equations"] = name_of(run.scenario.equations);
     runs.push_back(row);
-    for (const std::string& remark : remarks_on_laws(run.scenario))
-      print_message("rotor: " + (one_of_many ? run.name + ": " : "") + remark);
+    for (const Remark& remark : remarks_on_laws(run.scenario))
+      print_message("rotor: " + (one_of_many ? run.name + ": " : "") + remark.sentence);
   }
   if (options.json && runs.size() != 1) {
     print_summaries(runs, true, stdout);

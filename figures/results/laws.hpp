@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "figures/results/json.hpp"
+#include "figures/results/remarks.hpp"
 #include "model/scenario/scenario.hpp"
 
 namespace rotor {
@@ -17,8 +18,8 @@ Json laws(const Scenario& scenario);
 /// vibrate.
 Json laws_or_nulls(const Scenario& scenario);
 
-/// Why a rotor may not be one that the closed forms, or the model, apply to.
-std::vector<std::string> remarks_on_laws(const Scenario& scenario);
+/// Those of remarks_on_rotor(), and why the closed forms are not trusted.
+std::vector<Remark> remarks_on_laws(const Scenario& scenario);
 
 /// The keys of laws() and their meanings, a line each.
 std::string meanings_of_laws();

@@ -296,27 +296,9 @@ std::vector<Remark> remarks(const RunResult& result) {
   const double clearance = p.stator_radius - p.rotor_radius;
   const double displacement =
       std::max(summary.max_displacement_m.value_or(0), summary.max_displacement_before_loss_m);
-  for (const std::string& sentence :
-       remarks_on_indentation(displacement - clearance, p, early.leaves_rest_open()))
-    all.push_back({sentence, Of::limit});
-  return all;
-}
-
-std::vector<std::string> remarks_on_indentation(double indentation, const Parameters& p,
-                                                bool at_least) {
-  constexpr double large = 0.1;
-  const double clearance = p.stator_radius - p.rotor_radius;
-  std::vector<std::string> all;
-  if (clearance > p.rotor_radius)
-    all.push_back(fmt::format(
-        "the clearance, {} m, exceeds the rotor's radius; lengths are in metres", clearance));
-  for (const auto& [length, name] :
-       {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
-    if (indentation > large * length)
-      all.push_back(fmt::format(
-          "the ring is indented by {}{:.3g} times the {}: the model's linear contact is "
-          "valid only below {}",
-          at_least ? "at least " : "", indentation / length, name, large));
+  const auto of_rotor = remarks_on_rotor(result.scenario, summary.speed_at_mass_loss_Hz,
+                                         displacement - clearance, early.leaves_rest_open());
+  all.insert(all.end(), of_rotor.begin(), of_rotor.end());
   return all;
 }
 

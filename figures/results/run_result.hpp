@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "figures/results/json.hpp"
+#include "figures/results/remarks.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "model/results/energy.hpp"
 #include "model/results/stop_on.hpp"
@@ -43,17 +44,7 @@ Json to_json(const EnergyObserver& energy);
 /// The JSON schema of what `rotor run --json` prints: each key, its meaning and its values.
 Json summary_schema();
 
-/// What a reader should know about a run besides its numbers: its circumstances, a stated goal that
-/// was not reached, or a limit of model or method that it exceeds.
-struct Remark {
-  std::string sentence;
-  enum class Of { circumstances, missed_goal, limit } of = Of::circumstances;
-};
+/// On its circumstances, and those of remarks_on_rotor().
 std::vector<Remark> remarks(const RunResult& result);
-
-/// A linear contact and a round ring are valid only for small indentations, m; this one may still
-/// grow if it is `at_least` that.
-std::vector<std::string> remarks_on_indentation(double indentation, const Parameters& p,
-                                                bool at_least = false);
 
 }  // namespace rotor

@@ -50,6 +50,7 @@ struct Accident {
   std::optional<double> contact_s;        ///< first contact after the loss
   std::optional<double> impact_force;     ///< of that contact, N
   std::optional<double> whirl_friction;   ///< above which rebounds lead to backward whirl; (2)
+  std::optional<double> first_friction;   ///< above which one elastic impact does
   double forward_friction;                ///< up to which forward rub can last
   std::optional<double> rolling_speed;    ///< of the rotor when rolling begins; (3)
   std::optional<double> whirl_rate;       ///< of O when rolling begins
@@ -83,6 +84,7 @@ struct Accident {
     const double zeta = ring.damping / (2 * m * contact_rate);
     impact_force = ring.stiffness * v_O.real() / contact_rate * impact(zeta);
     whirl_friction = whirling_friction(p, m, v_O.real(), swing(zeta) * swing(zeta));
+    first_friction = whirling_friction(p, m, 2 * v_O.real(), 0);
     if (!(ring.friction > 0)) return;
 
     const double kappa = m * r * r / body.inertia, stiffness = ring.stiffness + k;

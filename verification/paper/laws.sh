@@ -1,18 +1,27 @@
 #!/bin/sh
-# Compares the runs of laws.toml with the laws: laws.sh SWEEP.csv prints reference-data/laws.csv
+# Compares the runs of laws.toml and region.toml with the laws: laws.sh LAWS.csv [REGION.csv] prints reference-data/laws.csv
 set -e
 export LC_ALL=C
 cat <<'HEAD'
 # The accuracy of the laws of model/theory on the random rotors of verification/paper/laws.toml, from `make laws`; not from the
 # paper. share: of the unbalance, kappa e_x1/(mu r), from and up to; rolling_speed, peak_force: the run's value over the
 # law's, of runs that roll; other quantities: whether the run ends as the law predicts; agree: share within 10 %, or that does.
+# trusted_...: rotors of region.toml in the tested region, by the outcome predicted; agree: share with this outcome, and speed
+# and force within 10 %.
 equations,quantity,share_from,share_to,runs,q05,q25,median,q75,q95,agree
 HEAD
-grep -v '^#' "$1" | awk -F, '
-  NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
+cat "$@" | grep -v '^#' | awk -F, '
+  $1 ~ /^equations/ { delete column; for (i = 1; i <= NF; ++i) column[$i] = i; next }
   function of(name) { return $column[name] }
   function row(quantity, from, to, ratio) { printf "%s,%s,%s,%s,%s\n", $1, quantity, from, to, ratio }
+  function near(run, law) { return of(run) >= 0.9*of(law) && of(run) <= 1.1*of(law) }
   of("refusal") != "" { next }
+  "law_trusted" in column {
+    if (of("law_trusted") == "true") row("trusted_" of("law_outcome"), "", "", of("outcome") == of("law_outcome") &&
+      (of("outcome") != "rolling" ||
+        near("rolling_onset_speed_Hz", "law_rolling_speed_Hz") && near("peak_force_to_rolling_N", "law_peak_force_N")))
+    next
+  }
   {
     touches = of("touch_downs_to_rolling") > 0
     row("touches", "", "", touches == (of("law_contact_after_loss_s") != ""))

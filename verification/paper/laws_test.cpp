@@ -1,5 +1,7 @@
 /// The laws of model/theory: random rotors agree with them as reference-data/laws.csv says, and the
 /// program evaluates them correctly.
+#include "figures/results/laws.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,7 @@
 #include <regex>
 
 #include "figures/data/csv.hpp"
-#include "figures/results/json.hpp"
+#include "figures/input/scene.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -56,13 +58,13 @@ TEST_F(LawsOfTheAccident, HoldOnRandomRotorsAsTheTableSays) {
   EXPECT_GT(compared, 10);
 }
 
-// Where the estimate is trusted; the table is about 10 %.
+// The table is about 10 %. At 75 Hz one elastic impact is not enough for whirl.
 TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
-  for (const char* options : {"--friction 0.3", "--mass-loss-time 19.1", "--mass-loss-time 14.15",
-                              "--equations consistent"}) {
-    const auto law = json(std::string("estimate ") + options),
-               run = json(std::string("run ") + options);
-    EXPECT_TRUE(law["law_trusted"]) << options;
+  const std::string slow = "--mass-loss-time 14.15";
+  for (const std::string options :
+       {"--friction 0.3", "--mass-loss-time 19.1", slow.c_str(), "--equations consistent"}) {
+    const auto law = json("estimate " + options), run = json("run " + options);
+    EXPECT_EQ(law["law_trusted"], options != slow) << options;
     EXPECT_EQ(law["law_outcome"], run["outcome"]) << options;
     const auto near = [&](const char* of_law, const char* of_run, double allowed) {
       EXPECT_NEAR(law[of_law].get<double>() / run[of_run].get<double>(), 1, allowed)
@@ -72,6 +74,79 @@ TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
     near("law_rolling_speed_Hz", "rolling_onset_speed_Hz", 0.1);
     near("law_peak_force_N", "peak_force_to_rolling_N", 0.1);
   }
+}
+
+// The tested region is so defined that the laws are right, within 10 %, for 95 % of its rotors.
+// These are the first of those that `make laws` tries.
+TEST_F(LawsOfTheAccident, AreRightWhereTheyAreTrusted) {
+  std::ifstream file(paper + "region.toml");
+  const std::string all((std::istreambuf_iterator<char>(file)), {});
+  write("few.toml", std::regex_replace(all, std::regex("count = 10000"), "count = 300"));
+  ASSERT_EQ(rotor("sweep few.toml --out few.csv").status, 0);
+  std::map<std::string, std::pair<double, double>> right_of;  // and how many, by predicted outcome
+  for (const CsvRow& row : read_csv(folder_ / "few.csv")) {
+    if (row["law_trusted"] != "true") continue;
+    const auto is_near = [&](const char* of_run, const char* of_law) {
+      return std::abs(row.number(of_run) / row.number(of_law) - 1) <= 0.1;
+    };
+    const std::string predicted = row["law_outcome"];
+    auto& [right, tried] = right_of[predicted];
+    ++tried;
+    right +=
+        row["outcome"] == predicted &&
+        (predicted != "rolling" || (is_near("rolling_onset_speed_Hz", "law_rolling_speed_Hz") &&
+                                    is_near("peak_force_to_rolling_N", "law_peak_force_N")));
+  }
+  for (const char* predicted : {"no_contact", "rolling"}) {
+    const auto [right, tried] = right_of[predicted];
+    EXPECT_GE(tried, 5) << predicted;
+    EXPECT_GE(right, 0.95 * tried) << predicted;
+  }
+}
+
+// Each of these is wrong, or can be: the run differs from the prediction by more than 10 %.
+TEST_F(LawsOfTheAccident, AreNotTrustedOutsideTheirRegion) {
+  const std::string laboratory =
+      "--equations consistent --mass 1.2 --inertia 1e-3 --eccentricity 3e-5 --support-stiffness "
+      "4.2e4 --support-damping 8 --contact-damping 100 --rotor-radius 0.04 --torque 0 --friction "
+      "0.207 --clearance 3.93e-4 --unbalance-factor 5.7 --contact-stiffness 3.82e8 ";
+  for (const auto& [options, doubt] : std::vector<std::pair<std::string, std::string>>{
+           {laboratory + "--start-speed-hz 23", "the critical speed is 0.772, not above 1.5"},
+           {"--friction 10", "friction is 10, not below 1"},
+           {"--contact-stiffness 3e5 --support-damping 200", "dry whip"},
+           {"--contact-damping 1e5", "the ring's damping ratio"},
+           {"--start-speed-hz 140 --torque 50 --motor-off-hz 1000", "the motor adds"},
+           {"--torque 0.01 --motor-off-hz 20 --clearance 1.5e-3 --support-damping 1 "
+            "--mass-loss-time 200",
+            "displacement in the run-up"}}) {
+    EXPECT_FALSE(json("estimate " + options)["law_trusted"]) << options;
+    EXPECT_NE(rotor("estimate " + options).output.find(doubt), std::string::npos)
+        << options << "\n"
+        << rotor("estimate " + options).output;
+  }
+}
+
+// The inputs of each figure, and slips of the pen.
+TEST_F(LawsOfTheAccident, QuestionInputsInOtherUnits) {
+  for (const auto& [number, figure] : figure_files(ROTOR_SCENES))
+    for (const SceneRun& run : read_scene(figure).runs)
+      if (run.scenario.parameters.loses_mass) {
+        const double speed_Hz = laws(run.scenario)["law_speed_at_loss_Hz"];
+        for (const Remark& remark : remarks_on_rotor(run.scenario, speed_Hz, 0))
+          ADD_FAILURE() << figure << ": " << remark.sentence;
+      }
+  for (const auto& [options, remark] : std::vector<std::pair<std::string, std::string>>{
+           {"--mass 2000 --inertia 1600", "the motor reaches at most 0.00088 Hz"},
+           {"--mass 2000 --inertia 1600", "the mass is lost at 0.000"},
+           {"--inertia 9", "inertia = 9 kg m^2 is 5e+02 times"},
+           {"--mass 500 --unbalance-factor 1.01 --start-speed-hz 150",
+            "inertia = 0.009 kg m^2 is 0.005 times"},
+           {"--start-speed-hz 0.9 --torque 0 --until 0.1", "less than 0.1 of the critical speed"},
+           {"--contact-stiffness 1e6 --contact-damping 100 --friction 0.1",
+            "the ring is indented by"}})
+    for (const char* command : {"estimate ", "run --stop-on outcome "})
+      EXPECT_NE(rotor(command + options).output.find(remark), std::string::npos)
+          << command << options;
 }
 
 // With a clearance less than e_x1, (1) is negative, and whether the rotor rolls is not predicted.

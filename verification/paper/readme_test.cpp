@@ -41,7 +41,7 @@ TEST_F(CommandLine, MakesTheNumbersOfTheExampleRotor) {
   const std::size_t scene = all.find("[parameters]");
   write("my-rotor.toml", all.substr(scene, all.find("```", scene) - scene));
   const Json run = summary("my-rotor.toml"),
-             law = Json::parse(rotor("estimate my-rotor.toml --json").output);
+             law = Json::parse(rotor("estimate my-rotor.toml --json 2>/dev/null").output);
   const auto said = [](const char* form, const Json& speed_Hz, const Json& force_N) {
     return fmt::format(fmt::runtime(form), speed_Hz.get<double>(), force_N.get<double>() / 1e3);
   };

@@ -1,0 +1,56 @@
+#include "figures/results/remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rotor {
+
+std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<double> loss_speed_Hz,
+                                     double indentation, bool at_least) {
+  const Parameters& p = scenario.parameters;
+  std::vector<Remark> all;
+  // The paper's shortest run-up ends at a thirteenth; a slip in a unit is a factor of a thousand.
+  constexpr double near = 0.05;
+  const double reached = scenario.start_speed_Hz + p.torque / p.inertia * scenario.until / two_pi;
+  if (p.torque > 0 && reached < near * p.motor_off_Hz)
+    all.push_back(
+        {fmt::format("by the end of the run, {:.6g} s, the motor reaches at most {:.2g} "
+                     "Hz, less than {} of motor_off_hz = {} Hz",
+                     scenario.until, reached, near, p.motor_off_Hz)});
+  constexpr double slow = 0.1;
+  const double critical_Hz = std::sqrt(p.support_stiffness / p.mass) / two_pi;
+  if (loss_speed_Hz && *loss_speed_Hz < slow * critical_Hz)
+    all.push_back(
+        {fmt::format("the mass is lost at {:.2g} Hz, less than {} of the critical speed, "
+                     "{:.3g} Hz",
+                     *loss_speed_Hz, slow, critical_Hz)});
+  // I/(m r^2) is 0.5 for a disk and 1 for a ring. These limits are halfway, on a logarithmic scale,
+  // between them and a slip in a unit, by a factor of a thousand.
+  constexpr double least = 0.016, greatest = 30;
+  const double ratio = p.inertia / (p.mass * p.rotor_radius * p.rotor_radius);
+  if (ratio < least || ratio > greatest)
+    all.push_back(
+        {fmt::format("inertia = {} kg m^2 is {:.2g} times mass times rotor_radius "
+                     "squared; a disk has 0.5, a ring 1",
+                     p.inertia, ratio)});
+  constexpr double large = 0.1;
+  const double clearance = p.stator_radius - p.rotor_radius;
+  if (clearance > p.rotor_radius)
+    all.push_back(
+        {fmt::format("the clearance, {} m, exceeds the rotor's radius; lengths are in metres",
+                     clearance),
+         Remark::Of::limit});
+  for (const auto& [length, name] :
+       {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
+    if (indentation > large * length)
+      all.push_back(
+          {fmt::format(
+               "the ring is indented by {}{:.3g} times the {}: the model's linear contact is "
+               "valid only below {}",
+               at_least ? "at least " : "", indentation / length, name, large),
+           Remark::Of::limit});
+  return all;
+}
+
+}  // namespace rotor

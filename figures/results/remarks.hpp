@@ -1,0 +1,25 @@
+/// Remarks: what a reader should know besides the numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scenario/scenario.hpp"
+
+namespace rotor {
+
+/// Of the circumstances of a run, of a stated goal that was not reached, or of a limit of model or
+/// method that it exceeds.
+struct Remark {
+  std::string sentence;
+  enum class Of { circumstances, missed_goal, limit } of = Of::circumstances;
+};
+
+/// What an engineer would question about a rotor, be it run or estimated: inputs that are probably
+/// in other units, and an indentation, m, for which the model's linear contact and round ring are
+/// not valid; it may still grow if it is `at_least` that.
+std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<double> loss_speed_Hz,
+                                     double indentation, bool at_least = false);
+
+}  // namespace rotor
