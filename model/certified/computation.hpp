@@ -109,38 +109,22 @@ class CourseObserver : public BasicSummaryObserver<S> {
   BasicInstant<S> previous_;
 };
 
-/// When the stated speed of the mass loss is reached, by the secant method from the time known in
-/// double precision.
+/// When a run switches its motor off, which must be before `until_s`.
 template <class S, class Stepper>
-S time_at_speed(EventMethod<S, Stepper> way, const Scenario& scenario, const GoesOn& goes_on) {
-  using std::abs;
-  struct Monitor : BasicObserver<S> {
-    explicit Monitor(const GoesOn& asked) : goes_on_(asked) {}
-    bool goes_on(const BasicProgress<S>& now) override {
-      return goes_on_(static_cast<double>(now.time_s));
+S motor_off_time(EventMethod<S, Stepper> run, const S& until_s, const GoesOn& goes_on) {
+  struct Watch : BasicObserver<S> {
+    explicit Watch(const GoesOn& asked) : goes_on_(asked) {}
+    void on_instant(const BasicInstant<S>& at) override {
+      if (at.event == Event::motor_off) time_s = at.time_s;
     }
+    bool goes_on(const BasicProgress<S>& now) override {
+      return !time_s && goes_on_(static_cast<double>(now.time_s));
+    }
+    std::optional<S> time_s;
     const GoesOn& goes_on_;
-  } monitor(goes_on);
-  const S turns = stated<S>(scenario.mass_loss_speed_Hz);
-  const S speed = RotorSystem<S>::radians_per_turn() * turns;
-  const Parameters& p = scenario.parameters;
-  S before = stated<S>(p.mass_loss_time);
-  way.run_up(before - 1 / turns, monitor);
-  const auto excess = [&](const S& time_s) {
-    EventMethod<S, Stepper> there = way;
-    there.advance(time_s, monitor);
-    return S(there.instant().state[5] - speed);
-  };
-  S excess_before = excess(before), time = before - excess_before * S(p.inertia) / S(p.torque);
-  const S rounding = 64 * std::numeric_limits<S>::epsilon() * speed;
-  for (int more = 8; more > 0 && abs(excess_before) > rounding && time != before; --more) {
-    const S now = excess(time), change = now - excess_before;
-    const S next = change == 0 ? time : S(time - now * (time - before) / change);
-    before = time;
-    excess_before = now;
-    time = next;
-  }
-  return time;
+  } watch(goes_on);
+  run.advance(until_s, watch);
+  return watch.time_s.value_or(run.instant().time_s);
 }
 
 template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
@@ -151,14 +135,20 @@ Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
   BasicInstant<S> start = start_of<S>(scenario);
   MassLoss<S> loss(scenario.parameters);
   settings.disturbance.disturb(rotor, start, loss);
-  const auto at_start = [&] {
-    EventMethod<S, Stepper> method(rotor, settings.tolerance, start);
+  const auto at_start = [&](const RotorSystem<S>& of) {
+    EventMethod<S, Stepper> method(of, settings.tolerance, start);
     method.shorten_first_steps(settings.first_steps);
     method.disturb_touch_downs(settings.disturbance.at_touch_downs());
     return method;
   };
-  if (scenario.mass_loss_speed_Hz > 0) loss.time_s = time_at_speed(at_start(), scenario, goes_on);
-  EventMethod<S, Stepper> method = at_start();
+  if (scenario.mass_loss_speed_Hz > 0) {
+    RotorSystem<S> to_speed = rotor;
+    to_speed.motor_off = rotor.radians_per_turn() * stated<S>(scenario.mass_loss_speed_Hz);
+    // Precision and disturbance move it by far less.
+    const S latest_s = S(1.01) * S(scenario.parameters.mass_loss_time);
+    loss.time_s = motor_off_time(at_start(to_speed), latest_s, goes_on);
+  }
+  EventMethod<S, Stepper> method = at_start(rotor);
   observer.on_instant(start);
   finish(method, scenario, loss, observer);
   Computation<S> result = observer.course;

@@ -92,10 +92,13 @@ class EventMethod {
     if (at_.contact != ContactState::free) enter(resume_contact(rotor_, at_.state, at_.contact));
   }
 
-  /// The same motion with the ring of another scenario, whose run-up part is the same.
+  /// The same motion with the ring of another scenario, and the speed at which that switches its
+  /// motor off; its run-up part is the same otherwise.
   EventMethod with(const Scenario& scenario) const {
     EventMethod branch = *this;
-    branch.rotor_.ring = Ring<S>(scenario.parameters);
+    const RotorSystem<S> other(scenario.parameters, scenario.equations);
+    branch.rotor_.ring = other.ring;
+    branch.rotor_.motor_off = other.motor_off;
     return branch;
   }
 
