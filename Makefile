@@ -83,6 +83,8 @@ MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
 
 # Ball arithmetic with FLINT and Arb.
 PROVE_PACKAGES := libflint-dev libflint-arb-dev
+# A discrete-element code for granular media.
+VALIDATE_PACKAGES := liggghts
 
 installed = $(shell dpkg-query -W -f='$${db:Status-Abbrev}$${Package}\n' $(1) 2>/dev/null | sed -n 's/^ii *//p')
 missing   = $(filter-out $(call installed,$(1)),$(1))
@@ -100,7 +102,7 @@ endef
 .PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
-        sanitize portable deps-prove prove clean
+        sanitize portable deps-prove prove deps-validate validate clean
 
 help: ## list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
@@ -131,6 +133,9 @@ deps-report: deps ## install what make check-report needs (optional)
 
 deps-prove: deps ## install what make prove needs (optional)
 	$(call install,$(PROVE_PACKAGES))
+
+deps-validate: deps ## install what make validate needs (optional)
+	$(call install,$(VALIDATE_PACKAGES))
 
 deps-mpi: deps ## install what make mpi needs (optional)
 	$(call install,$(MPI_PACKAGES))
@@ -279,6 +284,18 @@ prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-d
 	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))
 	@$(BUILD)/prover-tests --gtest_brief=1
 	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
+
+# CASES="mu 0.3" compares only those accidents, and writes nothing outside build.
+CASES ?=
+validate: build ## compare the accidents with an independent code: reference-data/independent.csv, and a picture (minutes)
+	$(if $(and $(shell command -v dpkg-query),$(call missing,$(VALIDATE_PACKAGES))),$(error Missing packages: $(call missing,$(VALIDATE_PACKAGES)) (make deps-validate installs them)))
+	$(call build-target,validate)
+	@mkdir -p $(BUILD)/validation
+	@$(BUILD)/validate $(BUILD)/validation $(if $(CASES),$(BUILD)/validation/cases.csv "$(CASES)",reference-data/independent.csv)
+	@$(ROTOR) run --equations consistent --from 29.1 --until 29.1344 --columns time_s,normal_force_N \
+	  --trace $(BUILD)/validation/engine.csv >/dev/null
+	@figures/draw.sh $(if $(CASES),$(BUILD)/validation,verification/validation)/validation.svg \
+	  "folder = '$(BUILD)/validation'" verification/validation/validation.gp
 
 reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv
 	$(call build-target,reasons)

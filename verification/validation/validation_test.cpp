@@ -1,0 +1,52 @@
+/// The engine against reference-data/independent.csv, from `make validate`, and measured rebounds.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "figures/data/csv.hpp"
+#include "verification/validation/cases.hpp"
+
+namespace rotor {
+namespace {
+
+TEST(Independent, CodeGivesTheSameAccidentsUnlessItsInputHasAMistake) {
+  std::map<std::pair<std::string, std::string>, CsvRow> table;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/independent.csv"))
+    table.emplace(std::pair(row["case"], row["quantity"]), row);
+  const std::vector<Accident> all = accidents();
+  const std::vector<Finding> with = with_lever(all[0]).findings(all[0]);
+  for (const Accident& accident : all)
+    for (const Finding& ours : by_engine(accident).findings(accident)) {
+      const auto row = table.extract(std::pair(accident.name, ours.quantity));
+      const std::string what = accident.name + ": " + ours.quantity;
+      if (accident.mistaken && (row.empty() || row.mapped()["liggghts"].empty())) continue;
+      ASSERT_FALSE(row.empty()) << what;
+      const auto theirs = [&](const char* column) {
+        return static_cast<double>(row.mapped().number(column));
+      };
+      const double best = theirs(accident.mistaken ? "liggghts" : "liggghts_finer");
+      EXPECT_EQ(std::abs(ours.difference(best)) > ours.allowed, accident.mistaken) << what;
+      EXPECT_LT(std::abs(ours.difference(theirs("engine"))), 1e-6) << what;  // has eight digits
+      if (&accident != all.data() || ours.lever_allowed == 0) continue;
+      Finding lever = ours;
+      lever.value = find(with, ours.quantity);
+      EXPECT_LT(std::abs(lever.difference(theirs("liggghts_finer"))), ours.lever_allowed) << what;
+    }
+  EXPECT_TRUE(table.empty()) << table.begin()->first.first;
+}
+
+TEST(MeasuredRebounds, AgreeWhereTheSphereSlides) {
+  int sliding = 0;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/measured-rebounds.csv")) {
+    const Rebound ours = rebound(static_cast<double>(row.number("angle_deg")));
+    const auto theirs = static_cast<double>(row.number("tangential_restitution"));
+    sliding += ours.slides ? 1 : 0;
+    // Points read off a plot differ by 0.5 %. A sphere that sticks has tangential compliance.
+    EXPECT_NEAR(ours.tangential_restitution / theirs, 1, ours.slides ? 0.01 : 0.20)
+        << row["angle_deg"];
+  }
+  EXPECT_EQ(sliding, 5);
+}
+
+}  // namespace
+}  // namespace rotor
