@@ -27,7 +27,7 @@ const std::vector<std::vector<std::string>> floors = {
     {"figures/explore", "figures/maps", "figures/program", "verification/support"},
     {"verification/approved", "verification/benchmark", "verification/equations",
      "verification/numerics", "verification/paper", "verification/program",
-     "verification/robustness"},
+     "verification/robustness", "verification/validation"},
     {"verification/report"},
 };
 
