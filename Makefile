@@ -11,10 +11,11 @@ SEED      ?= 1
 HAND      ?= 50
 COUNT     ?= 100
 UNDER     ?=
+CASES     ?=
 RUNS      ?= 1000
 ID        ?=
 PYTHON    ?= $(firstword $(wildcard /usr/bin/python3) python3)
-OPTIONS   := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS ID PYTHON CXX
+OPTIONS   := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID PYTHON CXX
 
 # Options are text: neither make nor a shell runs what is in them. Other variables are no options.
 $(foreach name,$(OPTIONS),$(if $(filter command environment,$(origin $(name))),$(eval override $(name) := $$(strip $$(value $(name))))))
@@ -111,6 +112,7 @@ help: ## list all targets
 	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (for make figures),"
 	@echo "         SEED=7, HAND=50, COUNT=100, UNDER=\"model figures\" (for make mutants: which changes, how many, and where)"
 	@echo "         POINTS=40 (for make maps: points along each axis, 400 by default)"
+	@echo "         CASES=\"mu 0.3\" (for make validate: only accidents with this in their names)"
 	@echo "         RUNS=100 (for make stress: runs, drawn with SEED, to 3, 6, 9 and 12 digits)"
 
 deps: ## install the Debian packages that are missing
@@ -285,13 +287,12 @@ prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-d
 	@$(BUILD)/prover-tests --gtest_brief=1
 	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
-# CASES="mu 0.3" compares only those accidents, and writes nothing outside build.
-CASES ?=
+# With CASES nothing outside build is written.
 validate: build ## compare the accidents with an independent code: reference-data/independent.csv, and a picture (minutes)
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(VALIDATE_PACKAGES))),$(error Missing packages: $(call missing,$(VALIDATE_PACKAGES)) (make deps-validate installs them)))
 	$(call build-target,validate)
 	@mkdir -p $(BUILD)/validation
-	@$(BUILD)/validate $(BUILD)/validation $(if $(CASES),$(BUILD)/validation/cases.csv "$(CASES)",reference-data/independent.csv)
+	@$(BUILD)/validate $(BUILD)/validation $(if $(CASES),$(BUILD)/validation/cases.csv $(call quote,$(CASES)),reference-data/independent.csv)
 	@$(ROTOR) run --equations consistent --from 29.1 --until 29.1344 --columns time_s,normal_force_N \
 	  --trace $(BUILD)/validation/engine.csv >/dev/null
 	@figures/draw.sh $(if $(CASES),$(BUILD)/validation,verification/validation)/validation.svg \

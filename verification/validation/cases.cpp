@@ -14,13 +14,13 @@ namespace {
 
 /// Ends a little after the onset of rolling, at the sixth touch-down, or after half a period of
 /// the paper's supports.
-Accident accident(const std::string& name, Scenario scenario) {
+ComparedAccident accident(const std::string& name, Scenario scenario) {
   scenario.until = scenario.parameters.mass_loss_time;
   EventRecorder recorder;
   run(scenario, recorder);
   Instant from = recorder.first(Event::mass_loss);
   from.motor_on = false;
-  Accident all{name, scenario, from, scenario, from};
+  ComparedAccident all{name, scenario, from, scenario, from};
   const Course course = by_engine(all);
   const auto& touches = course.touch_downs_s;
   all.until_s = course.onset_s ? 1.05 * *course.onset_s : touches.size() > 5 ? touches[5] : 0.05;
@@ -28,7 +28,7 @@ Accident accident(const std::string& name, Scenario scenario) {
 }
 
 /// The first draw of seed 58 that touches the ring, everything beyond the paper's ranges.
-Accident random_rotor() {
+ComparedAccident random_rotor() {
   std::mt19937_64 random(58);
   const auto between = [&](double least, double greatest) {
     return std::uniform_real_distribution<double>(least, greatest)(random);
@@ -47,7 +47,7 @@ Accident random_rotor() {
     p.unbalance_factor = between(4, 6);
     p.motor_off_Hz = scenario.start_speed_Hz = between(200, 300);
     p.mass_loss_time = 1e-3;
-    Accident drawn = accident("drawn at random", scenario);
+    ComparedAccident drawn = accident("drawn at random", scenario);
     drawn.force_allowed = 1e-2;  // its ring is indented by twice the share of r
     if (!by_engine(drawn).touch_downs_s.empty()) return drawn;
   }
@@ -55,9 +55,9 @@ Accident random_rotor() {
 
 }  // namespace
 
-std::vector<Accident> accidents() {
+std::vector<ComparedAccident> accidents() {
   using Loss = std::pair<double, double>;  // time and friction
-  std::vector<Accident> all;
+  std::vector<ComparedAccident> all;
   for (const VelocityJump jump : {VelocityJump::once, VelocityJump::twice})
     for (const auto& [loss_s, mu] :
          {Loss{29.1, 0.3}, {29.1, 0.2}, {29.1, 0.08}, {19.1, 0.3}, {14.15, 0.3}}) {
@@ -70,8 +70,8 @@ std::vector<Accident> accidents() {
     }
   all.push_back(random_rotor());
 
-  const Accident once = all[0], twice = all[5];
-  const auto mistake = [&](const char* name, Accident of) -> Accident& {
+  const ComparedAccident once = all[0], twice = all[5];
+  const auto mistake = [&](const char* name, ComparedAccident of) -> ComparedAccident& {
     of.name = name;
     of.mistaken = true;
     return all.emplace_back(of);
@@ -108,7 +108,7 @@ void Course::add(const Sample& now, double friction_coefficient) {
   last = now;
 }
 
-std::vector<Finding> Course::findings(const Accident& of) const {
+std::vector<Finding> Course::findings(const ComparedAccident& of) const {
   const Parameters& p = of.scenario.parameters;
   std::vector<Finding> all;
   // Contacts multiply the error of the steps; at low friction they are more, and slower.
@@ -129,7 +129,7 @@ std::vector<Finding> Course::findings(const Accident& of) const {
   return all;
 }
 
-Course by_engine(const Accident& accident) {
+Course by_engine(const ComparedAccident& accident) {
   const Instant& from = accident.from;
   EventRecorder events;
   SummaryObserver observer(accident.scenario);
@@ -150,7 +150,7 @@ double coarse_step_s(const Parameters& p) { return 5e-4 * std::sqrt(p.mass / p.c
 
 double viscosity(const Parameters& p, double step_s) { return 0.008 * p.mass / step_s; }
 
-Course with_lever(const Accident& accident) {
+Course with_lever(const ComparedAccident& accident) {
   const Parameters& p = accident.scenario.parameters;
   const Body<double>& body = accident.from.body;
   const Supports<double> supports(p, accident.scenario.equations);

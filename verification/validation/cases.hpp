@@ -11,7 +11,7 @@
 namespace rotor {
 
 /// A rotor from just after its mass loss on, without torque.
-struct Accident {
+struct ComparedAccident {
   std::string name;
   Scenario scenario;
   Instant from;
@@ -23,7 +23,7 @@ struct Accident {
 };
 
 /// Gravity's moment is balanced in all: the whole of it has no force.
-std::vector<Accident> accidents();
+std::vector<ComparedAccident> accidents();
 
 /// A result, and its allowed differences: of times (s) and counts absolute, otherwise relative.
 struct Finding {
@@ -40,7 +40,7 @@ struct Course {
     double time_s, gap, normal_force_N, friction_N, speed_Hz;
   };
   void add(const Sample& now, double friction_coefficient);
-  std::vector<Finding> findings(const Accident& of) const;
+  std::vector<Finding> findings(const ComparedAccident& of) const;
 
   std::vector<double> touch_downs_s;
   std::optional<double> onset_s, onset_Hz;
@@ -48,11 +48,11 @@ struct Course {
   Sample last{};
 };
 
-Course by_engine(const Accident& accident);
+Course by_engine(const ComparedAccident& accident);
 
 /// The engine's equations, but with friction at r - Delta/2 from O, by fixed steps, and with
 /// regularised friction: both as in the other code.
-Course with_lever(const Accident& accident);
+Course with_lever(const ComparedAccident& accident);
 
 /// Of the other code: its longer step, 4e-8 s for the paper's rotor; by how much the other is
 /// shorter; the viscosity of its friction, as large as a step allows, N s/m.

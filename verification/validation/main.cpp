@@ -49,7 +49,7 @@ run {steps}
 
 /// The rotor is a rigid body of three spheres: one of radius r at O, which alone touches the ring,
 /// and two tiny ones at +-arm on the line through C. Their masses give m, e and I.
-std::string spheres(const Accident& accident) {
+std::string spheres(const ComparedAccident& accident) {
   const Instant& from = accident.given_from;
   const Body<double>& body = from.body;
   const Motion<double> m = from.motion();
@@ -72,8 +72,8 @@ std::string spheres(const Accident& accident) {
 }
 
 /// Adds the normal force over time to the curve, if there is one.
-std::vector<Finding> by_liggghts(const Accident& accident, int divisor, const std::string& folder,
-                                 Table* curve = nullptr) {
+std::vector<Finding> by_liggghts(const ComparedAccident& accident, int divisor,
+                                 const std::string& folder, Table* curve = nullptr) {
   const Parameters& p = accident.given.parameters;
   const double step_s = coarse_step_s(p) / divisor, r = p.rotor_radius;
   using fmt::arg;
@@ -122,7 +122,7 @@ int validate(const Arguments& arguments) {
   table.write(head);
   Table force(2), rebounds(2);
   int unexpected = 0;
-  for (const Accident& accident : accidents()) {
+  for (const ComparedAccident& accident : accidents()) {
     if (arguments.size() > 2 && accident.name.find(arguments[2]) == std::string::npos) continue;
     fmt::print(stderr, "{}\n", accident.name);
     const bool mistaken = accident.mistaken;

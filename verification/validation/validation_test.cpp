@@ -13,9 +13,9 @@ TEST(Independent, CodeGivesTheSameAccidentsUnlessItsInputHasAMistake) {
   std::map<std::pair<std::string, std::string>, CsvRow> table;
   for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/independent.csv"))
     table.emplace(std::pair(row["case"], row["quantity"]), row);
-  const std::vector<Accident> all = accidents();
+  const std::vector<ComparedAccident> all = accidents();
   const std::vector<Finding> with = with_lever(all[0]).findings(all[0]);
-  for (const Accident& accident : all)
+  for (const ComparedAccident& accident : all)
     for (const Finding& ours : by_engine(accident).findings(accident)) {
       const auto row = table.extract(std::pair(accident.name, ours.quantity));
       const std::string what = accident.name + ": " + ours.quantity;
