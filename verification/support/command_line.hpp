@@ -28,8 +28,12 @@ class CommandLine : public testing::Test {
     folder_ =
         fs::absolute(fs::temp_directory_path()) / ("rotor-test-" + std::to_string(::getpid()));
     fs::create_directories(folder_);
+    fs::create_symlink(ROTOR_PROGRAM, program());
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  void TearDown() override {
+    fs::remove_all(folder_);
+    fs::remove(program());
+  }
 
   fs::path write(std::string_view name, std::string_view content) const {
     std::ofstream(folder_ / name) << content;
@@ -44,7 +48,7 @@ class CommandLine : public testing::Test {
   /// Runs a shell command in the folder; $rotor is the program. The output includes standard error.
   Outcome shell(const std::string& command) const {
     const std::string whole =
-        "cd '" + folder_.string() + "' && rotor='" ROTOR_PROGRAM "' && { " + command + "\n} 2>&1";
+        "cd '" + folder_.string() + "' && rotor='" + program() + "' && { " + command + "\n} 2>&1";
     std::signal(SIGHUP, SIG_DFL);  // ignored if nohup started the tests
     FILE* pipe = ::popen(whole.c_str(), "r");
     std::string output;
@@ -96,6 +100,10 @@ class CommandLine : public testing::Test {
   }
 
   fs::path folder_;
+
+ private:
+  /// A path to the program without blanks, wherever the checkout lies.
+  std::string program() const { return folder_.string() + ".program"; }
 };
 
 }  // namespace rotor
