@@ -1,7 +1,7 @@
 # The accident by two codes; below, rebounds measured and by the engine's contact law. `folder` has the data.
 eval "set terminal ".square
 set multiplot layout 2,1 margins 0.11,0.97,0.08,0.93 spacing 0.1
-set title "{/:Bold An independent code and a measurement} (corrected equations, μ = 0.3)"
+set title "{/:Bold An independent code and a measurement}: corrected equations, μ = 0.3"
 set key top left
 set xrange [9:34.4]; set yrange [0:500]
 set xlabel "time after the mass loss, ms" offset 0,0.4
