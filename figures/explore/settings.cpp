@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/mechanics/contact.hpp"
 #include "model/mechanics/mass_loss.hpp"
 
 namespace rotor {
@@ -58,7 +59,7 @@ bool is_in_effect(std::string_view quantity, const CsvRow& row, const ScenarioSp
   if (drawn.quantity.in) return drawn.quantity.of(scenario) == printed;
   const Parameters& p = scenario.parameters;
   const double value =
-      quantity == "clearance" ? p.stator_radius - p.rotor_radius : MassLoss<double>(p).lost_mass;
+      quantity == "clearance" ? Ring<double>(p).clearance : MassLoss<double>(p).lost_mass;
   return row.number("least") <= value && value <= row.number("greatest");
 }
 

@@ -37,7 +37,7 @@ std::array<double, names.size()> closed_forms(const Scenario& scenario) {
   const Whirl whirl(p);
   const Accident law(p, scenario.equations, speed);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  return {p.stator_radius - p.rotor_radius,
+  return {Ring<double>(p).clearance,
           p.friction,
           response.greatest(),
           response.bound(),

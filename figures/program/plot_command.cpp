@@ -6,6 +6,7 @@
 #include "figures/input/toml_file.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/provenance.hpp"
+#include "model/mechanics/contact.hpp"
 
 namespace rotor {
 namespace {
@@ -23,7 +24,7 @@ void plot_motion(const Scene& scene, const PlotOptions& options) {
         fmt::format("run{}.csv", n),
         csv_head(scene.title, scene, "run") + csv_rows({tables[n - 1]}));
     settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, numbered(run.name),
-                            1000 * (p.stator_radius - p.rotor_radius));
+                            1000 * Ring<double>(p).clearance);
   }
   drawing.finish(settings, "plot.gp");
 }

@@ -222,7 +222,7 @@ std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const 
   const auto drawn = label_and_unit(result.key);
   std::vector<std::string> panels(axes.panels.of.size());
   std::array<long, coded_outcomes.size() + 1> seen{};
-  double least = INFINITY, greatest = -INFINITY;
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
   const long draws = axes.is_map() ? sweep.sample.count : 1;
   Mean outcome, value;
   long n = 0;

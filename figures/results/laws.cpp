@@ -50,7 +50,7 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
   const auto below = [&](std::string_view quantity, double value, double limit) {
     if (!(value < limit)) note(quantity, value, "below", limit);
   };
-  const double critical = std::sqrt(p.support_stiffness / p.mass);
+  const double critical = critical_speed(p);
   above("the ratio of the speed at the loss to the critical speed", speed / critical, 1.5);
   if (two_pi * scenario.start_speed_Hz < critical && critical < speed)
     below("the ratio of the displacement in the run-up to the clearance",

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/mechanics/contact.hpp"
+
 namespace rotor {
 
 std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<double> loss_speed_Hz,
@@ -19,7 +21,8 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<dou
                      "Hz, less than {} of motor_off_hz = {} Hz",
                      scenario.until, reached, near, p.motor_off_Hz)});
   constexpr double slow = 0.1;
-  const double critical_Hz = std::sqrt(p.support_stiffness / p.mass) / two_pi;
+  const double critical_Hz =
+      std::sqrt(SupportSprings<double>(p).tangent_stiffness(0) / p.mass) / two_pi;
   if (loss_speed_Hz && *loss_speed_Hz < slow * critical_Hz)
     all.push_back(
         {fmt::format("the mass is lost at {:.2g} Hz, less than {} of the critical speed, "
@@ -35,7 +38,7 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<dou
                      "squared; a disk has 0.5, a ring 1",
                      p.inertia, ratio)});
   constexpr double large = 0.1;
-  const double clearance = p.stator_radius - p.rotor_radius;
+  const double clearance = Ring<double>(p).clearance;
   if (clearance > p.rotor_radius)
     all.push_back(
         {fmt::format("the clearance, {} m, exceeds the rotor's radius; lengths are in metres",

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "figures/input/names.hpp"
+#include "model/mechanics/contact.hpp"
 
 namespace rotor {
 namespace {
@@ -293,7 +294,7 @@ std::vector<Remark> remarks(const RunResult& result) {
         fmt::format("the rotation reversed {} times out of contact, as a pendulum's may: near its "
                     "turning points",
                     result.reversals));
-  const double clearance = p.stator_radius - p.rotor_radius;
+  const double clearance = Ring<double>(p).clearance;
   const double displacement =
       std::max(summary.max_displacement_m.value_or(0), summary.max_displacement_before_loss_m);
   const auto of_rotor = remarks_on_rotor(result.scenario, summary.speed_at_mass_loss_Hz,

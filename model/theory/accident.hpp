@@ -26,17 +26,21 @@ inline double impact(double zeta) {
 inline double whirling_friction(const Parameters& p, double mass, double velocity,
                                 double restitution) {
   const double kicks = velocity * (1 + restitution) / (1 - restitution);
-  const double way = (p.stator_radius - p.rotor_radius) / kicks;
+  const double way = Ring<double>(p).clearance / kicks;
   const double k = SupportSprings<double>(p).linear_stiffness("the friction that leads to whirl");
   return std::sqrt(way * (way * k + p.support_damping) / mass);
+}
+
+/// Before the mass loss, rad/s.
+inline double critical_speed(const Parameters& p) {
+  return std::sqrt(SupportSprings<double>(p).linear_stiffness("the critical speed") / p.mass);
 }
 
 /// About the largest displacement of O in a run-up through the critical speed, m: at most that of
 /// the steady response, and that of an undamped rotor at this acceleration (after F. M. Lewis 1932;
 /// the factor 1.3 is from our runs). Without damping and torque infinite.
 inline double run_up_displacement(const Parameters& p) {
-  const double critical =
-      std::sqrt(SupportSprings<double>(p).linear_stiffness("the run-up") / p.mass);
+  const double critical = critical_speed(p);
   const double zeta = p.support_damping / (2 * p.mass * critical);
   const double steady = zeta < std::sqrt(0.5) ? 1 / (2 * zeta * std::sqrt(1 - zeta * zeta)) : 1;
   const double passing = 1.3 * critical * std::sqrt(std::numbers::pi / 2 * p.inertia / p.torque);

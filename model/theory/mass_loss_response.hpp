@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "model/mechanics/contact.hpp"
 #include "model/mechanics/mass_loss.hpp"
 
 namespace rotor {
@@ -21,7 +22,7 @@ class MassLossResponse {
   /// Throws std::domain_error for supports that do not vibrate, because they have no stiffness or
   /// at least critical damping, and for springs that are not linear.
   MassLossResponse(const Parameters& p, Equations equations, double speed)
-      : speed_(speed), clearance_(p.stator_radius - p.rotor_radius) {
+      : speed_(speed), clearance_(Ring<double>(p).clearance) {
     const MassLoss<double> loss(p);
     const Supports<double> supports(p, equations);
     const auto steady = [&](const Body<double>& body) {

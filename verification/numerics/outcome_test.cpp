@@ -82,7 +82,7 @@ TEST(Outcome, IsSlidingAfterANaturalPeriodOfTheContactAndNotBefore) {
   const Parameters& p = scenario.parameters;
   OutcomeWatch watch(scenario);
   Instant at = at_rest<double>(p);
-  at.state[0] = p.stator_radius - p.rotor_radius;
+  at.state[0] = Ring<double>(p).clearance;
   const double period = two_pi * std::sqrt(p.mass / p.contact_stiffness);
   for (const ContactState before : {ContactState::free, ContactState::indented}) {
     at.contact = before;

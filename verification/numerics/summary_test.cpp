@@ -44,7 +44,7 @@ TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
     const Instant& at = recorder.first(Event::touch_down);
     const Motion<double> m = at.motion();
     const double rho = m.displacement.norm();
-    gaps += rho <= p.stator_radius - p.rotor_radius;
+    gaps += rho <= Ring<double>(p).clearance;
     const double impact = p.contact_damping * m.displacement.dot(m.velocity) / rho;
     SummaryObserver observer(scenario);
     run(scenario, observer);

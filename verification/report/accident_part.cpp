@@ -6,6 +6,7 @@
 #include <map>
 
 #include "figures/explore/explorer.hpp"
+#include "model/mechanics/contact.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -36,7 +37,7 @@ std::vector<Frame> frames_of(const Picture& picture) {
 /// Coordinates in the picture: y_a to the right, x_a down. The rotor turns from x_a to y_a.
 Json drawn(const Frame& frame, const Parameters& p) {
   const double per_m = 100 / p.stator_radius;
-  const double clearance_m = p.stator_radius - p.rotor_radius;
+  const double clearance_m = Ring<double>(p).clearance;
   const double radius = 100 - enlarged * clearance_m * per_m;
   const double x = enlarged * frame.y_a_m * per_m, y = enlarged * frame.x_a_m * per_m;
   const double distance = std::max(std::hypot(x, y), 1e-9), nx = x / distance, ny = y / distance;

@@ -24,7 +24,7 @@ Instant mass_lost_at_speed(const Scenario& scenario, double speed) {
 
 Instant pressed_by_whirl(const Scenario& scenario, double speed, double slip) {
   const Parameters& p = scenario.parameters;
-  const double clearance = p.stator_radius - p.rotor_radius;
+  const double clearance = Ring<double>(p).clearance;
   const double tangential = slip - p.rotor_radius * speed;
   const double rho = clearance + p.mass * tangential * tangential / clearance / p.contact_stiffness;
   Instant at = at_rest(p);
