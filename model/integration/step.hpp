@@ -1,16 +1,12 @@
 /// Steps of an Odeint error stepper over a smooth autonomous system: their error, their dense
 /// output, and the first event in them. Independent of the rotor.
-///
-/// A system is called as system(x, rates, time). Its scale(x) returns the sizes to which the errors
-/// of the unknowns are relative, its bounds(from, to) what is known about a step beforehand. It has
-/// event functions, event(i, x) for i below event_count; an event is where one of them becomes
-/// negative. The `events` of its bounds are what is known about them.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -37,9 +33,36 @@ struct Point {
   }
 };
 
+/// What is known about an event function over a whole step.
+template <class S>
+struct EventBound {
+  bool stays_positive = false;
+  std::optional<S> curvature{};  ///< bound on its second derivative
+};
+
+/// A smooth autonomous system with event functions; an event is where one becomes negative.
+template <class T, class S, class Unknowns = typename T::Unknowns>
+concept SystemOf = requires(const T& system, const Unknowns& x, Unknowns& rates, const S& time,
+                            const Point<S, Unknowns>& at, std::size_t i) {
+  system(x, rates, time);
+  { system.scale(x) } -> std::same_as<Unknowns>;  // sizes to which errors are relative
+  { T::event_count } -> std::convertible_to<std::size_t>;
+  { system.event(i, x) } -> std::same_as<S>;  // for i below their number
+  { system.bounds(at, at).events[i] } -> std::convertible_to<EventBound<S>>;  // known beforehand
+};
+
+/// An error stepper of Odeint. It steps from x, whose rates are known, to a time later, and
+/// estimates the errors, which are as that power of the step's length.
+template <class T, class S, class State = typename T::state_type>
+concept StepperOf = requires(T stepper, void (*system)(const State&, State&, S), const State& x,
+                             const State& rates, const S& time, State& later, State& errors) {
+  stepper.do_step(system, x, rates, time, later, time, errors);
+  { T::stepper_order_value } -> std::convertible_to<double>;
+};
+
 /// Takes steps and estimates their errors relative to what is allowed: the tolerance times the
 /// system's scale, plus rounding.
-template <class S, class Stepper>
+template <class S, StepperOf<S> Stepper>
 class ErrorControl {
  public:
   using Unknowns = typename Stepper::state_type;
@@ -51,7 +74,7 @@ class ErrorControl {
 
   /// Steps from one point to the time of another and sets its unknowns. Returns the error, infinite
   /// if the motion is not finite.
-  template <class System>
+  template <SystemOf<S> System>
   double step(const System& system, const Point& from, Point& to) {
     using std::abs;
     Unknowns errors;
@@ -84,7 +107,7 @@ class ErrorControl {
 
 /// A step that has been taken, to its end or to where an event stops it. Keeps references to its
 /// start and its end.
-template <class S, class Stepper, class System>
+template <class S, StepperOf<S> Stepper, SystemOf<S> System>
 class Step {
  public:
   using Control = ErrorControl<S, Stepper>;
@@ -235,13 +258,6 @@ class Step {
   Point stop_;
   std::optional<Bounds> bounds_;
   std::optional<DenseOutput> dense_output_;
-};
-
-/// What is known about an event function over a whole step.
-template <class S>
-struct EventBound {
-  bool stays_positive = false;
-  std::optional<S> curvature{};  ///< bound on its second derivative
 };
 
 /// Which of the system's events ends a step, if one does. The step stops there.

@@ -4,8 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/numeric/odeint.hpp>
 #include <cmath>
 
+#include "model/integration/fehlberg.hpp"
 #include "model/integration/step.hpp"
 #include "model/integration/verner.hpp"
 #include "model/mechanics/parameters.hpp"
@@ -150,23 +152,47 @@ struct Pendulum : Toy {
   static double energy(const Unknowns& x) { return x[1] * x[1] / 2 - std::cos(x[0]); }
 };
 
-using Stepper2 = Verner87<std::array<double, 2>, double>;
+using State2 = std::array<double, 2>;
+using Stepper2 = Verner87<State2, double>;
 using Control2 = ErrorControl<double, Stepper2>;
 using Point2 = Control2::Point;
 
+/// Odeint's pairs whose last stage is the first of the next step (first same as last). A Step does
+/// not take the rates at its end from there.
+template <class Odeint>
+struct FirstSameAsLast : Odeint {
+  template <class System>
+  void do_step(System system, const State2& x, const State2& rates, double time, State2& later,
+               double length, State2& errors) {
+    State2 unused;
+    Odeint::do_step(system, x, rates, time, later, unused, length, errors);
+  }
+};
+
+static_assert(!StepperOf<boost::numeric::odeint::runge_kutta_dopri5<State2>, double>);  // as it is
+static_assert(SystemOf<Ball, double> && !SystemOf<Toy, double>);  // a Toy has no rates
+
+template <class Stepper>
+struct StepBy : testing::Test {};
+using Steppers =
+    testing::Types<Stepper2, Fehlberg78<State2, double>,
+                   boost::numeric::odeint::runge_kutta_cash_karp54<State2>,
+                   FirstSameAsLast<boost::numeric::odeint::runge_kutta_dopri5<State2>>>;
+TYPED_TEST_SUITE(StepBy, Steppers);
+
 /// Times and states of the events of a toy system. Each step has a given length or ends at its
 /// first event, which the caller resets.
-template <class System, class Reset>
+template <class Stepper = Stepper2, class System, class Reset>
 std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, std::size_t number,
                               const Reset& reset) {
-  Control2 control(1e-14);
+  ErrorControl<double, Stepper> control(1e-14);
   std::vector<Point2> all;
   for (double time = 0; all.size() < number && time < 100;) {
     Point2 start{.x = x}, end{.time = length};
     system(start.x, start.rates, 0);
     control.step(system, start, end);
     system(end.x, end.rates, 0);
-    Step<double, Stepper2, System> step(control, system, start, end);
+    Step<double, Stepper, System> step(control, system, start, end);
     const auto event = first_event(step);
     Point2 stop = step.stop();
     time += stop.time;
@@ -182,12 +208,12 @@ std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, 
 /// Rounding error of a step of the toy systems: the weights of the pair, up to 123, are rounded.
 constexpr double rounding_of_a_step = 123 * std::numeric_limits<double>::epsilon();
 
-TEST(BouncingBall, MeetsTheFloorWhenTheClosedFormSaysSo) {
+TYPED_TEST(StepBy, MeetsTheFloorWhenTheClosedFormSaysSo) {
   const double height = 1, restitution = 0.8;
   const auto bounce = [&](const Ball&, Ball::Unknowns& x) { x = {0, -restitution * x[1]}; };
   // In steps shorter and longer than the flights.
   for (const double length : {0.1, 0.3, 1.}) {
-    const auto bounces = events_of(Ball{}, {height, 0}, length, 4, bounce);
+    const auto bounces = events_of<TypeParam>(Ball{}, {height, 0}, length, 4, bounce);
     ASSERT_EQ(bounces.size(), 4U);
     double fall = std::sqrt(2 * height / gravity), time = fall;
     for (const Point2& at : bounces) {
@@ -237,15 +263,15 @@ TEST(Step, FindsTheBeginningOfAShallowDip) {
   }
 }
 
-TEST(Step, HasADenseOutputOfItsOwnOrder) {
+TYPED_TEST(StepBy, HasADenseOutputOfItsOwnOrder) {
   const Pendulum system;
-  Control2 control(1e-10);
+  ErrorControl<double, TypeParam> control(1e-10);
   const auto largest_error = [&](double length) {
     Point2 start{.x = {1, 0.5}}, end{.time = length};
     system(start.x, start.rates, 0);
     control.step(system, start, end);
     system(end.x, end.rates, 0);
-    Step<double, Stepper2, Pendulum> step(control, system, start, end);
+    Step<double, TypeParam, Pendulum> step(control, system, start, end);
     double largest = 0;
     for (int i = 1; i < 10; ++i) {
       Point2 exact = start;  // by ten short steps to there
@@ -259,7 +285,8 @@ TEST(Step, HasADenseOutputOfItsOwnOrder) {
     }
     return largest;
   };
-  EXPECT_GT(std::log2(largest_error(0.25) / largest_error(0.125)) + 0.1, 8);
+  constexpr int order = TypeParam::stepper_order_value;  // a constant that Odeint only declares
+  EXPECT_GT(std::log2(largest_error(0.25) / largest_error(0.125)) + 0.1, order);
 }
 
 TEST(ErrorControl, CallsAMotionThatIsNotFiniteInfinitelyWrong) {
