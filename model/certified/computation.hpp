@@ -228,7 +228,9 @@ void add_guards(std::vector<NamedValue<S>>& all, const Phase& phase,
                 const typename Phase::Unknowns& x) {
   using std::abs;
   for (std::size_t n = 0; n < Phase::event_count; ++n)
-    all.push_back({"reserve", abs(phase.guard(n, x))});
+    with_end<Phase::event_count>(n, [&](auto end) {
+      all.push_back({"reserve", abs(phase.guard(end, x))});
+    });
 }
 
 /// The same for the phase that the rotor is in.

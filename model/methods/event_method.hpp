@@ -19,7 +19,7 @@
 namespace rotor {
 
 /// A phase as a system of the integration library. Counts its evaluations.
-template <class S, class Phase>
+template <class S, PhaseOf<S> Phase>
 class PhaseSystem {
  public:
   using Unknowns = typename Phase::Unknowns;
@@ -36,7 +36,7 @@ class PhaseSystem {
   }
   S event(std::size_t i, const Unknowns& x) const {
     if (phase_.guard_takes_loads(i)) ++counters_.contact_evaluations;
-    return phase_.guard(i, x);
+    return with_end<event_count>(i, [&](auto end) { return phase_.guard(end, x); });
   }
   using Point = rotor::Point<S, Unknowns>;
   auto bounds(const Point& from, const Point& to) const { return phase_.bounds(from, to); }
@@ -151,7 +151,8 @@ class EventMethod {
     if (!std::holds_alternative<Chart>(chart_)) {
       chart_.template emplace<Chart>(rotor_, at_.state);
       start_.x = std::get<Chart>(chart_).unknowns(at_.state);
-      if constexpr (std::is_same_v<Chart, ContactChart<S>>) start_.x[4] *= 1 + slip_disturbance_;
+      if constexpr (std::is_same_v<Chart, ContactChart<S>>)
+        start_.x[Chart::tangential] *= 1 + slip_disturbance_;
     }
     return std::get<Chart>(chart_);
   }
@@ -159,7 +160,7 @@ class EventMethod {
   std::optional<Transition> follow_phase(const S& until_s, BasicObserver<S>& observer,
                                          Extent extent);
 
-  template <class Phase, class Chart>
+  template <class Phase, MovingChartOf<S> Chart>
   std::optional<Transition> follow(const Phase& phase, Chart& chart, S& step, const S& until_s,
                                    BasicObserver<S>& observer, Extent extent) {
     const PhaseSystem<S, Phase> system(phase, counters_);
@@ -193,7 +194,8 @@ class EventMethod {
       Point stop = taken.stop();
       const S end_s = last && !event ? until_s : S(at_.time_s + stop.time);
       std::optional<Transition> next;
-      if (event) next = phase.next(*event, stop.x);
+      if (event)
+        next = with_end<Phase::event_count>(*event, [&](auto n) { return phase.next(n, stop.x); });
       if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
         counters_ = before;  // advance() takes this step
         at_.state = chart.state(start_.x);
@@ -300,7 +302,8 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
       auto& chart = this->chart<ContactChart<S>>();
       start_.x = chart.without_slip(start_.x);
       const Rolling<S> rolling(rotor_, chart);
-      if (phase_is_new_ && rolling.has_no_grip(start_.x)) return rolling.break_away(start_.x);
+      if (phase_is_new_ && rolling.has_no_grip(start_.x))
+        return rolling.next(typename Rolling<S>::BreakAway(), start_.x);
       return in(rolling, chart, contact_step_);
     }
   }

@@ -55,7 +55,8 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   const auto threshold = [&](Extreme of, const S& from, const S& until) {
     return observer.threshold(of, start.time_s + from, start.time_s + until);
   };
-  constexpr auto& kinds = std::remove_cvref_t<decltype(phase)>::extremes_of;
+  using Phase = std::remove_cvref_t<decltype(phase)>;
+  constexpr auto& kinds = Phase::extremes_of;
   const auto& reach = step.bounds().reach;
   bool is_beyond_reach = true;
   for (std::size_t i = 0; i < kinds.size() && is_beyond_reach; ++i)
@@ -64,7 +65,7 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   long parts = arcs(phase, step.start().x, duration);
   // In contact at loose tolerances most steps are long, and each point inside costs an
   // interpolation.
-  if constexpr (requires(Point p) { phase.vibration_reach(p, p); })
+  if constexpr (Phase::bounds_vibration)
     if (parts > 1) {
       const auto vibration = phase.vibration_reach(step.start(), step.stop());
       bool stays_below = true;
@@ -111,8 +112,7 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
 template <class S, class Step>
 void show_step(Step& step, const BasicInstant<S>& start, const S& until_s,
                BasicObserver<S>& observer) {
-  if constexpr (requires(typename Step::Unknowns x) { step.system().phase().extremes(x, x); })
-    show_maxima(step, start, until_s, observer);
+  show_maxima(step, start, until_s, observer);
   if (observer.wants_dense_output(start.time_s, until_s))
     observer.on_step(DenseOutputOf<S, Step>(start, until_s, step));
 }

@@ -22,6 +22,7 @@ class ContactChart {
   /// smaller: as slip less the rim's velocity it would be lost in rounding, and the whirl rate
   /// divides it by rho. To locate zeros of the slip, the slip itself is needed.
   using Unknowns = std::array<S, 6>;
+  enum Unknown { rotor_angle, direction, indentation, normal_velocity, tangential, rotor_speed };
 
   struct Kinematics {
     Motion<S> motion;
@@ -51,30 +52,32 @@ class ContactChart {
 
   State<S> state(const Unknowns& x) const {
     using std::cos, std::sin;
-    const S c = cos(alpha_ + x[1]), s = sin(alpha_ + x[1]), rho = displacement(x);
+    const S c = cos(alpha_ + x[direction]), s = sin(alpha_ + x[direction]), rho = displacement(x);
     const Vector<S> q = turned(Vector<S>(rho, 0), c, s);
-    const Vector<S> rate = turned(Vector<S>(x[3], tangential_velocity(x) - x[5] * rho), c, s);
-    return {q.x(), q.y(), q3_ + x[0], rate.x(), rate.y(), x[5]};
+    const Vector<S> rate =
+        turned(Vector<S>(x[normal_velocity], tangential_velocity(x) - speed(x) * rho), c, s);
+    return {q.x(), q.y(), q3_ + x[rotor_angle], rate.x(), rate.y(), speed(x)};
   }
 
   Kinematics kinematics(const Unknowns& x) const {
-    const auto [cosine, sine] = turns<S>(-x[1], -(x[0] + x[1]));
+    const auto [cosine, sine] = turns<S>(-x[direction], -(x[rotor_angle] + x[direction]));
     return {{.displacement = Vector<S>(displacement(x), 0),
-             .velocity = Vector<S>(x[3], tangential_velocity(x)),
+             .velocity = Vector<S>(x[normal_velocity], tangential_velocity(x)),
              .eccentricity = turned(arm_, cosine[0], sine[0]),
              .down = turned(down_, cosine[1], sine[1]),
-             .speed = x[5]}};
+             .speed = speed(x)}};
   }
 
-  S speed(const Unknowns& x) const { return x[5]; }
-  S whirl_angle(const Unknowns& x) const { return q3_ + alpha_ + x[1] + x[0]; }
+  S speed(const Unknowns& x) const { return x[rotor_speed]; }
+  S speed_with_ripple(const Unknowns& x) const { return speed(x); }
+  S whirl_angle(const Unknowns& x) const { return q3_ + alpha_ + x[direction] + x[rotor_angle]; }
 
   RimPoint<S> rim_point(const Unknowns& x) const {
     return {.normal = Vector<S>(1, 0),
             .tangent = Vector<S>(0, 1),
             .displacement = displacement(x),
-            .indentation = x[2],
-            .normal_velocity = x[3],
+            .indentation = x[indentation],
+            .normal_velocity = x[normal_velocity],
             .slip_velocity = slip_velocity(x)};
   }
 
@@ -82,11 +85,11 @@ class ContactChart {
     const Motion<S>& m = at.motion;
     const Vector<S> of_O = acceleration_of_centre(a, m);
     const S whirl = m.velocity.y() / m.displacement.x();  // of the basis, rad/s
-    return {x[5],
-            whirl - x[5],
-            x[3],
+    return {speed(x),
+            whirl - speed(x),
+            x[normal_velocity],
             of_O.x() + whirl * m.velocity.y(),
-            of_O.y() - whirl * x[3] + (knows_slip_ ? S(radius_ * a.angular) : S(0)),
+            of_O.y() - whirl * x[normal_velocity] + (knows_slip_ ? S(radius_ * a.angular) : S(0)),
             a.angular};
   }
 
@@ -96,25 +99,25 @@ class ContactChart {
 
   /// The unknowns without slip, or their rates without a change of slip.
   Unknowns without_slip(Unknowns x) const {
-    x[4] = knows_slip_ ? S(0) : S(-radius_ * x[5]);
+    x[tangential] = knows_slip_ ? S(0) : S(-radius_ * speed(x));
     return x;
   }
 
   /// Tangential velocity of O; or, from the rates, its rate.
   S tangential_velocity(const Unknowns& x) const {
-    return knows_slip_ ? x[4] - radius_ * x[5] : x[4];
+    return knows_slip_ ? x[tangential] - radius_ * speed(x) : x[tangential];
   }
 
   /// Counts both angles from x: small ones have smaller rounding errors and cost less. Returns
   /// whether the rates have changed.
   bool recentre(Unknowns& x) {
     using std::abs;
-    centre(q3_ + x[0], alpha_ + x[1]);
-    x[0] = x[1] = 0;
-    const S slip = slip_velocity(x), tangential = tangential_velocity(x);
+    centre(q3_ + x[rotor_angle], alpha_ + x[direction]);
+    x[rotor_angle] = x[direction] = 0;
+    const S slip = slip_velocity(x), velocity_of_O = tangential_velocity(x);
     const bool knew_slip = knows_slip_;
-    knows_slip_ = is_wide() || abs(slip) <= abs(tangential);
-    x[4] = knows_slip_ ? slip : tangential;
+    knows_slip_ = is_wide() || abs(slip) <= abs(velocity_of_O);
+    x[tangential] = knows_slip_ ? slip : velocity_of_O;
     return knows_slip_ != knew_slip;
   }
 
@@ -132,8 +135,10 @@ class ContactChart {
   /// but the smallest tolerances.
   bool is_wide() const { return radius_ <= 100 * clearance_; }
 
-  S displacement(const Unknowns& x) const { return clearance_ + x[2]; }
-  S slip_velocity(const Unknowns& x) const { return knows_slip_ ? x[4] : x[4] + radius_ * x[5]; }
+  S displacement(const Unknowns& x) const { return clearance_ + x[indentation]; }
+  S slip_velocity(const Unknowns& x) const {
+    return knows_slip_ ? x[tangential] : x[tangential] + radius_ * speed(x);
+  }
 
   S eccentricity_, clearance_, radius_;
   bool knows_slip_;       ///< whether the slip is among the unknowns

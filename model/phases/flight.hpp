@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <tuple>
 
 #include "model/phases/flight_chart.hpp"
 #include "model/phases/rub.hpp"
@@ -32,12 +31,12 @@ Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, Contac
 }
 
 /// What both phases have in common.
-template <class S, class Chart>
-struct Flight : Phase<S, Chart> {
-  using Phase<S, Chart>::Phase;
-  using typename Phase<S, Chart>::Unknowns;
-  using Phase<S, Chart>::rotor, Phase<S, Chart>::chart, Phase<S, Chart>::mobility;
-  static constexpr bool contact_in_rates = false;
+template <class S, class Chart, ContactState state, std::size_t ends>
+struct Flight : Phase<S, Chart, state, ends, Extreme::displacement, Extreme::bearing_force> {
+  using Base = Phase<S, Chart, state, ends, Extreme::displacement, Extreme::bearing_force>;
+  using Base::Base, Base::rotor, Base::chart, Base::mobility;
+  using typename Base::Unknowns;
+  static constexpr bool contact_in_rates = false, bounds_vibration = false;
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const auto at = chart.kinematics(x);
@@ -57,7 +56,6 @@ struct Flight : Phase<S, Chart> {
     return chart.scale(rotor.ring.clearance / 300, w, w / 100);
   }
 
-  static constexpr std::array extremes_of = {Extreme::displacement, Extreme::bearing_force};
   static constexpr bool extreme_takes_rates(std::size_t /*i*/) { return false; }
   std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
     const Motion<S> m = chart.kinematics(x).motion;
@@ -72,41 +70,34 @@ struct Flight : Phase<S, Chart> {
 
 /// Clear of the ring.
 template <class S, class Chart = FlightChart<S>>
-struct FreeFlight : Flight<S, Chart> {
-  using Flight<S, Chart>::Flight;
-  using typename Flight<S, Chart>::Unknowns;
-  using Flight<S, Chart>::rotor, Flight<S, Chart>::chart;
+struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
+  using Base = Flight<S, Chart, ContactState::free, 2>;
+  using Base::Base, Base::rotor, Base::chart, Base::guard, Base::next;
+  using typename Base::Unknowns, typename Base::Point, typename Base::MotorOff;
 
-  static constexpr std::size_t event_count = 2;
-  S guard(std::size_t n, const Unknowns& x) const {
+  /// rho = r_a - r
+  using TouchDown = End<0>;
+  S guard(TouchDown, const Unknowns& x) const {
     const S clearance = rotor.ring.clearance;
-    const auto at = chart.kinematics(x);
-    switch (n) {
-      case 0:
-        return clearance * clearance - at.motion.displacement.squaredNorm();  // rho = r_a - r
-      default:
-        return rotor.motor_guard(at.motion.speed);  // f = f_max
-    }
+    return clearance * clearance - chart.kinematics(x).motion.displacement.squaredNorm();
   }
-  Transition next(std::size_t guard, const Unknowns& x) const {
-    if (guard == 0) return meet_ring(rotor, chart.state(x), Event::touch_down);
-    return {Event::motor_off, ContactState::free};
+  Transition next(TouchDown, const Unknowns& x) const {
+    return meet_ring(rotor, chart.state(x), Event::touch_down);
   }
-
-  using Point = rotor::Point<S, Unknowns>;
 
   /// Whether the guards can end the phase within a step, the curvature of the touch-down guard if
   /// so, and upper bounds of the extremes, if these are known.
-  StepBounds<S, event_count, 2> bounds(const Point& from, const Point& to) const {
-    StepBounds<S, event_count, 2> all;
+  typename Base::Bounds bounds(const Point& from, const Point& to) const {
+    typename Base::Bounds all;
     const auto motion = motion_bounds(from, to);
     if (!motion) return all;
     using std::max, std::min;
     const S clearance = rotor.ring.clearance, reach = min(motion->displacement, clearance);
     all.reach = {reach, rotor.supports.greatest_bearing_force(reach, motion->velocity)};
-    all.events[1].stays_positive = !rotor.motor_on || motion->speed < rotor.motor_off;
-    all.events[0].stays_positive = motion->displacement < clearance;
-    if (all.events[0].stays_positive) return all;
+    all.events[MotorOff()].stays_positive = !rotor.motor_on || motion->speed < rotor.motor_off;
+    EventBound<S>& touch_down = all.events[TouchDown()];
+    touch_down.stays_positive = motion->displacement < clearance;
+    if (touch_down.stays_positive) return all;
     const S of_O = motion->acceleration + rotor.body.eccentricity * (motion->speed * motion->speed +
                                                                      motion->angular_acceleration);
     const auto velocity = [&](const Point& at) {
@@ -115,13 +106,13 @@ struct FreeFlight : Flight<S, Chart> {
     // The larger velocity of both ends, plus what can be gained in half the step.
     const S fastest =
         min(motion->velocity, max(velocity(from), velocity(to)) + of_O * (to.time - from.time) / 2);
-    all.events[0].curvature = 2 * (fastest * fastest + clearance * of_O);
+    touch_down.curvature = 2 * (fastest * fastest + clearance * of_O);
     return all;
   }
 
  private:
   /// Bounds of absolute values.
-  struct Bounds {
+  struct MotionBounds {
     S displacement;          ///< of O, m
     S velocity;              ///< of O, m/s
     S acceleration;          ///< of C, m/s^2
@@ -133,7 +124,7 @@ struct FreeFlight : Flight<S, Chart> {
   /// the synchronous motion is a damped oscillation, driven only by the residual that the
   /// synchronous motion leaves, and its amplitude grows by no more than that. Twice the residual at
   /// the ends of the step, plus a thousandth of the amplitude, is taken as its bound in between.
-  std::optional<Bounds> motion_bounds(const Point& from, const Point& to) const {
+  std::optional<MotionBounds> motion_bounds(const Point& from, const Point& to) const {
     using std::abs, std::max, std::min, std::sqrt;
     const Body<S>& body = rotor.body;
     const Supports<S>& supports = rotor.supports;
@@ -147,12 +138,12 @@ struct FreeFlight : Flight<S, Chart> {
     }();
     const S drive = 2 * max(this->drive(from, frequency), this->drive(to, frequency));
     const S deviation =
-        (norm(from.x[0] * frequency, from.x[1] * frequency, from.x[3], from.x[4]) + h * drive) *
+        (norm(frequency * chart.deviation(from.x), chart.deviation_rate(from.x)) + h * drive) *
         (1 + S(1) / 1000);
     // The farther end of the step, plus the most that the path can bend outwards in between.
     const S bend = (frequency + supports.damping / body.mass) * deviation + drive;
-    const S farther = sqrt(
-        max(from.x[0] * from.x[0] + from.x[1] * from.x[1], to.x[0] * to.x[0] + to.x[1] * to.x[1]));
+    const S farther =
+        sqrt(max<S>(chart.deviation(from.x).squaredNorm(), chart.deviation(to.x).squaredNorm()));
     const S of_C =
         min(farther + bend * h * h / 8, deviation / frequency) + synchronous.displacement;
     const S of_O = of_C + e;
@@ -166,9 +157,9 @@ struct FreeFlight : Flight<S, Chart> {
     if (!(relief > S(0.5))) return std::nullopt;
     const S angular = moment / body.inertia / relief;
     const S velocity_of_O = velocity + angular * h * e;
-    return Bounds{of_O, velocity_of_O,
-                  supports.greatest_bearing_force(of_O, velocity_of_O) / body.mass,
-                  speed + angular * h, angular};
+    return MotionBounds{of_O, velocity_of_O,
+                        supports.greatest_bearing_force(of_O, velocity_of_O) / body.mass,
+                        speed + angular * h, angular};
   }
 
   /// How far the deviation is from a free damped oscillation, m/s^2.
@@ -176,51 +167,38 @@ struct FreeFlight : Flight<S, Chart> {
     const Supports<S>& supports = rotor.supports;
     const S k = supports.springs.linear_stiffness("the free oscillation") / rotor.body.mass,
             d = supports.damping / rotor.body.mass;
-    const auto& [x, rates] = std::tie(at.x, at.rates);
-    return norm((rates[0] - x[3]) * frequency, (rates[1] - x[4]) * frequency,
-                rates[3] + d * x[3] + k * x[0], rates[4] + d * x[4] + k * x[1]);
+    const Vector<S> velocity = chart.deviation_rate(at.x);
+    return norm(frequency * (chart.deviation(at.rates) - velocity),
+                chart.deviation_rate(at.rates) + d * velocity + k * chart.deviation(at.x));
   }
-  static S norm(const S& a, const S& b, const S& c, const S& d) {
+  static S norm(const Vector<S>& a, const Vector<S>& b) {
     using std::sqrt;
-    return sqrt(a * a + b * b + c * c + d * d);
+    return sqrt(a.x() * a.x() + a.y() * a.y() + b.x() * b.x() + b.y() * b.y());
   }
 };
 
 /// No force, but the ring is still indented, by so little that only the coordinates of contact
 /// resolve it.
-template <class S, class Chart = ContactChart<S>>
-struct IndentedFlight : Flight<S, Chart> {
-  using Flight<S, Chart>::Flight;
-  using typename Flight<S, Chart>::Unknowns;
-  using Flight<S, Chart>::rotor, Flight<S, Chart>::chart;
+template <class S, ContactChartOf<S> Chart = ContactChart<S>>
+struct IndentedFlight : Flight<S, Chart, ContactState::indented, 3> {
+  using Base = Flight<S, Chart, ContactState::indented, 3>;
+  using Base::Base, Base::rotor, Base::chart, Base::guard, Base::next;
+  using typename Base::Unknowns;
 
-  static constexpr std::size_t event_count = 3;
-  S guard(std::size_t n, const Unknowns& x) const {
-    const RimPoint<S> k = chart.rim_point(x);
-    switch (n) {
-      case 0:
-        return k.indentation;  // Delta = 0
-      case 1:
-        return rotor.ring.elastic_force(k);  // k_t Delta + d_t Delta' = 0
-      default:
-        return rotor.motor_guard(x[5]);  // f = f_max
-    }
+  /// Delta = 0
+  using RingClear = End<0>;
+  S guard(RingClear, const Unknowns& x) const { return chart.rim_point(x).indentation; }
+  Transition next(RingClear, const Unknowns& /*x*/) const {
+    return {Event::ring_clear, ContactState::free};
   }
-  StepBounds<S, event_count, 2> bounds(const Point<S, Unknowns>& /*from*/,
-                                       const Point<S, Unknowns>& /*to*/) const {
-    StepBounds<S, event_count, 2> all;
-    all.events[2].stays_positive = !rotor.motor_on;
-    return all;
+
+  /// k_t Delta + d_t Delta' = 0
+  using RenewedContact = End<1>;
+  S guard(RenewedContact, const Unknowns& x) const {
+    return rotor.ring.elastic_force(chart.rim_point(x));
   }
-  Transition next(std::size_t guard, const Unknowns& x) const {
-    switch (guard) {
-      case 0:
-        return {Event::ring_clear, ContactState::free};
-      case 1:
-        return meet_ring(rotor, chart.state(x), Event::renewed_contact);
-      default:
-        return {Event::motor_off, ContactState::indented};
-    }
+  Transition next(RenewedContact, const Unknowns& x) const {
+    return meet_ring(rotor, chart.state(x), Event::renewed_contact);
   }
 };
 

@@ -21,6 +21,10 @@ class FlightChart {
   /// deviation of the velocity of C (m/s), and the change of the speed without ripple since the
   /// chart was made (rad/s), which has a smaller rounding error.
   using Unknowns = std::array<S, 6>;
+  enum Unknown { deviation_x, deviation_y, rotor_angle, rate_x, rate_y, speed_change };
+  /// The deviation of C, m, and of its velocity, m/s; or, from the rates, their rates.
+  static Vector<S> deviation(const Unknowns& x) { return {x[deviation_x], x[deviation_y]}; }
+  static Vector<S> deviation_rate(const Unknowns& x) { return {x[rate_x], x[rate_y]}; }
 
   struct Kinematics {
     Motion<S> motion;
@@ -49,14 +53,15 @@ class FlightChart {
   }
 
   /// The speed without ripple, rad/s.
-  S speed(const Unknowns& x) const { return speed_ + x[5]; }
+  S speed(const Unknowns& x) const { return speed_ + x[speed_change]; }
+  S speed_with_ripple(const Unknowns& x) const { return kinematics(x).motion.speed; }
   S whirl_angle(const Unknowns& /*x*/) const { return S(0); }
 
   Kinematics kinematics(const Unknowns& x) const {
     using std::cos, std::sin;
     Kinematics k{};
-    k.direction = Vector<S>(cos(x[2]), sin(x[2]));
-    Vector<S> position(x[0], x[1]), velocity(x[3], x[4]);
+    k.direction = Vector<S>(cos(x[rotor_angle]), sin(x[rotor_angle]));
+    Vector<S> position = deviation(x), velocity = deviation_rate(x);
     S speed = this->speed(x);
     if (synchronous_.exists()) {
       k.synchronous = synchronous_.at(k.direction, speed);
@@ -78,7 +83,8 @@ class FlightChart {
 
   Unknowns rates(const Unknowns& x, const Kinematics& at, const Acceleration<S>& a) const {
     if (!synchronous_.exists())
-      return {x[3], x[4], at.motion.speed, a.mass_centre.x(), a.mass_centre.y(), a.angular};
+      return {x[rate_x],         x[rate_y],         at.motion.speed,
+              a.mass_centre.x(), a.mass_centre.y(), a.angular};
     // theta' and W' follow from w and w'.
     const auto& value = at.synchronous.value;
     const auto& by_angle = at.synchronous.by_angle;
@@ -96,7 +102,7 @@ class FlightChart {
     };
     const Vector<S> drift = value(Synchronous::velocity) - change(Synchronous::displacement);
     const Vector<S> rate = a.mass_centre - change(Synchronous::velocity);
-    return {x[3] + drift.x(), x[4] + drift.y(), theta_rate, rate.x(), rate.y(), W_rate};
+    return {x[rate_x] + drift.x(), x[rate_y] + drift.y(), theta_rate, rate.x(), rate.y(), W_rate};
   }
 
   /// A speed without ripple is integrated more accurately at no cost.
@@ -115,15 +121,15 @@ class FlightChart {
   bool recentre(Unknowns& x) {
     using std::cos, std::sin;
     constexpr double far = 32;  // rad; up to here the angle is rounded by some 1e-14 rad
-    const bool is_near = x[2] < far && x[2] > -far;
+    const bool is_near = x[rotor_angle] < far && x[rotor_angle] > -far;
     if (!is_near) {
-      const S c = cos(x[2]), s = sin(x[2]);
-      angle_ += x[2];
+      const S c = cos(x[rotor_angle]), s = sin(x[rotor_angle]);
+      angle_ += x[rotor_angle];
       down_ = Vector<S>(cos(angle_), -sin(angle_));
       synchronous_.turn_axes(c, s);
-      const Vector<S> position = turned(Vector<S>(x[0], x[1]), c, S(-s));
-      const Vector<S> velocity = turned(Vector<S>(x[3], x[4]), c, S(-s));
-      x = {position.x(), position.y(), S(0), velocity.x(), velocity.y(), x[5]};
+      const Vector<S> position = turned(deviation(x), c, S(-s));
+      const Vector<S> velocity = turned(deviation_rate(x), c, S(-s));
+      x = {position.x(), position.y(), S(0), velocity.x(), velocity.y(), x[speed_change]};
     }
     const bool holds = synchronous_.exists()
                            ? synchronous_.holds(speed(x)) && (is_near || synchronous_.is_complete())
@@ -163,7 +169,7 @@ class FlightChart {
   /// Whether the speed is, apart from a ripple, that of the last renewal.
   bool is_near_where_laid(const Unknowns& x) const {
     using std::abs;
-    return abs(x[5]) <= Synchronous::range() * abs(speed_);
+    return abs(x[speed_change]) <= Synchronous::range() * abs(speed_);
   }
 
   /// The unknowns of a motion in these axes, from which the rotor has turned by an angle.
@@ -190,8 +196,9 @@ class FlightChart {
   S angle(const Unknowns& x, const Kinematics& at) const {
     using std::atan;
     return synchronous_.exists()
-               ? S(x[2] + 2 * atan(at.synchronous.value.real(Synchronous::angle_ripple) / 2))
-               : x[2];
+               ? S(x[rotor_angle] +
+                   2 * atan(at.synchronous.value.real(Synchronous::angle_ripple) / 2))
+               : x[rotor_angle];
   }
 
   /// Above 1.4 times the critical speed. Nearer to it the response changes too fast with the speed

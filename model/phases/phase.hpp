@@ -1,23 +1,11 @@
 /// A phase of the motion: the physics of rotor.hpp and contact.hpp in the coordinates of a chart,
 /// and how it ends.
-///
-/// A chart has Unknowns for coordinates and says what they mean:
-///   unknowns(q), state(x)    from and to the paper's coordinates
-///   kinematics(x)            the motion, in a basis of the chart's own
-///   speed(x)                 of the rotor, without ripple
-///   whirl_angle(x)           of O in the stator's frame, continuous; 0 in flight
-///   rim_point(x)             K, in the same basis
-///   rates(x, kinematics, a)  of the unknowns, from the accelerations
-///   scale(...)               of the unknowns, from those of the motion
-///   recentre(x)              moves the chart to x, if that is worth while
-///
-/// A phase is a system of integration/step.hpp. It ends where one of its guards, which are its
-/// event functions, becomes negative; next() returns what follows, and resets the unknowns if
-/// necessary.
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <limits>
+#include <type_traits>
 
 #include "model/integration/step.hpp"
 #include "model/phases/rotor_system.hpp"
@@ -71,19 +59,102 @@ struct StepBounds {
   StepBounds() { reach.fill(std::numeric_limits<S>::infinity()); }
 };
 
-template <class S, class Chart>
+/// Coordinates of a rotor.
+template <class T, class S, class Unknowns = typename T::Unknowns>
+concept ChartOf = requires(const T& chart, const State<S>& q, const Unknowns& x, const S& size,
+                           const typename T::Kinematics& at, const Acceleration<S>& a) {
+  { chart.unknowns(q) } -> std::same_as<Unknowns>;                   // from the paper's coordinates
+  { chart.state(x) } -> std::same_as<State<S>>;                      // to them
+  { chart.kinematics(x).motion } -> std::convertible_to<Motion<S>>;  // in a basis of its own
+  { chart.speed(x) } -> std::same_as<S>;                             // of the rotor, without ripple
+  { chart.speed_with_ripple(x) } -> std::same_as<S>;                 // that of the motion
+  { chart.rates(x, at, a) } -> std::same_as<Unknowns>;               // from the accelerations
+  { chart.scale(size, size, size) } -> std::same_as<Unknowns>;  // from length, frequency, speed
+};
+
+/// Coordinates for contact as well: K in the same basis, and unknowns or rates without slip.
+template <class T, class S, class Unknowns = typename T::Unknowns>
+concept ContactChartOf = ChartOf<T, S> && requires(const T& chart, const Unknowns& x) {
+  { chart.rim_point(x) } -> std::same_as<RimPoint<S>>;
+  { chart.without_slip(x) } -> std::same_as<Unknowns>;
+};
+
+/// Coordinates that a run keeps: recentre() moves the chart to x, if that is worth while, and
+/// returns whether the rates have changed. The whirl angle, of O in the stator's frame, is
+/// continuous; 0 in flight.
+template <class T, class S, class Unknowns = typename T::Unknowns>
+concept MovingChartOf = ChartOf<T, S> && requires(T& chart, Unknowns& x) {
+  { chart.recentre(x) } -> std::same_as<bool>;
+  { chart.whirl_angle(x) } -> std::same_as<S>;
+};
+
+/// The n-th end of a phase: a guard, which becomes negative there, and what follows, which may
+/// reset the unknowns.
+template <std::size_t n>
+using End = std::integral_constant<std::size_t, n>;
+template <class T, class S, std::size_t n>
+concept HasEnd = requires(const T& phase, typename T::Unknowns& x) {
+  { phase.guard(End<n>(), x) } -> std::same_as<S>;
+  { phase.next(End<n>(), x) } -> std::same_as<Transition>;
+};
+
+/// Calls use(End<n>()) for an n below count.
+template <std::size_t count, class Use>
+auto with_end(std::size_t n, const Use& use) {
+  if constexpr (count > 1)
+    if (n < count - 1) return with_end<count - 1>(n, use);
+  return use(End<count - 1>());
+}
+
+/// The motion between two events, as a system of integration/step.hpp whose events are its ends.
+template <class T, class S, class Unknowns = typename T::Unknowns>
+concept PhaseOf = HasEnd<T, S, 0> && HasEnd<T, S, 1> && HasEnd<T, S, T::event_count - 1> &&
+    requires(const T& phase, const Unknowns& x, Unknowns& rates, const S& time,
+             const Point<S, Unknowns>& at, std::size_t i) {
+  phase(x, rates, time);
+  { phase.scale(x) } -> std::same_as<Unknowns>;
+  { phase.bounds(at, at) } -> std::same_as<StepBounds<S, T::event_count, T::extremes_of.size()>>;
+  { phase.extremes(x, rates)[i] } -> std::convertible_to<ExtremeValue<S>>;
+  { phase.swing(x, time) } -> std::same_as<S>;  // see RotorSystem
+  requires !T::bounds_vibration || requires { phase.vibration_reach(at, at)[i]; };
+  { T::extreme_takes_rates(i) } -> std::same_as<bool>;
+  // Whether the rates, and a guard, compute the loads of the contact.
+  { T::contact_in_rates || T::guard_takes_loads(i) } -> std::same_as<bool>;
+};
+
+/// What all phases have in common. Their last end is that the motor is switched off.
+template <class S, ChartOf<S> Chart, ContactState state, std::size_t ends, Extreme... extremes>
 struct Phase {
   using Unknowns = typename Chart::Unknowns;
+  using Point = rotor::Point<S, Unknowns>;
+  using Bounds = StepBounds<S, ends, sizeof...(extremes)>;
 
-  /// Whether the n-th guard computes all loads of the contact.
+  static constexpr std::size_t event_count = ends;
+  static constexpr std::array extremes_of = {extremes...};
   static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
 
   const RotorSystem<S>& rotor;
   const Chart& chart;
   const Mobility<S> mobility;  ///< of the body, which does not change during the phase
+  const int direction;         ///< of the slip, if the rim slides
 
-  Phase(const RotorSystem<S>& system, const Chart& coordinates)
-      : rotor(system), chart(coordinates), mobility(system.body) {}
+  Phase(const RotorSystem<S>& system, const Chart& coordinates, int direction_of_slip = 0)
+      : rotor(system), chart(coordinates), mobility(system.body), direction(direction_of_slip) {}
+
+  /// f = f_max
+  using MotorOff = End<ends - 1>;
+  S guard(MotorOff, const Unknowns& x) const {
+    return rotor.motor_guard(chart.speed_with_ripple(x));
+  }
+  Transition next(MotorOff, const Unknowns& /*x*/) const {
+    return {Event::motor_off, state, direction};
+  }
+
+  Bounds bounds(const Point& /*from*/, const Point& /*to*/) const {
+    Bounds all;
+    all.events[MotorOff()].stays_positive = !rotor.motor_on;
+    return all;
+  }
 };
 
 }  // namespace rotor

@@ -32,6 +32,7 @@ class PaperChart {
   Unknowns unknowns(const Unknowns& q) const { return q; }
   Unknowns state(const Unknowns& x) const { return x; }
   double speed(const Unknowns& x) const { return x[5]; }
+  double speed_with_ripple(const Unknowns& x) const { return x[5]; }
   Kinematics kinematics(const Unknowns& x) const {
     return {RotatingFrame<double>::motion(body_, x)};
   }
@@ -92,7 +93,8 @@ class GslMethod {
     at_.state = chart.state(x);
     if (guard == Phase::event_count) return;
     ++counters_.located_events;
-    const Transition next = phase.next(guard, x);
+    const Transition next =
+        with_end<Phase::event_count>(guard, [&](auto end) { return phase.next(end, x); });
     at_.contact = next.contact;
     at_.direction = next.direction;
     if (next.event == Event::motor_off) rotor_.motor_on = at_.motor_on = false;
@@ -101,6 +103,9 @@ class GslMethod {
   /// Returns the guard that became negative, or their number if none did.
   template <class Phase, class Unknowns>
   std::size_t integrate(const Phase& phase, Unknowns& x, double until_s) {
+    const auto guard = [&](std::size_t n, const Unknowns& at) {
+      return with_end<Phase::event_count>(n, [&](auto end) { return phase.guard(end, at); });
+    };
     Task<Phase> task{phase, counters_};
     const gsl_odeiv2_system system{rates<Phase, Unknowns>, nullptr, x.size(), &task};
     const auto scale = phase.scale(x);
@@ -116,19 +121,19 @@ class GslMethod {
           ++counters_.steps > most_steps)
         throw std::runtime_error("GSL gave up");
       std::size_t i = 0;
-      while (i < Phase::event_count && phase.guard(i, x) >= 0) ++i;
+      while (i < Phase::event_count && guard(i, x) >= 0) ++i;
       if (i == Phase::event_count) continue;
 
-      const double after = phase.guard(i, x), length = at_.time_s - start_s;
+      const double after = guard(i, x), length = at_.time_s - start_s;
       const auto guard_after = [&](double part) {
         x = start;
         double errors[6];
         gsl_odeiv2_step_reset(d.s);
         gsl_odeiv2_step_apply(d.s, start_s, part * length, x.data(), errors, nullptr, nullptr,
                               &system);
-        return phase.guard(i, x);
+        return guard(i, x);
       };
-      const double before = phase.guard(i, start);
+      const double before = guard(i, start);
       double part = 0;  // a phase may start on the far side by rounding
       if (before > 0) {
         boost::uintmax_t evaluations = 50;

@@ -50,16 +50,16 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
         rho * std::cos(direction), rho * std::sin(direction), 3 * any(engine), 0, 0, speed};
     const ContactChart<double> chart(rotor, q);
     Unknowns x = chart.without_slip(chart.unknowns(q));
-    x[3] = any(engine);
+    x[ContactChart<double>::normal_velocity] = any(engine);
     const Rolling<double> phase(rotor, chart);
     Point<double, Unknowns> at{0, x, {}};
     phase(x, at.rates, 0);
-    if (phase.bounds(at, at).events[1].stays_positive) {
+    if (phase.bounds(at, at).events[Rolling<double>::BreakAway()].stays_positive) {
       ++held;
       held_beyond += rotor.body.eccentricity > ring.rotor_radius;
-      EXPECT_GE(phase.guard(1, x), 0) << n;
+      EXPECT_GE(phase.guard(Rolling<double>::BreakAway(), x), 0) << n;
     } else {
-      slipping += phase.guard(1, x) < 0;
+      slipping += phase.guard(Rolling<double>::BreakAway(), x) < 0;
     }
   }
   // The bound is useful, and there were rims for which it could be wrong.
@@ -81,11 +81,11 @@ TEST(RollingBounds, SayNothingOfAStepInWhichTheReserveMayDip) {
     phase(from.x, from.rates, 0);
     auto to = from;
     to.time = h;
-    from.x[3] -= velocity;
-    to.x[3] += velocity;
-    from.rates[3] = -acceleration;
-    to.rates[3] = acceleration;
-    return phase.bounds(from, to).events[1].stays_positive;
+    from.x[ContactChart<double>::normal_velocity] -= velocity;
+    to.x[ContactChart<double>::normal_velocity] += velocity;
+    from.rates[ContactChart<double>::normal_velocity] = -acceleration;
+    to.rates[ContactChart<double>::normal_velocity] = acceleration;
+    return phase.bounds(from, to).events[Rolling<double>::BreakAway()].stays_positive;
   };
   EXPECT_TRUE(stays(0, 0, 0));
   EXPECT_TRUE(stays(0, dips / 100, 0));
@@ -112,7 +112,7 @@ bool has_bounds(RotorSystem<double> rotor, const FlightChart<double>& chart,
     displacement = std::max(displacement, extremes[0].value);
     bearing_force = std::max(bearing_force, extremes[1].value);
     speed = std::max(speed, std::abs(chart.kinematics(to.x).motion.speed));
-    gaps = {gaps[1], gaps[2], phase.guard(0, to.x)};
+    gaps = {gaps[1], gaps[2], phase.guard(FreeFlight<double>::TouchDown(), to.x)};
     if (i > 1) bend = std::max(bend, std::abs(gaps[0] - 2 * gaps[1] + gaps[2]));
     if (i < steps) stepper.do_step(phase, to.x, 0., h / steps);
   }
@@ -125,11 +125,11 @@ bool has_bounds(RotorSystem<double> rotor, const FlightChart<double>& chart,
   EXPECT_GE(reach[0], displacement * (1 - rounding));
   EXPECT_GE(reach[1], bearing_force * (1 - rounding));
   rotor.ring.clearance = displacement;  // just touched
-  EXPECT_GE(*phase.bounds(from, to).events[0].curvature * part * part,
+  EXPECT_GE(*phase.bounds(from, to).events[FreeFlight<double>::TouchDown()].curvature * part * part,
             bend * (1 - rounding) - 1e-15 * square);
   rotor.motor_on = true;
   rotor.motor_off = speed * (1 - rounding) - 1e-20;  // of a rotor that nothing turns
-  EXPECT_FALSE(phase.bounds(from, to).events[1].stays_positive);
+  EXPECT_FALSE(phase.bounds(from, to).events[FreeFlight<double>::MotorOff()].stays_positive);
   return true;
 }
 
