@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
@@ -209,8 +210,8 @@ constexpr std::array coded_outcomes = {Outcome::no_contact, Outcome::freed,   Ou
                                        Outcome::sliding,    Outcome::rolling, Outcome::undecided};
 
 std::size_t code_of(std::string_view name) {
-  const auto found = std::find_if(coded_outcomes.begin(), coded_outcomes.end(),
-                                  [&](Outcome outcome) { return name_of(outcome) == name; });
+  const auto* const found = std::find_if(coded_outcomes.begin(), coded_outcomes.end(),
+                                         [&](Outcome outcome) { return name_of(outcome) == name; });
   return static_cast<std::size_t>(found - coded_outcomes.begin());
 }
 
