@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "model/phases/phase.hpp"
 #include "model/scenario/observer.hpp"
 
 namespace rotor {

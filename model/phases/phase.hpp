@@ -8,23 +8,10 @@
 #include <type_traits>
 
 #include "model/integration/step.hpp"
+#include "model/phases/event.hpp"
 #include "model/phases/rotor_system.hpp"
 
 namespace rotor {
-
-/// What happens between two phases.
-enum class Event {
-  none,
-  touch_down,       ///< the rim meets the ring
-  release,          ///< F_n = 0; a damped ring is still indented
-  ring_clear,       ///< the ring has sprung back, the rotor is clear of it
-  renewed_contact,  ///< the rim meets the ring again before it is clear
-  rolling_onset,    ///< the slip ends, and friction can hold the rim
-  slip_reversal,    ///< the slip ends, and friction cannot hold the rim
-  break_away,       ///< friction can no longer hold the rim
-  motor_off,
-  mass_loss,
-};
 
 /// The event that ends a phase, and the phase that follows it.
 struct Transition {
@@ -33,11 +20,7 @@ struct Transition {
   int direction = 0;  ///< sign of the slip velocity, if the rim slides then
 };
 
-/// The quantities whose maxima a run can locate.
-enum class Extreme { displacement, bearing_force, normal_force };
-constexpr std::size_t extreme_count = 3;
-
-/// Such a quantity. It has a maximum where its rate becomes negative.
+/// A quantity of an Extreme. It has a maximum where its rate becomes negative.
 template <class S>
 struct ExtremeValue {
   S value;  ///< m or N

@@ -4,7 +4,8 @@
 #include <stdexcept>
 
 #include "model/mechanics/rotating_frame.hpp"
-#include "model/phases/phase.hpp"
+#include "model/phases/event.hpp"
+#include "model/phases/rotor_system.hpp"
 #include "model/scenario/scenario.hpp"
 
 namespace rotor {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,9 +27,9 @@ const std::vector<std::vector<std::string>> floors = {
     {"figures/results"},
     {"figures/sweep"},
     {"figures/explore", "figures/maps", "figures/program", "verification/support"},
-    {"verification/approved", "verification/benchmark", "verification/equations",
-     "verification/numerics", "verification/paper", "verification/program",
-     "verification/robustness", "verification/validation"},
+    {"verification/approved", "verification/benchmark", "verification/digits",
+     "verification/equations", "verification/numerics", "verification/paper",
+     "verification/program", "verification/robustness", "verification/validation"},
     {"verification/report"},
 };
 
@@ -53,6 +55,17 @@ std::string room_of(const std::string& path) {
   return path.substr(0, path.find('/', path.find('/') + 1));
 }
 
+/// The files of ours that a file includes itself.
+std::vector<std::string> includes_of(const fs::path& file) {
+  std::vector<std::string> all;
+  std::ifstream stream(file);
+  const std::string include = "#include \"";
+  for (std::string line; std::getline(stream, line);)
+    if (line.starts_with(include))
+      all.push_back(line.substr(include.size(), line.rfind('"') - include.size()));
+  return all;
+}
+
 TEST(Rooms, IncludeOnlyWhatTheyMay) {
   const fs::path root = ROTOR_SOURCES;
   int files = 0;
@@ -64,16 +77,28 @@ TEST(Rooms, IncludeOnlyWhatTheyMay) {
       const std::string path = fs::relative(entry.path(), root), room = room_of(path);
       EXPECT_TRUE(floor_of(room) >= 0 || room == "verification/proof")
           << path << " is in an unknown folder";
-      std::ifstream stream(entry.path());
-      for (std::string line; std::getline(stream, line);) {
-        const std::string include = "#include \"";
-        if (!line.starts_with(include)) continue;
-        const std::string other = room_of(line.substr(include.size()));
+      for (const std::string& included : includes_of(entry.path())) {
+        const std::string other = room_of(included);
         if (floor_of(other) < 0 && other != "verification/proof") continue;  // next to the file
-        EXPECT_TRUE(may_include(room, other)) << path << ": " << line;
+        EXPECT_TRUE(may_include(room, other)) << path << ": " << included;
       }
     }
   EXPECT_GT(files, 80);
+}
+
+// An edit of the integrator, or of a phase, then compiles few sources again.
+TEST(Rooms, OfFiguresDoNotParseTheIntegrator) {
+  const fs::path root = ROTOR_SOURCES;
+  std::set<std::string> parsed;
+  const std::function<void(const fs::path&)> parse = [&](const fs::path& file) {
+    for (const std::string& included : includes_of(file))
+      if (parsed.insert(included).second) parse(root / included);
+  };
+  for (const auto& entry : fs::recursive_directory_iterator(root / "figures")) parse(entry.path());
+  EXPECT_TRUE(parsed.contains("model/phases/event.hpp"));
+  for (const std::string& file : parsed)
+    EXPECT_FALSE(file.starts_with("model/integration/") || file.starts_with("model/methods/"))
+        << file;
 }
 
 }  // namespace
