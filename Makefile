@@ -100,7 +100,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
+.PHONY: help deps need-deps program build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
         sanitize portable deps-prove prove deps-validate validate clean
@@ -167,9 +167,11 @@ define build-target
 	@cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|globbed directories/d'
 endef
 
-build: need-deps ## build the program, build/rotor
+program: need-deps
 	$(call build-target,rotor)
-$(ROTOR): build
+build: program ## build the program, build/rotor, and build/rotor-digits, which it needs for --digits
+	$(call build-target,rotor-digits)
+$(ROTOR): program
 
 figures: pictures ## redraw Figs. 2-17 into build/figures
 	@[ "$(FORMAT)$(FIG)" != svg ] || [ ! -e $(BUILD)/report/index.html ] || verification/report/report.sh $(BUILD)
@@ -246,7 +248,8 @@ site: verify report ## collect page, pictures, data and maps for a static host, 
 
 approve: build ## rewrite verification/approved and the marked numbers in Markdown; read the change before you commit it
 	$(call build-target,verification)
-	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
+	@for tests in $(BUILD)/tests/*; do \
+	  ROTOR_APPROVE=1 $$tests --gtest_brief=1 --gtest_filter='*Approved*' || exit; done; git diff --stat
 
 lint: need-deps ## check the code's format, and look for mistakes with clang-tidy
 	@verification/lint.sh $(BUILD)

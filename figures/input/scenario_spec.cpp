@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "model/certified/comparison.hpp"
 #include "model/mechanics/mass_loss.hpp"
+#include "model/run/estimates.hpp"
 
 namespace rotor {
 namespace {

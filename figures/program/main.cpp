@@ -8,9 +8,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 
 #include "figures/program/commands.hpp"
 #include "figures/results/laws.hpp"
+#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {
@@ -249,6 +251,17 @@ void occupy_standard_streams() {
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) < 0) std::abort();
 }
 
+/// Runs the same command by the program that is linked with `certified`; returns only if it cannot.
+int hand_over(char** argv) {
+  const auto self = std::filesystem::read_symlink("/proc/self/exe");
+  ::execv((self.parent_path() / "rotor-digits").c_str(), argv);
+  print_message(fmt::format(
+      "rotor: guaranteed digits and estimated errors need the program rotor-digits next "
+      "to this one, which make build builds: {}",
+      std::strerror(errno)));
+  return 1;
+}
+
 int main(int argc, char** argv) {
   occupy_standard_streams();
   for (const int signal : {SIGPIPE, SIGXFSZ})  // a lost reader or a limit is reported as an error
@@ -291,6 +304,8 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& error) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 128 + interrupting_signal();  // the convention of shells
+  } catch (const NotCertified&) {
+    status = hand_over(argv);
   } catch (const std::exception& error) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 1;

@@ -10,9 +10,15 @@
 #include "figures/results/certified_result.hpp"
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
+#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {
+
+bool has_run_with_digits(const Scene& scene) {
+  return std::any_of(scene.runs.begin(), scene.runs.end(),
+                     [](const SceneRun& run) { return run.stated.digits.has_value(); });
+}
 
 /// Refuses options that have no meaning with guaranteed digits.
 void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) {
@@ -39,8 +45,7 @@ Scene requested_scene(const RunOptions& options) {
   if (result.runs.size() > 1 && !options.json && (options.energy || options.estimate_error))
     throw InputError("{}: with several runs, --energy and --estimate-error need --json",
                      options.scene);
-  if (options.budget_s && std::none_of(result.runs.begin(), result.runs.end(),
-                                       [](const SceneRun& run) { return run.stated.digits; }))
+  if (options.budget_s && !has_run_with_digits(result))
     throw InputError("digits: --budget needs a number of --digits");
   for (const SceneRun& run : result.runs) {
     if (!options.events.empty() && run.scenario.method == Method::rk4)
@@ -223,6 +228,7 @@ void run_rotor(const RunOptions& options) {
   if (!options.columns.empty() && options.trace.empty())
     throw InputError("--columns requires --trace, or is help");
   const Scene scene = requested_scene(options);
+  if (options.estimate_error || has_run_with_digits(scene)) require_certified();
   const bool one_of_many = scene.runs.size() > 1;
   auto runs = Json::array();
   std::vector<std::string> messages, failures;

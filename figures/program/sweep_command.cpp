@@ -15,6 +15,7 @@
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/ranks.hpp"
 #include "figures/sweep/sweep_row.hpp"
+#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {
@@ -149,6 +150,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
 }  // namespace
 
 void write_sweep(const Sweep& sweep, const std::string& out) {
+  if (sweep.base.digits) require_certified();
   Ranks ranks;
   Writer(sweep, out).run(cores(), workers(sweep), ranks);
 }
@@ -162,6 +164,7 @@ void run_sweep(const SweepOptions& options) {
     if (ranks.is_first()) throw;
     return;  // the first rank reports the error
   }
+  if (sweep->base.digits) require_certified();
   if (options.dry_run) {
     if (ranks.is_first()) estimate(*sweep, options.jobs > 0 ? options.jobs : cores());
   } else if (ranks.is_first()) {

@@ -6,7 +6,7 @@
 
 #include "figures/results/json.hpp"
 #include "figures/results/run_result.hpp"
-#include "model/certified/comparison.hpp"
+#include "model/run/estimates.hpp"
 
 namespace rotor {
 

@@ -9,6 +9,7 @@
 #include "figures/data/csv.hpp"
 #include "figures/results/certified_result.hpp"
 #include "figures/results/laws.hpp"
+#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {

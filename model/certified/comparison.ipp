@@ -180,4 +180,8 @@ std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
   return result;
 }
 
+// In in_double.cpp; tests use them, too.
+extern template std::optional<Comparison> compare<double>(const Scenario&, double, const GoesOn&);
+extern template class EventMethod<double, Fehlberg78<std::array<double, 6>, double>>;
+
 }  // namespace rotor

@@ -33,8 +33,6 @@ const std::vector<Means>& all_means() {
   return all;
 }
 
-double allowed_error(double size, int digits) { return 0.5 * std::pow(10, -digits) * size; }
-
 /// By which factors errors exceed what is allowed: those of tolerance and of rounding, and both.
 struct Excess {
   double of_tolerance = 0, of_rounding = 0, of_both = 0;
@@ -50,24 +48,14 @@ struct Excess {
   }
 };
 
-template <class Action>
-void for_each_estimate(const Comparison& comparison, const Action& action) {
-  for (const NamedEstimate& value : comparison.summary) action(value);
-  for (const EventEstimate& event : comparison.events)
-    for (const NamedEstimate& value : event.values) action(value);
-}
-
 Excess excess(const Comparison& comparison, int digits) {
   Excess largest;
-  for_each_estimate(comparison, [&](const NamedEstimate& value) {
-    largest.note(value, allowed_error(value.size, digits));
-  });
+  const auto note = [&](const std::vector<NamedEstimate>& values) {
+    for (const NamedEstimate& value : values) largest.note(value, value.allowed_error(digits));
+  };
+  note(comparison.summary);
+  for (const EventEstimate& event : comparison.events) note(event.values);
   return largest;
-}
-
-/// A miss that only some computations count as near is too far to be a margin.
-bool is_known(const NamedEstimate& margin) {
-  return margin.estimate && std::isfinite(margin.estimate->error);
 }
 
 /// What another comparison needs, after one that does not have the digits.
@@ -86,7 +74,7 @@ Needs needs_after(const Comparison& comparison, double epsilon, int digits) {
   if (!comparison.same_course) return {comparison.tolerance * if_unknown, 1};
   Excess now;
   for (const NamedEstimate& margin : comparison.margins)
-    if (is_known(margin)) now.note(margin, std::abs(margin.estimate->value));
+    if (margin.has_finite_error()) now.note(margin, std::abs(margin.estimate->value));
   if (now.of_both < 1) now = excess(comparison, digits);
   const Needs needs = {comparison.tolerance * factor(of_tolerance, now.of_tolerance),
                        epsilon * factor(of_rounding, now.of_rounding)};
@@ -96,33 +84,7 @@ Needs needs_after(const Comparison& comparison, double epsilon, int digits) {
 
 }  // namespace
 
-bool Comparison::is_course_sure() const {
-  return same_course && std::none_of(margins.begin(), margins.end(), [](const auto& margin) {
-           return is_known(margin) && !(margin.estimate->value > margin.estimate->error);
-         });
-}
-
-void Comparison::invalidate_path_dependent_values() {
-  const auto forget = [](std::vector<NamedEstimate>& estimates) {
-    for (NamedEstimate& value : estimates)
-      if (value.estimate && value.of_tolerance > 0)
-        value.estimate->error = std::numeric_limits<double>::infinity();
-  };
-  forget(summary);
-  for (EventEstimate& event : events) forget(event.values);
-}
-
-int sure_digits(const NamedEstimate& value) {
-  int digits = most_digits;
-  while (digits > 0 && value.estimate &&
-         !(value.estimate->error <= allowed_error(value.size, digits)))
-    --digits;
-  return digits;
-}
-
-bool has_digits(const Comparison& comparison, int digits) {
-  return comparison.is_course_sure() && excess(comparison, digits).of_both <= 1;
-}
+void require_certified() {}
 
 std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
                                         const GoesOn& goes_on) {

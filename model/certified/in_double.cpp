@@ -2,6 +2,7 @@
 
 namespace rotor {
 
+template class EventMethod<double, Fehlberg78<std::array<double, 6>, double>>;
 template std::optional<Comparison> compare<double>(const Scenario&, double, const GoesOn&);
 
 double estimated_relative_error(const Scenario& scenario, const Summary& summary,

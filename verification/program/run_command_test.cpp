@@ -92,5 +92,32 @@ TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
   EXPECT_EQ(sure.size(), plain.size() + 2);
 }
 
+// Digits are in a program of their own, which is not here; nothing is begun before that is known.
+TEST_F(RunCommand, NamesTheMissingProgramForDigits) {
+  ASSERT_EQ(shell("cp \"$rotor\" alone").status, 0);
+  write("scene.toml", "[parameters]\nuntil = 0.1\ndigits = 4\n[[run]]\nname = \"d\"\n");
+  write("sweep.toml", R"(
+stop_on = "end"
+[parameters]
+digits = 4
+until = 0.1
+[[axis]]
+quantity = "friction"
+values = [0.1]
+)");
+  const long before = files();
+  for (const char* command :
+       {"run --until 0.1 --digits 4", "run --until 0.1 --estimate-error --trace t.csv",
+        "run scene.toml", "sweep sweep.toml --out s.csv", "sweep sweep.toml --dry-run",
+        "plot sweep.toml"}) {
+    const auto [status, output] = shell(std::string("./alone ") + command);
+    EXPECT_NE(status, 0) << command;
+    EXPECT_NE(output.find("rotor-digits next to this one, which make build builds"),
+              std::string::npos)
+        << command << ": " << output;
+    EXPECT_EQ(files(), before) << command;
+  }
+}
+
 }  // namespace
 }  // namespace rotor
