@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "model/integration/step.hpp"
+#include "model/mechanics/rotating_frame.hpp"
 #include "model/phases/event.hpp"
 #include "model/phases/rotor_system.hpp"
 

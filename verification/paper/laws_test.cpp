@@ -30,8 +30,8 @@ TEST_F(LawsOfTheAccident, HoldOnRandomRotorsAsTheTableSays) {
   std::ifstream file(paper + "laws.toml");
   const std::string all((std::istreambuf_iterator<char>(file)), {});
   write("few.toml", std::regex_replace(all, std::regex("count = 10000"), "count = 600"));
-  ASSERT_EQ(shell("$rotor sweep few.toml --out few.csv >/dev/null 2>&1 && " + paper +
-                  "laws.sh few.csv > anew.csv")
+  ASSERT_EQ(shell("$rotor sweep few.toml --out few.csv >/dev/null 2>&1 && '" + paper +
+                  "laws.sh' few.csv > anew.csv")
                 .status,
             0);
   const auto key = [](const CsvRow& row) {

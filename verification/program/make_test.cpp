@@ -67,7 +67,7 @@ TEST_F(Make, DoesNotLookForOptionalPackagesUnasked) {
 
 // Where a test fails or crashes, tests.sh returns an error.
 TEST_F(Make, SaysThatTestsHaveFailed) {
-  const std::string run = "sh -c '" ROTOR_SOURCES "/verification/tests.sh fake'";
+  const std::string run = "'" ROTOR_SOURCES "/verification/tests.sh' fake";
   fs::create_directories(folder_ / "fake");
   const std::string writes = "echo '{\"testsuites\": []}' > ${1#--gtest_output=json:}\n";
   for (const auto& [program, fails] : {std::pair(writes, false),

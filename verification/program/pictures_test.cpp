@@ -26,8 +26,8 @@ class Pictures : public CommandLine,
   /// Draws it as make does. A missing column is an error of gnuplot.
   DrawnPicture drawn(const std::string& points = "") const {
     const auto [status, output] =
-        shell(fmt::format("{0}/../draw.sh a.svg \"data = '{1}'; equations = '{2}'; points = "
-                          "'{3}'\" {0}/fig{4:02}.gp >/dev/null",
+        shell(fmt::format("'{0}/../draw.sh' a.svg \"data = '{1}'; equations = '{2}'; points = "
+                          "'{3}'\" '{0}/fig{4:02}.gp' >/dev/null",
                           ROTOR_SCENES, FigureFolder::of(equations()).csv(figure().number).string(),
                           name_of(equations()), points, figure().number));
     EXPECT_EQ(status, 0);
