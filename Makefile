@@ -248,8 +248,7 @@ site: verify report ## collect page, pictures, data and maps for a static host, 
 
 approve: build ## rewrite verification/approved and the marked numbers in Markdown; read the change before you commit it
 	$(call build-target,verification)
-	@for tests in $(BUILD)/tests/*; do \
-	  ROTOR_APPROVE=1 $$tests --gtest_brief=1 --gtest_filter='*Approved*' || exit; done; git diff --stat
+	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
 
 lint: need-deps ## check the code's format, and look for mistakes with clang-tidy
 	@verification/lint.sh $(BUILD)

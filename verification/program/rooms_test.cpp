@@ -27,9 +27,9 @@ const std::vector<std::vector<std::string>> floors = {
     {"figures/results"},
     {"figures/sweep"},
     {"figures/explore", "figures/maps", "figures/program", "verification/support"},
-    {"verification/approved", "verification/benchmark", "verification/digits",
-     "verification/equations", "verification/numerics", "verification/paper",
-     "verification/program", "verification/robustness", "verification/validation"},
+    {"verification/approved", "verification/benchmark", "verification/equations",
+     "verification/numerics", "verification/paper", "verification/program",
+     "verification/robustness", "verification/validation"},
     {"verification/report"},
 };
 
