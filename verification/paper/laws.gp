@@ -1,5 +1,5 @@
 # Runs against laws for part of the random rotors of laws.toml: speed at the onset of rolling, largest force.
-small = 0.1
+limit = 0.1
 eval "set terminal ".wide
 set multiplot layout 1,2 margins 0.085,0.985,0.16,0.86 spacing 0.1 \
   title "{/:Bold Random rotors}: runs against closed forms, within 10 % between the dashed lines"
@@ -17,10 +17,10 @@ do for [i = 1:2] {
   set xrange [least[i]:most[i]]; set yrange [least[i]:most[i]]
   set xlabel (of[i].": law") offset 0,0.4
   set ylabel "run" offset 1,0
-  plot data every 17 using (column(law)/units[i]):(y(run, units[i], small, 1e9)) with points pointtype 7 pointsize 0.22 \
-      linecolor rgb vermilion title sprintf("κ e_{x1}/(μ r) above %g", small), \
-    data every 17 using (column(law)/units[i]):(y(run, units[i], 0, small)) with points pointtype 7 pointsize 0.22 \
-      linecolor rgb blue title sprintf("up to %g", small), \
+  plot data every 17 using (column(law)/units[i]):(y(run, units[i], limit, 1e9)) with points pointtype 7 pointsize 0.22 \
+      linecolor rgb vermilion title sprintf("κ e_{x1}/(μ r) above %g", limit), \
+    data every 17 using (column(law)/units[i]):(y(run, units[i], 0, limit)) with points pointtype 7 pointsize 0.22 \
+      linecolor rgb blue title sprintf("up to %g", limit), \
     x with lines linecolor rgb black notitle, \
     for [p = 90:110:20] 0.01*p*x with lines linestyle published notitle
 }
