@@ -77,11 +77,11 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
 
   /// rho = r_a - r
   using TouchDown = End<0>;
-  S guard(TouchDown, const Unknowns& x) const {
+  S guard(TouchDown /*end*/, const Unknowns& x) const {
     const S clearance = rotor.ring.clearance;
     return clearance * clearance - chart.kinematics(x).motion.displacement.squaredNorm();
   }
-  Transition next(TouchDown, const Unknowns& x) const {
+  Transition next(TouchDown /*end*/, const Unknowns& x) const {
     return meet_ring(rotor, chart.state(x), Event::touch_down);
   }
 
@@ -187,17 +187,17 @@ struct IndentedFlight : Flight<S, Chart, ContactState::indented, 3> {
 
   /// Delta = 0
   using RingClear = End<0>;
-  S guard(RingClear, const Unknowns& x) const { return chart.rim_point(x).indentation; }
-  Transition next(RingClear, const Unknowns& /*x*/) const {
+  S guard(RingClear /*end*/, const Unknowns& x) const { return chart.rim_point(x).indentation; }
+  Transition next(RingClear /*end*/, const Unknowns& /*x*/) const {
     return {Event::ring_clear, ContactState::free};
   }
 
   /// k_t Delta + d_t Delta' = 0
   using RenewedContact = End<1>;
-  S guard(RenewedContact, const Unknowns& x) const {
+  S guard(RenewedContact /*end*/, const Unknowns& x) const {
     return rotor.ring.elastic_force(chart.rim_point(x));
   }
-  Transition next(RenewedContact, const Unknowns& x) const {
+  Transition next(RenewedContact /*end*/, const Unknowns& x) const {
     return meet_ring(rotor, chart.state(x), Event::renewed_contact);
   }
 };

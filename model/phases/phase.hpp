@@ -127,10 +127,10 @@ struct Phase {
 
   /// f = f_max
   using MotorOff = End<ends - 1>;
-  S guard(MotorOff, const Unknowns& x) const {
+  S guard(MotorOff /*end*/, const Unknowns& x) const {
     return rotor.motor_guard(chart.speed_with_ripple(x));
   }
-  Transition next(MotorOff, const Unknowns& /*x*/) const {
+  Transition next(MotorOff /*end*/, const Unknowns& /*x*/) const {
     return {Event::motor_off, state, direction};
   }
 

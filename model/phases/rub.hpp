@@ -97,10 +97,10 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
 
   /// F_n = 0
   using Release = End<0>;
-  S guard(Release, const Unknowns& x) const {
+  S guard(Release /*end*/, const Unknowns& x) const {
     return -rotor.ring.elastic_force(chart.rim_point(x));
   }
-  Transition next(Release, const Unknowns& x) const {
+  Transition next(Release /*end*/, const Unknowns& x) const {
     const bool indented = rotor.ring.is_indented_at_release(chart.rim_point(x));
     return {Event::release, indented ? ContactState::indented : ContactState::free};
   }
@@ -140,10 +140,10 @@ struct Sliding : Rub<S, Chart, ContactState::sliding> {
 
   /// v_Ktau = 0
   using SlipEnd = End<1>;
-  S guard(SlipEnd, const Unknowns& x) const {
+  S guard(SlipEnd /*end*/, const Unknowns& x) const {
     return S(direction) * chart.rim_point(x).slip_velocity;
   }
-  Transition next(SlipEnd, Unknowns& x) const {
+  Transition next(SlipEnd /*end*/, Unknowns& x) const {
     x = chart.without_slip(x);
     return this->leave_zero_slip(x);
   }
@@ -169,11 +169,11 @@ struct Rolling : Rub<S, Chart, ContactState::rolling> {
 
   /// |F_tau| = mu |F_n|
   using BreakAway = End<1>;
-  S guard(BreakAway, const Unknowns& x) const {
+  S guard(BreakAway /*end*/, const Unknowns& x) const {
     const Pressed p(*this, x);
     return this->grip(p, this->holding_friction(p));
   }
-  Transition next(BreakAway, const Unknowns& x) const {
+  Transition next(BreakAway /*end*/, const Unknowns& x) const {
     return {Event::break_away, ContactState::sliding,
             this->holding_friction(Pressed(*this, x)) > 0 ? -1 : 1};
   }
