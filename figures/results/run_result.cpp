@@ -114,12 +114,14 @@ const std::vector<Circumstance>& circumstances() {
 template <class T>
 Json allowed(T Summary::* /*of*/, bool may_be_open) {
   if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
-  if constexpr (std::is_same_v<T, bool>) return {{"type", {"boolean", "null"}}};
-  Json types = {"number", "object"};  // object: with --digits
-  if constexpr (std::is_same_v<T, long>) types = {"integer"};
+  constexpr bool is_real = !std::is_same_v<T, bool> && !std::is_same_v<T, long>;
+  Json types = Json::array({is_real ? "number" : std::is_same_v<T, bool> ? "boolean" : "integer"});
+  if (is_real) types.push_back("object");  // with --digits
   if (may_be_open || std::is_same_v<T, std::optional<double>>) types.push_back("null");
-  if constexpr (std::is_same_v<T, long>) return {{"type", types}};
-  return {{"type", types}, {"$ref", "#/$defs/estimate"}};
+  Json schema;
+  schema["type"] = types;
+  if (is_real) schema["$ref"] = "#/$defs/estimate";
+  return schema;
 }
 
 }  // namespace
