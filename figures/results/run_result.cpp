@@ -118,10 +118,10 @@ Json allowed(T Summary::* /*of*/, bool may_be_open) {
   Json types = Json::array({is_real ? "number" : std::is_same_v<T, bool> ? "boolean" : "integer"});
   if (is_real) types.push_back("object");  // with --digits
   if (may_be_open || std::is_same_v<T, std::optional<double>>) types.push_back("null");
-  Json schema;
-  schema["type"] = types;
-  if (is_real) schema["$ref"] = "#/$defs/estimate";
-  return schema;
+  Json described;
+  described["type"] = types;
+  if (is_real) described["$ref"] = "#/$defs/estimate";
+  return described;
 }
 
 }  // namespace
