@@ -21,23 +21,26 @@ class StopObserver : public Observer {
       : stop_on_(stop_on),
         loses_mass_(scenario.loses_mass()),
         watch_(scenario),
+        in_rolling_(scenario),
         force_(scenario),
         has_turned_(!(scenario.parameters.torque > 0)) {}
 
-  bool is_reached() const { return reached_; }
+  bool is_reached() const { return reached_ || force_.is_found(); }
 
   void on_instant(const Instant& at) override {
     watch_.note(at);
     if (at.event == Event::mass_loss) slow_since_s_ = at.time_s;
     mass_lost_ = at.mass_lost;
     if (at.contact == ContactState::rolling) rolled_ = true;
+    if (rolled_) in_rolling_.await();
+    in_rolling_.on_instant(at);
     if (rolled_ && (stop_on_ == StopOn::rolling || (stop_on_ == StopOn::outcome && loss_is_over())))
       force_.await();
     force_.on_instant(at);
-    reached_ = reached_ || force_.is_found();
     if (stop_on_ != StopOn::outcome || !loss_is_over()) return;
     const Outcome outcome = watch_.outcome();
-    const bool rolled_before = at.event == Event::mass_loss && rolled_ && !at.touches();
+    const bool rolled_before =
+        at.event == Event::mass_loss && in_rolling_.is_found() && !at.touches();
     reached_ =
         reached_ || rolled_before ||
         (at.event != Event::none && (outcome == Outcome::freed || outcome == Outcome::no_contact) &&
@@ -45,13 +48,13 @@ class StopObserver : public Observer {
   }
 
   double threshold(Extreme of, const double& from_s, const double& until_s) const override {
-    return of == Extreme::normal_force && force_.is_awaited()
+    return of == Extreme::normal_force && (in_rolling_.is_awaited() || force_.is_awaited())
                ? 0
                : Observer::threshold(of, from_s, until_s);
   }
   void on_maximum(const Maximum& maximum) override {
+    in_rolling_.on_maximum(maximum);
     force_.on_maximum(maximum);
-    reached_ = reached_ || force_.is_found();
   }
 
   bool goes_on(const Progress& now) override {
@@ -61,7 +64,7 @@ class StopObserver : public Observer {
     const bool may_rest = loses_mass_ ? mass_lost_ : has_turned_;
     if (!(may_rest && is_slow)) slow_since_s_ = now.time_s;
     if (stop_on_ == StopOn::rest && now.time_s - slow_since_s_ >= for_s) reached_ = true;
-    return !reached_;
+    return !is_reached();
   }
 
  private:
@@ -70,7 +73,8 @@ class StopObserver : public Observer {
   StopOn stop_on_;
   bool loses_mass_;
   OutcomeWatch watch_;
-  NextMaximum<double> force_;
+  NextMaximum<double> in_rolling_;  ///< up to which the summary has results of its own
+  NextMaximum<double> force_;       ///< at which the run ends
   double slow_since_s_ = 0;
   bool has_turned_;
   bool mass_lost_ = false, rolled_ = false, reached_ = false;
