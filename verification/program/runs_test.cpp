@@ -165,8 +165,9 @@ RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
   return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
 }
 
-// The whole moment of gravity drives a rotor at half its critical speed until it touches; a motor
-// is too weak to bring another through it; a third drives the rolling rotor to larger forces.
+// At half its critical speed gravity's moment, whole or balanced, shakes a rotor until it touches;
+// a motor is too weak to bring another one through it; a third drives the rolling rotor to larger
+// forces, also by fixed steps.
 TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
   const auto touches_late = [](Parameters& p) {
     p.support_damping = 1;
@@ -175,6 +176,14 @@ TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
     p.eccentricity = 1.9e-4;
     p.support_stiffness = 1.11e4;
     p.unbalance_factor = 2;
+    p.torque = 0;
+  };
+  const auto touches_balanced = [](Parameters& p) {
+    p.support_damping = 0.05;
+    p.stator_radius = p.rotor_radius + 1.6e-3;
+    p.inertia = 1.4e-3;
+    p.eccentricity = 8e-4;
+    p.unbalance_factor = 1.5;
     p.torque = 0;
   };
   const auto stalls = [](Parameters& p) { p.torque = 1e-3; };
@@ -189,11 +198,17 @@ TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
   };
   for (auto [change, scenario, outcome] :
        {Case{touches_late, {.start_speed_Hz = 4, .until = 20}, Outcome::freed},
+        {touches_balanced,
+         {.equations = Equations::consistent, .start_speed_Hz = 5.3, .until = 3},
+         Outcome::bouncing},
         {stalls,
          {.equations = Equations::consistent, .start_speed_Hz = 5, .until = 30},
          Outcome::stalled},
         {rolls_faster,
          {.equations = Equations::consistent, .start_speed_Hz = 120, .until = 0.5},
+         Outcome::rolling},
+        {rolls_faster,
+         {.method = Method::rk4, .start_speed_Hz = 120, .until = 0.2},
          Outcome::rolling}}) {
     scenario.parameters.mass_loss_time = 0;
     change(scenario.parameters);
