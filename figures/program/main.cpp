@@ -253,12 +253,13 @@ void occupy_standard_streams() {
 
 /// Runs the same command by the program that is linked with `certified`; returns only if it cannot.
 int hand_over(char** argv) {
-  const auto self = std::filesystem::read_symlink("/proc/self/exe");
-  ::execv((self.parent_path() / "rotor-digits").c_str(), argv);
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) ::execv((self.parent_path() / "rotor-digits").c_str(), argv);
   print_message(fmt::format(
       "rotor: guaranteed digits and estimated errors need the program rotor-digits next "
       "to this one, which make build builds: {}",
-      std::strerror(errno)));
+      error ? error.message() : std::strerror(errno)));
   return 1;
 }
 

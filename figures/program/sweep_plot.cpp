@@ -142,6 +142,13 @@ bool is_number(const std::string& key) {
 
 constexpr const char* usual_result = "peak_force_to_rolling_N";
 
+/// A run without contact has no largest force, which is drawn as 0. One that stopped in rolling has
+/// none either, since the rest of it could raise it: that is left out.
+bool is_zero(const std::string& result, std::string_view outcome) {
+  return (result == usual_result || result == "peak_normal_force_N") && !outcome.empty() &&
+         outcome != name_of(Outcome::rolling);
+}
+
 /// What is drawn beside the outcome.
 struct DrawnResult {
   std::string key;  ///< "outcome" if there is nothing else
@@ -235,10 +242,9 @@ std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const 
       outcome.add(static_cast<double>(code));
     else if (!name.empty())  // a refused point has no outcome
       outcome.add(name == name_of(Outcome::rolling) ? 1 : 0);
-    // A run without contact has no force, which is drawn as 0; other results are then missing.
     if (result.has_value && !row[result.key].empty())
       value.add(static_cast<double>(row.number(result.key)) / drawn.second);
-    else if (!name.empty() && result.key == usual_result)
+    else if (is_zero(result.key, name))
       value.add(0);
     if (++n % draws != 0) return;
     const auto place = [&](std::size_t axis) {

@@ -17,7 +17,7 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<dou
   const double reached = scenario.start_speed_Hz + p.torque / p.inertia * scenario.until / two_pi;
   if (p.torque > 0 && reached < near * p.motor_off_Hz)
     all.push_back(
-        {fmt::format("by the end of the run, {:.6g} s, the motor reaches at most {:.2g} "
+        {fmt::format("by the end of the run, {:.6g} s, the motor reaches about {:.2g} "
                      "Hz, less than {} of motor_off_hz = {} Hz",
                      scenario.until, reached, near, p.motor_off_Hz)});
   constexpr double slow = 0.1;

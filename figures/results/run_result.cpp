@@ -58,8 +58,7 @@ const std::vector<Circumstance>& circumstances() {
   static const std::vector<Circumstance> all = {
       {"stop_on",
        "Where the run was to stop early. A run that stopped at its outcome or at rolling has null "
-       "for "
-       "values that the rest of the run could change",
+       "for values that the rest of the run could change",
        {{"enum", with(all_names<StopOn>(), nullptr)}},
        [](const A& a) { return a.early.stop_on ? Json(name_of(*a.early.stop_on)) : Json(); }},
       {"stop_reached", "Whether the run stopped there", type("boolean"),
@@ -103,8 +102,7 @@ const std::vector<Circumstance>& circumstances() {
       {"version", "Version of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
       {"schema",
        "Version of this schema; 3 had values of stopped runs that the rest could change, 2 had the "
-       "keys of separation and collisions, 1 no outcome or "
-       "inputs",
+       "keys of separation and collisions, 1 no outcome or inputs",
        {{"const", schema}},
        [](const A&) { return Json(schema); }}};
   return all;

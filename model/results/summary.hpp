@@ -113,8 +113,7 @@ inline constexpr auto summary_fields = [] {
        &Of::rolling_until_s, own, nullptr, end},
       {"peak_force_to_rolling_N",
        "Largest normal force up to its first maximum after the onset of rolling, or of the whole "
-       "run "
-       "if rolling does not set in",
+       "run if rolling does not set in",
        &Of::peak_force_to_rolling_N},
       {"peak_normal_force_N", "Largest normal force, at a located maximum",
        &Of::peak_normal_force_N, own, nullptr, contacts},

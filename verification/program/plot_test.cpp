@@ -87,5 +87,16 @@ TEST_F(Plot, DrawsTheLineOfASweepInEachPanel) {
   }
 }
 
+// Of whichever largest force is drawn.
+TEST_F(Plot, DrawsAForceOfZeroWhereNothingTouches) {
+  write("s.toml",
+        "stop_on = \"end\"\n[parameters]\nequations = \"consistent\"\nstart_speed_hz = 50\nuntil = "
+        "0.1\n[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.2\npoints = 3\n");
+  for (const char* column : {"peak_force_to_rolling_N", "peak_normal_force_N"}) {
+    ASSERT_EQ(rotor(std::string("plot s.toml --column ") + column).status, 0);
+    EXPECT_EQ(content("s.svg").find("no point has this result"), std::string::npos) << column;
+  }
+}
+
 }  // namespace
 }  // namespace rotor
