@@ -38,7 +38,7 @@ class WorkLog : public Observer {
   WorkLog(const EnergyObserver& energy, double from_s) : energy_(energy), from_s_(from_s) {}
 
   void on_instant(const Instant& at) override { add(at.time_s); }
-  bool goes_on(const Progress& now) override { return add(now.time_s), true; }
+  bool should_continue(const Progress& now) override { return add(now.time_s), true; }
 
   Table table{works.size()};
 

@@ -18,7 +18,7 @@ class PageMonitor : public Observer {
  public:
   explicit PageMonitor(val on_progress) : on_progress_(std::move(on_progress)) {}
 
-  bool goes_on(const Progress& now) override {
+  bool should_continue(const Progress& now) override {
     constexpr long seldom = 256;  // reading a clock is not free
     if (++steps_ % seldom == 0 && emscripten_get_now() >= next_ms_) {
       next_ms_ = emscripten_get_now() + every_ms;

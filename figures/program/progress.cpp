@@ -32,7 +32,7 @@ ProgressLine::~ProgressLine() {
   if (is_shown_ && on_terminal_) print_message("");
 }
 
-bool RunProgress::goes_on(const Progress& now) {
+bool RunProgress::should_continue(const Progress& now) {
   constexpr long seldom = 256;  // reading a clock is not free
   if (++steps_ % seldom == 0)
     line_.update([&](double elapsed_s) {
@@ -40,7 +40,7 @@ bool RunProgress::goes_on(const Progress& now) {
                          until_s_, steps_, duration(elapsed_s),
                          duration(elapsed_s * (until_s_ - now.time_s) / now.time_s));
     });
-  return Interruptible::goes_on(now);
+  return Interruptible::should_continue(now);
 }
 
 }  // namespace rotor

@@ -32,7 +32,7 @@ class RunProgress : public Interruptible {
  public:
   explicit RunProgress(double until_s) : until_s_(until_s) {}
 
-  bool goes_on(const Progress& now) override;
+  bool should_continue(const Progress& now) override;
 
  private:
   ProgressLine line_;

@@ -94,14 +94,14 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
 }
 
 /// What is printed about a run.
-struct Printed {
+struct RunReport {
   Json summary{};
   std::vector<Remark> remarks{};
   std::string short_of_digits{};  ///< the reason; empty if it has all digits
 };
 
 /// A run with guaranteed digits.
-Printed certified_run(const RunOptions& options, const SceneRun& run) {
+RunReport certified_run(const RunOptions& options, const SceneRun& run) {
   using Clock = std::chrono::steady_clock;
   const double budget_s = options.budget_s.value_or(RunOptions::usual_budget_s);
   const std::chrono::duration<double> budget(budget_s);
@@ -126,15 +126,15 @@ Printed certified_run(const RunOptions& options, const SceneRun& run) {
   if (!found)
     throw std::runtime_error(
         fmt::format("--budget {} s: is not enough for a first estimate", budget_s));
-  Printed printed{to_json(*found, run.scenario, *run.stated.digits),
-                  remarks(result_of(*found, run.scenario))};
+  RunReport report{to_json(*found, run.scenario, *run.stated.digits),
+                   remarks(result_of(*found, run.scenario))};
   if (const std::string why = complaint(*found, *run.stated.digits); !why.empty())
-    printed.short_of_digits =
+    report.short_of_digits =
         fmt::format("{}: {}",
                     has_time() ? std::string("no precision is enough")
                                : fmt::format("--budget {} s is not enough", budget_s),
                     why);
-  return printed;
+  return report;
 }
 
 void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows) {
@@ -148,7 +148,7 @@ void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows
 }
 
 /// The only run of a scene, and the files that it writes.
-Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) {
+RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) {
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
   std::vector<std::filesystem::path> outputs;
@@ -202,7 +202,7 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   if (options.estimate_error && !result.early.interrupted) {
     RunProgress other_progress(scenario.until);
     const double error = estimated_relative_error(scenario, result.summary, [&](double time_s) {
-      return other_progress.goes_on({time_s, 0, 0});
+      return other_progress.should_continue({time_s, 0, 0});
     });
     if (!is_interrupted()) result.estimated_relative_error = error;
   }
@@ -210,10 +210,10 @@ Printed run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) 
   files.commit();
   if (!options.trace.empty() && !is_standard_output(options.trace))
     say_what_is_traced(options, scene, trace ? trace->rows() : samples->rows());
-  Printed printed{to_json(result), remarks(result)};
-  if (energy) printed.summary["energy_J"] = to_json(*energy);
-  if (energy && result.early.leaves_rest_open()) printed.summary["energy_J"]["until_end"] = nullptr;
-  return printed;
+  RunReport report{to_json(result), remarks(result)};
+  if (energy) report.summary["energy_J"] = to_json(*energy);
+  if (energy && result.early.leaves_rest_open()) report.summary["energy_J"]["until_end"] = nullptr;
+  return report;
 }
 
 }  // namespace
@@ -239,22 +239,22 @@ void run_rotor(const RunOptions& options) {
     };
     Scene alone = scene;
     alone.runs = {run};
-    Printed printed;
+    RunReport report;
     try {
-      printed = run.stated.digits ? certified_run(options, run) : run_one(options, alone, run_ups);
+      report = run.stated.digits ? certified_run(options, run) : run_one(options, alone, run_ups);
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // the other runs are not affected
       failures.push_back(of_run(error.what()));
       continue;
     }
-    for (const Remark& remark : printed.remarks)  // a table does not show them
+    for (const Remark& remark : report.remarks)  // a table does not show them
       if (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json))
         messages.push_back(of_run(remark.sentence));
-    if (!printed.short_of_digits.empty()) failures.push_back(of_run(printed.short_of_digits));
+    if (!report.short_of_digits.empty()) failures.push_back(of_run(report.short_of_digits));
     Json row;
     if (one_of_many) row["run"] = run.name;
-    row.update(printed.summary);
+    row.update(report.summary);
     runs.push_back(row);
     if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
       messages.push_back(of_run(

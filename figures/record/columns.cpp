@@ -8,12 +8,12 @@
 namespace rotor {
 namespace {
 
-double slip_velocity(View& view) {
+double slip_velocity(InstantView& view) {
   const bool centred = view.motion().displacement.squaredNorm() == 0;  // K is undefined
   return centred ? std::numeric_limits<double>::quiet_NaN() : view.rim_point().slip_velocity;
 }
 
-double whirl_frequency(View& view) {
+double whirl_frequency(InstantView& view) {
   const Motion<double>& m = view.motion();
   const double square = m.displacement.squaredNorm();
   return square == 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -22,64 +22,71 @@ double whirl_frequency(View& view) {
 
 constexpr std::array table = {
     Column{"time_s", "time; two rows with the same time are before and after an event",
-           [](View& v) { return v.at().time_s; }},
-    Column{"q1_m", "O along x of the rotating axes", [](View& v) { return v.at().state[0]; }},
-    Column{"q2_m", "O along y of the rotating axes", [](View& v) { return v.at().state[1]; }},
-    Column{"q3_rad", "angle of the rotor", [](View& v) { return v.at().state[2]; }},
-    Column{"q1_rate_m_per_s", "rate of q1", [](View& v) { return v.at().state[3]; }},
-    Column{"q2_rate_m_per_s", "rate of q2", [](View& v) { return v.at().state[4]; }},
-    Column{"q3_rate_rad_per_s", "rate of q3", [](View& v) { return v.at().state[5]; }},
+           [](InstantView& v) { return v.at().time_s; }},
+    Column{"q1_m", "O along x of the rotating axes",
+           [](InstantView& v) { return v.at().state[0]; }},
+    Column{"q2_m", "O along y of the rotating axes",
+           [](InstantView& v) { return v.at().state[1]; }},
+    Column{"q3_rad", "angle of the rotor", [](InstantView& v) { return v.at().state[2]; }},
+    Column{"q1_rate_m_per_s", "rate of q1", [](InstantView& v) { return v.at().state[3]; }},
+    Column{"q2_rate_m_per_s", "rate of q2", [](InstantView& v) { return v.at().state[4]; }},
+    Column{"q3_rate_rad_per_s", "rate of q3", [](InstantView& v) { return v.at().state[5]; }},
     Column{"rho_m", "distance of O from O_a",
-           [](View& v) { return Vector<double>(v.at().state[0], v.at().state[1]).norm(); },
+           [](InstantView& v) { return Vector<double>(v.at().state[0], v.at().state[1]).norm(); },
            Extreme::displacement},
     Column{"x_a_m", "O along x_a (down) in the stator's frame",
-           [](View& v) { return v.displacement_in_stator_frame().x(); }},
+           [](InstantView& v) { return v.displacement_in_stator_frame().x(); }},
     Column{"y_a_m", "O along y_a in the stator's frame",
-           [](View& v) { return v.displacement_in_stator_frame().y(); }},
-    Column{"speed_Hz", "rotation speed f", [](View& v) { return in_Hz(v.at().state[5]); }},
+           [](InstantView& v) { return v.displacement_in_stator_frame().y(); }},
+    Column{"speed_Hz", "rotation speed f", [](InstantView& v) { return in_Hz(v.at().state[5]); }},
     Column{"normal_force_N", "F_n on the rotor, negative in compression",
-           [](View& v) { return v.normal_force(); }, Extreme::normal_force},
+           [](InstantView& v) { return v.normal_force(); }, Extreme::normal_force},
     Column{"friction_force_N", "F_tau on the rotor, positive in the sense of q3",
-           [](View& v) { return v.friction(); }},
+           [](InstantView& v) { return v.friction(); }},
     Column{"slip_velocity_m_per_s", "v_Ktau of the rim relative to the ring", slip_velocity},
     Column{"kinetic_energy_J", "T of the rotor",
-           [](View& v) { return kinetic_energy(v.at().body, v.motion()); }},
+           [](InstantView& v) { return kinetic_energy(v.at().body, v.motion()); }},
     Column{"bearing_force_N", "magnitude of k r_O + d v_O of the supports",
-           [](View& v) { return v.bearing_force().norm(); }, Extreme::bearing_force},
+           [](InstantView& v) { return v.bearing_force().norm(); }, Extreme::bearing_force},
     Column{"whirl_frequency_Hz", "whirl frequency of O about O_a, negative against the rotation",
            whirl_frequency},
     Column{"contact_angle_rad", "direction of O from O_a in the stator's frame, from x_a",
-           [](View& v) {
+           [](InstantView& v) {
              const Vector<double> at = v.displacement_in_stator_frame();
              return std::atan2(at.y(), at.x());
            }},
     Column{"motor_power_W", "power of the motor",
-           [](View& v) { return v.at().motor_on ? v.supports().torque * v.motion().speed : 0; }},
-    Column{"support_damping_power_W", "power of the supports' dampers, negative",
-           [](View& v) { return -v.supports().damping * v.motion().velocity.squaredNorm(); }},
+           [](InstantView& v) {
+             return v.at().motor_on ? v.supports().torque * v.motion().speed : 0;
+           }},
+    Column{
+        "support_damping_power_W", "power of the supports' dampers, negative",
+        [](InstantView& v) { return -v.supports().damping * v.motion().velocity.squaredNorm(); }},
     Column{"friction_power_W", "power of F_tau at the rim, negative",
-           [](View& v) { return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0; }},
+           [](InstantView& v) {
+             return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0;
+           }},
     Column{"contact_damping_power_W",
            "power of the contact's damper, negative; also while the ring springs back",
-           [](View& v) {
+           [](InstantView& v) {
              const bool is_clear = v.at().contact == ContactState::free;  // K may be undefined
              return is_clear ? 0 : v.ring().damping_power(v.rim_point(), v.at().contact);
            }},
     Column{"support_energy_J", "potential energy of the supports' springs",
-           [](View& v) { return v.supports().springs.energy(v.motion().displacement); }},
+           [](InstantView& v) { return v.supports().springs.energy(v.motion().displacement); }},
     Column{"contact_energy_J", "potential energy of the indented ring",
-           [](View& v) {
+           [](InstantView& v) {
              const bool indented = v.at().contact != ContactState::free;
              const double depth = indented ? v.rim_point().indentation : 0;
              return v.ring().stiffness * depth * depth / 2;
            }},
     Column{"contact_state", "0 free, 1 sliding, 2 rolling, 3 free with the ring still indented",
-           [](View& v) { return static_cast<double>(v.at().contact); }},
+           [](InstantView& v) { return static_cast<double>(v.at().contact); }},
 };
 
 }  // namespace
 
-double View::friction() {
+double InstantView::friction() {
   if (!in_contact()) return 0;
   if (at_.contact == ContactState::rolling && context_.rolls)
     return friction_without_slip(at_.body, ring(), motion(), rim_point(),

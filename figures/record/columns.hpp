@@ -23,9 +23,9 @@ struct ColumnContext {
 };
 
 /// One instant, as columns see it. What several columns need is computed once, and only on demand.
-class View {
+class InstantView {
  public:
-  View(const Instant& at, const ColumnContext& context) : at_(at), context_(context) {}
+  InstantView(const Instant& at, const ColumnContext& context) : at_(at), context_(context) {}
 
   const Instant& at() const { return at_; }
   const Motion<double>& motion() {
@@ -60,7 +60,7 @@ class View {
 struct Column {
   std::string_view name;  ///< with its unit
   std::string_view meaning;
-  double (*value)(View&);
+  double (*value)(InstantView&);
   std::optional<Extreme> extreme{};  ///< whose largest magnitude a table should contain
 };
 

@@ -45,7 +45,7 @@ void Recorder::on_maximum(const Maximum& maximum) {
 }
 
 void Recorder::note_extremes(const Instant& at) {
-  View view(at, context_);
+  InstantView view(at, context_);
   for (const Column* column : columns_)
     if (column->extreme) {
       double& largest = largest_[static_cast<std::size_t>(*column->extreme)];
@@ -120,7 +120,7 @@ double Recorder::threshold(Extreme of, const double& from_s, const double& until
 }
 
 Recorder::Row Recorder::row(const Instant& at) const {
-  View view(at, context_);
+  InstantView view(at, context_);
   Row values;
   values.reserve(columns_.size());
   for (const Column* column : columns_) values.push_back(column->value(view));
@@ -163,7 +163,7 @@ void Sampler::on_step(const DenseOutput& motion) {
     const double time = std::min(time_s(next_), end_s_);
     Instant at = motion.at(std::min(time, motion.until_s));
     at.time_s = time;
-    View view(at, context_);
+    InstantView view(at, context_);
     for (std::size_t i = 0; i < row.size(); ++i) row[i] = columns_[i]->value(view);
     sink_(row);
   }

@@ -20,7 +20,7 @@ class EventLog : public Observer {
 
   void on_instant(const Instant& at) override {
     if (at.event == Event::none) return;
-    View view(at, context_);
+    InstantView view(at, context_);
     std::vector<double> row;
     for (const Column* column : columns()) row.push_back(column->value(view));
     sink_(name_of(at.event), row);

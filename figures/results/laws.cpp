@@ -157,8 +157,9 @@ std::vector<Remark> remarks_on_laws(const Scenario& scenario) {
   const Accident& law = predicted.law;
   const Ring<double> ring(scenario.parameters);
   const double zeta = ring_damping_ratio(scenario.parameters);
-  const double force = predicted.rolls ? *law.rolling_force  // without the dashpot's part
-                                       : law.impact_force.value_or(0) / impact(zeta) * swing(zeta);
+  const double force = predicted.rolls
+                           ? *law.rolling_force  // without the dashpot's part
+                           : law.impact_force.value_or(0) / impact(zeta) * swing_after_blow(zeta);
   std::vector<Remark> all =
       remarks_on_rotor(scenario, predicted.speed / two_pi, force / ring.stiffness);
   if (!predicted.doubts.empty())

@@ -14,7 +14,7 @@ namespace rotor {
 /// Ends a run at an interruption.
 class Interruptible : public Observer {
  public:
-  bool goes_on(const Progress& /*now*/) override { return !is_interrupted(); }
+  bool should_continue(const Progress& /*now*/) override { return !is_interrupted(); }
 };
 
 /// A run and its summary up to the present instant.

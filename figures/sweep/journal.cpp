@@ -38,7 +38,7 @@ Journal::Journal(const std::filesystem::path& file, std::string head, long most_
     // The sweep that held the lock may have finished, and removed the file that was opened here.
     do open();
     while (!is_at(descriptor_, path_));
-    take_up();
+    resume();
   } catch (...) {
     ::close(descriptor_);
     throw;
@@ -101,7 +101,7 @@ off_t Journal::read_rows(const Take& take) {
 }
 
 /// Cuts off the first damaged row and all that follows; everything, if the head is incomplete.
-void Journal::take_up() {
+void Journal::resume() {
   const std::string beginning = read_at(0, head_.size());
   if (!head_.starts_with(beginning))
     fail("belongs to another sweep file or version of rotor; resume with that, or remove it");

@@ -37,7 +37,7 @@ class Journal {
 
  private:
   void open();
-  void take_up();
+  void resume();
   std::string read_at(off_t at, std::size_t most) const;
   template <class Take>
   off_t read_rows(const Take& take);

@@ -11,7 +11,7 @@
 
 namespace rotor {
 
-/// Numbers at equal distances, or at equal ratios.
+/// A linear or logarithmic range.
 struct Range {
   double from, until;
   long points;

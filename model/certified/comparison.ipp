@@ -59,7 +59,7 @@ NamedEstimate estimate(const NamedValue<S>& finest, const NamedValue<S>& coarse,
         tolerance / Comparison::finest * result.size;
     result.of_rounding =
         of_disturbance +
-        static_cast<double>(S(disturbance<S>() * max(S(result.size), finest.made_of)));
+        static_cast<double>(S(disturbance<S>() * max(S(result.size), finest.error_base)));
   } else {
     result.of_tolerance = std::numeric_limits<double>::infinity();
   }
@@ -124,7 +124,7 @@ std::optional<double> amplification(const Computation<S>& a, const Computation<S
 
 template <class S>
 std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
-                                  const GoesOn& goes_on) {
+                                  const ShouldContinue& should_continue) {
   // In the highest precision the part of rounding in the error is not needed.
   constexpr bool is_last = std::numeric_limits<S>::digits > 64;
   const auto [first, second] = disturbances<S>();
@@ -136,7 +136,7 @@ std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
   using Unknowns = std::array<S, 6>;
   const auto goes_well = [&]<class Stepper>(Stepper, Computation<S>& into,
                                             const Settings<S>& settings) {
-    into = compute<S, Stepper>(scenario, settings, goes_on);
+    into = compute<S, Stepper>(scenario, settings, should_continue);
     return !into.stopped;
   };
   const Verner87<Unknowns, S> verner;
@@ -181,7 +181,8 @@ std::optional<Comparison> compare(const Scenario& scenario, double tolerance,
 }
 
 // In in_double.cpp; tests use them, too.
-extern template std::optional<Comparison> compare<double>(const Scenario&, double, const GoesOn&);
+extern template std::optional<Comparison> compare<double>(const Scenario&, double,
+                                                          const ShouldContinue&);
 extern template class EventMethod<double, Fehlberg78<std::array<double, 6>, double>>;
 
 }  // namespace rotor

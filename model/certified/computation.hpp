@@ -13,7 +13,7 @@
 
 #include "model/certified/comparison.hpp"
 #include "model/methods/event_method.hpp"
-#include "model/methods/stages.hpp"
+#include "model/methods/whole_run.hpp"
 #include "model/results/summary.hpp"
 
 namespace rotor {
@@ -65,17 +65,17 @@ struct Computation {
   Counters counters;
   /// By how much flights near the ring missed it, m; the key is the number of events before.
   std::map<std::size_t, S> misses;
-  bool stopped = false;  ///< by goes_on
+  bool stopped = false;  ///< by should_continue
 };
 
 /// Gathers what a Computation needs from a run.
 template <class S>
 class CourseObserver : public BasicSummaryObserver<S> {
  public:
-  CourseObserver(const Scenario& scenario, const GoesOn& goes_on)
+  CourseObserver(const Scenario& scenario, const ShouldContinue& should_continue)
       : BasicSummaryObserver<S>(scenario),
         clearance_(Ring<S>(scenario.parameters).clearance),
-        goes_on_(goes_on) {}
+        should_continue_(should_continue) {}
 
   void on_instant(const BasicInstant<S>& at) override {
     BasicSummaryObserver<S>::on_instant(at);
@@ -84,8 +84,9 @@ class CourseObserver : public BasicSummaryObserver<S> {
     if (at.event != Event::none) course.events.push_back(at);
     previous_ = at;
   }
-  bool goes_on(const BasicProgress<S>& now) override {
-    return BasicSummaryObserver<S>::goes_on(now) && goes_on_(static_cast<double>(now.time_s));
+  bool should_continue(const BasicProgress<S>& now) override {
+    return BasicSummaryObserver<S>::should_continue(now) &&
+           should_continue_(static_cast<double>(now.time_s));
   }
   S threshold(Extreme of, const S& from_s, const S& until_s) const override {
     const S usual = BasicSummaryObserver<S>::threshold(of, from_s, until_s);
@@ -104,33 +105,34 @@ class CourseObserver : public BasicSummaryObserver<S> {
 
  private:
   S clearance_;
-  const GoesOn& goes_on_;
+  const ShouldContinue& should_continue_;
   bool is_free_ = true;
   BasicInstant<S> previous_;
 };
 
 /// When a run switches its motor off, which must be before `until_s`.
 template <class S, class Stepper>
-S motor_off_time(EventMethod<S, Stepper> run, const S& until_s, const GoesOn& goes_on) {
+S motor_off_time(EventMethod<S, Stepper> run, const S& until_s,
+                 const ShouldContinue& should_continue) {
   struct Watch : BasicObserver<S> {
-    explicit Watch(const GoesOn& asked) : goes_on_(asked) {}
+    explicit Watch(const ShouldContinue& asked) : should_continue_(asked) {}
     void on_instant(const BasicInstant<S>& at) override {
       if (at.event == Event::motor_off) time_s = at.time_s;
     }
-    bool goes_on(const BasicProgress<S>& now) override {
-      return !time_s && goes_on_(static_cast<double>(now.time_s));
+    bool should_continue(const BasicProgress<S>& now) override {
+      return !time_s && should_continue_(static_cast<double>(now.time_s));
     }
     std::optional<S> time_s;
-    const GoesOn& goes_on_;
-  } watch(goes_on);
+    const ShouldContinue& should_continue_;
+  } watch(should_continue);
   run.advance(until_s, watch);
   return watch.time_s.value_or(run.instant().time_s);
 }
 
 template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
 Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
-                       const GoesOn& goes_on) {
-  CourseObserver<S> observer(scenario, goes_on);
+                       const ShouldContinue& should_continue) {
+  CourseObserver<S> observer(scenario, should_continue);
   RotorSystem<S> rotor(scenario.parameters, scenario.equations);
   BasicInstant<S> start = start_of<S>(scenario);
   MassLoss<S> loss(scenario.parameters);
@@ -143,10 +145,10 @@ Computation<S> compute(const Scenario& scenario, const Settings<S>& settings,
   };
   if (scenario.mass_loss_speed_Hz > 0) {
     RotorSystem<S> to_speed = rotor;
-    to_speed.motor_off = rotor.radians_per_turn() * stated<S>(scenario.mass_loss_speed_Hz);
+    to_speed.motor_off = rotor.radians_per_turn() * as_typed<S>(scenario.mass_loss_speed_Hz);
     // Precision and disturbance move it by far less.
     const S latest_s = S(1.01) * S(scenario.parameters.mass_loss_time);
-    loss.time_s = motor_off_time(at_start(to_speed), latest_s, goes_on);
+    loss.time_s = motor_off_time(at_start(to_speed), latest_s, should_continue);
   }
   EventMethod<S, Stepper> method = at_start(rotor);
   observer.on_instant(start);
@@ -167,7 +169,7 @@ struct NamedValue {
   S size{0};              ///< least reference of its digits
   bool is_exact = false;  ///< stated, not computed
   bool follows = false;   ///< from another value or the inputs: it has no independent error
-  S made_of{0};           ///< the larger, rounded quantity of which it is a difference or component
+  S error_base{0};        ///< the larger, rounded quantity of which it is a difference or component
 };
 
 /// A value that is less than the clearance, or a radian, by this factor is negligible: digits are
@@ -188,7 +190,7 @@ std::vector<NamedValue<S>> values_of(const BasicSummary<S>& summary, const Param
                                                                 : S(0),
                      .is_exact = field.scale == ErrorScale::exact,
                      .follows = field.scale == ErrorScale::of_another,
-                     .made_of = field.made_of ? field.made_of(summary) : S(0)});
+                     .error_base = field.error_base ? field.error_base(summary) : S(0)});
     };
     if (const auto* always = std::get_if<S BasicSummary<S>::*>(&field.value))
       add(summary.**always);

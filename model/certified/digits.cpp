@@ -7,27 +7,27 @@
 namespace rotor {
 namespace {
 
-struct Means {
+struct PrecisionLevel {
   Precision precision;
   double epsilon;
-  std::optional<Comparison> (*compare)(const Scenario&, double, const GoesOn&);
+  std::optional<Comparison> (*compare)(const Scenario&, double, const ShouldContinue&);
 
   /// The finest computation has a hundredth of it, still some tens of roundings.
   double least_tolerance() const { return 4096 * epsilon; }
 };
 
 template <class S>
-Means means(Precision precision) {
+PrecisionLevel level(Precision precision) {
   return {precision, static_cast<double>(std::numeric_limits<S>::epsilon()), compare<S>};
 }
 
 /// The available precisions, the cheapest first.
-const std::vector<Means>& all_means() {
-  static const std::vector<Means> all = [] {
-    std::vector<Means> list = {means<double>(Precision::double_)};
+const std::vector<PrecisionLevel>& all_levels() {
+  static const std::vector<PrecisionLevel> all = [] {
+    std::vector<PrecisionLevel> list = {level<double>(Precision::double_)};
     if constexpr (std::numeric_limits<long double>::digits == 64)  // otherwise equal to another
-      list.push_back(means<long double>(Precision::extended));
-    list.push_back(means<Quad>(Precision::quadruple));
+      list.push_back(level<long double>(Precision::extended));
+    list.push_back(level<Quad>(Precision::quadruple));
     return list;
   }();
   return all;
@@ -39,12 +39,12 @@ struct Excess {
 
   void note(const NamedEstimate& value, double allowed) {
     if (!value.estimate) return;
-    const auto raise = [allowed](double& greatest, double error) {
+    const auto keep_greatest = [allowed](double& greatest, double error) {
       if (error > 0) greatest = std::max(greatest, error / allowed);
     };
-    raise(of_tolerance, value.of_tolerance);
-    raise(of_rounding, value.of_rounding);
-    raise(of_both, value.estimate->error);
+    keep_greatest(of_tolerance, value.of_tolerance);
+    keep_greatest(of_rounding, value.of_rounding);
+    keep_greatest(of_both, value.estimate->error);
   }
 };
 
@@ -87,8 +87,8 @@ Needs needs_after(const Comparison& comparison, double epsilon, int digits) {
 void require_certified() {}
 
 std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
-                                        const GoesOn& goes_on) {
-  const std::vector<Means>& all = all_means();
+                                        const ShouldContinue& should_continue) {
+  const std::vector<PrecisionLevel>& all = all_levels();
   // How much the run multiplies errors is not known yet; a thousand is usual. In double precision a
   // run shows it at a tolerance where errors of steps and of rounding can both be seen.
   constexpr double telling = 1e-10;
@@ -96,14 +96,14 @@ std::optional<Comparison> run_to_digits(const Scenario& scenario, int digits,
   auto by = all.begin();
   std::optional<Comparison> best;
   for (;;) {
-    std::optional<Comparison> found = by->compare(scenario, tolerance, goes_on);
+    std::optional<Comparison> found = by->compare(scenario, tolerance, should_continue);
     if (!found) break;
     found->precision = by->precision;
     best = std::move(found);
     if (has_digits(*best, digits)) break;
     const Needs needs = needs_after(*best, by->epsilon, digits);
-    const auto serves = [&](const Means& means) {
-      return means.least_tolerance() <= needs.tolerance && means.epsilon <= needs.epsilon;
+    const auto serves = [&](const PrecisionLevel& level) {
+      return level.least_tolerance() <= needs.tolerance && level.epsilon <= needs.epsilon;
     };
     by = std::find_if(by, all.end(), serves);
     if (by == all.end()) {  // the highest precision at its least tolerance

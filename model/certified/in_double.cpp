@@ -3,14 +3,14 @@
 namespace rotor {
 
 template class EventMethod<double, Fehlberg78<std::array<double, 6>, double>>;
-template std::optional<Comparison> compare<double>(const Scenario&, double, const GoesOn&);
+template std::optional<Comparison> compare<double>(const Scenario&, double, const ShouldContinue&);
 
 double estimated_relative_error(const Scenario& scenario, const Summary& summary,
-                                const GoesOn& goes_on) {
+                                const ShouldContinue& should_continue) {
   constexpr double least = 1e-15;  // a few roundings
   const Settings<double> finer{std::max(least, scenario.tolerance / Comparison::finest), 3. / 8,
                                disturbances<double>().front()};
-  const auto other = compute(scenario, finer, goes_on);
+  const auto other = compute(scenario, finer, should_continue);
   if (other.summary.outcome != summary.outcome || other.summary.touch_downs != summary.touch_downs)
     return 1;
   const auto ours = values_of(summary, scenario.parameters),

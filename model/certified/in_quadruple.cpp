@@ -2,5 +2,5 @@
 #include "model/certified/quad.hpp"
 
 namespace rotor {
-template std::optional<Comparison> compare<Quad>(const Scenario&, double, const GoesOn&);
+template std::optional<Comparison> compare<Quad>(const Scenario&, double, const ShouldContinue&);
 }  // namespace rotor

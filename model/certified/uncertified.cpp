@@ -6,12 +6,12 @@ namespace rotor {
 void require_certified() { throw NotCertified(); }
 
 std::optional<Comparison> run_to_digits(const Scenario& /*scenario*/, int /*digits*/,
-                                        const GoesOn& /*goes_on*/) {
+                                        const ShouldContinue& /*should_continue*/) {
   throw NotCertified();
 }
 
 double estimated_relative_error(const Scenario& /*scenario*/, const Summary& /*summary*/,
-                                const GoesOn& /*goes_on*/) {
+                                const ShouldContinue& /*should_continue*/) {
   throw NotCertified();
 }
 

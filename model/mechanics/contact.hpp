@@ -47,17 +47,18 @@ struct Ring {
   S friction;      ///< mu
 
   explicit Ring(const Parameters& p)
-      : rotor_radius(stated<S>(p.rotor_radius)),
+      : rotor_radius(as_typed<S>(p.rotor_radius)),
         clearance(clearance_of(p)),
-        stiffness(stated<S>(p.contact_stiffness)),
-        damping(stated<S>(p.contact_damping)),
-        friction(stated<S>(p.friction)) {}
+        stiffness(as_typed<S>(p.contact_stiffness)),
+        damping(as_typed<S>(p.contact_damping)),
+        friction(as_typed<S>(p.friction)) {}
 
-  /// In double precision always from r_a, so that runs are the same whichever of both is stated.
+  /// Double precision uses r_a, so that both inputs give identical runs.
   static S clearance_of(const Parameters& p) {
     constexpr bool is_double = std::is_same_v<S, double>;
-    return !is_double && p.clearance > 0 ? stated<S>(p.clearance)
-                                         : stated<S>(p.stator_radius) - stated<S>(p.rotor_radius);
+    return !is_double && p.clearance > 0
+               ? as_typed<S>(p.clearance)
+               : as_typed<S>(p.stator_radius) - as_typed<S>(p.rotor_radius);
   }
 
   bool is_clear_of(const Motion<S>& motion) const {

@@ -15,8 +15,8 @@ struct MassLoss {
   S time_s;          ///< t_1
 
   explicit MassLoss(const Parameters& p)
-      : before(Body<S>::of(p)), time_s(stated<S>(p.mass_loss_time)) {
-    const S r = stated<S>(p.rotor_radius), m = before.mass, e = before.eccentricity;
+      : before(Body<S>::of(p)), time_s(as_typed<S>(p.mass_loss_time)) {
+    const S r = as_typed<S>(p.rotor_radius), m = before.mass, e = before.eccentricity;
     const S e_1 = unbalance_factor(p) * e;
     piece_distance = r + e;
     lost_mass = m * (e_1 - e) / (r + e_1);  // Eq. (5)
@@ -28,9 +28,10 @@ struct MassLoss {
 
   /// k_u, from Eq. (5) if the lost mass is stated.
   static S unbalance_factor(const Parameters& p) {
-    if (p.lost_mass == 0) return stated<S>(p.unbalance_factor);
-    const S m = stated<S>(p.mass), e = stated<S>(p.eccentricity), lost = stated<S>(p.lost_mass);
-    return 1 + lost * (e + stated<S>(p.rotor_radius)) / ((m - lost) * e);  // never below 1
+    if (p.lost_mass == 0) return as_typed<S>(p.unbalance_factor);
+    const S m = as_typed<S>(p.mass), e = as_typed<S>(p.eccentricity),
+            lost = as_typed<S>(p.lost_mass);
+    return 1 + lost * (e + as_typed<S>(p.rotor_radius)) / ((m - lost) * e);  // never below 1
   }
 
   /// v_DC: speed of the piece relative to C at the mass loss, m/s.

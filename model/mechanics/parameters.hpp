@@ -16,7 +16,7 @@ std::string shortest_decimal(double number);
 
 /// A stated number in the precision of the computation: the decimal, not the double.
 template <class S>
-S stated(double number) {
+S as_typed(double number) {
   if constexpr (std::numeric_limits<S>::digits <= std::numeric_limits<double>::digits)
     return S(number);
   else if constexpr (std::is_same_v<S, long double>)

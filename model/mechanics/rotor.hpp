@@ -21,7 +21,7 @@ struct Body {
   S eccentricity;  ///< distance of C from the geometrical centre O, m
 
   static Body of(const Parameters& p) {
-    return {stated<S>(p.mass), stated<S>(p.inertia), stated<S>(p.eccentricity)};
+    return {as_typed<S>(p.mass), as_typed<S>(p.inertia), as_typed<S>(p.eccentricity)};
   }
 };
 
@@ -86,9 +86,9 @@ struct Supports {
 
   Supports(const Parameters& p, Equations equations)
       : springs(p),
-        damping(stated<S>(p.support_damping)),
-        gravity(stated<S>(p.gravity)),
-        torque(stated<S>(p.torque)),
+        damping(as_typed<S>(p.support_damping)),
+        gravity(as_typed<S>(p.gravity)),
+        torque(as_typed<S>(p.torque)),
         balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
   /// Force on the supports at a position and a velocity of O, N.

@@ -15,7 +15,7 @@ namespace rotor {
 template <class S>
 class SupportSprings {
  public:
-  explicit SupportSprings(const Parameters& p) : stiffness_(stated<S>(p.support_stiffness)) {}
+  explicit SupportSprings(const Parameters& p) : stiffness_(as_typed<S>(p.support_stiffness)) {}
 
   /// Force at a distance of O from O_a, N.
   S force(const S& distance) const { return stiffness_ * distance; }

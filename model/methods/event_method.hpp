@@ -207,8 +207,8 @@ class EventMethod {
       show_step(taken, at_, end_s, observer);
       at_.time_s = end_s;
       start_ = {.time = S(0), .x = stop.x, .rates = stop.rates};
-      stopped_ =
-          !observer.goes_on({at_.time_s, chart.speed(start_.x), chart.whirl_angle(start_.x)});
+      stopped_ = !observer.should_continue(
+          {at_.time_s, chart.speed(start_.x), chart.whirl_angle(start_.x)});
       if (event || last || stopped_) {
         at_.state = chart.state(start_.x);
         counters_.located_events += event.has_value();

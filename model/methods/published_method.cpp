@@ -68,7 +68,7 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
 }
 
 /// Eqs. (3)-(4) with the contact of Eqs. (15)-(25), friction against the slip of this very stage.
-void PublishedMethod::work_out_rates(const State<double>& q, State<double>& rates) {
+void PublishedMethod::compute_rates(const State<double>& q, State<double>& rates) {
   ++counters_.right_hand_sides;
   const auto motion = RotatingFrame<double>::motion(at_.body, q);
   Loads<double> loads = supports_.loads(at_.body, motion, at_.motor_on);
@@ -88,7 +88,7 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   const Counters before = counters_;
   State<double> state = at_.state;
   const auto rates_of = [this](const State<double>& q, State<double>& rates, double /*time*/) {
-    work_out_rates(q, rates);
+    compute_rates(q, rates);
   };
   stepper.do_step(rates_of, state, at_.time_s, length);
   ++counters_.steps;
@@ -114,7 +114,7 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
     whirl_angle_ = angle;
   else
     whirl_angle_ += std::remainder(angle - whirl_angle_, two_pi);
-  stopped_ = !observer.goes_on({at_.time_s, at_.state[5], whirl_angle_});
+  stopped_ = !observer.should_continue({at_.time_s, at_.state[5], whirl_angle_});
   return true;
 }
 

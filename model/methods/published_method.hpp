@@ -39,7 +39,7 @@ class PublishedMethod {
  private:
   void set_step(double step);
   double step_end_s() const { return origin_s_ + static_cast<double>(steps_ + 1) * step_; }
-  void work_out_rates(const State<double>& q, State<double>& rates);
+  void compute_rates(const State<double>& q, State<double>& rates);
   bool take_step(double length, double end_s, bool may_touch, Observer& observer);
   ContactState contact_state(const State<double>& state, double step);
 

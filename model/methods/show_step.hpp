@@ -13,7 +13,7 @@ namespace rotor {
 /// The number of arcs into which to divide a step, so that each has at most one maximum.
 template <class Phase, class S>
 long arcs(const Phase& phase, const typename Phase::Unknowns& x, const S& duration) {
-  return 1 + static_cast<long>(phase.swing(x, duration));
+  return 1 + static_cast<long>(phase.phase_swing(x, duration));
 }
 
 /// An upper bound of an arc that is curved to one side.
@@ -58,10 +58,10 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   };
   using Phase = std::remove_cvref_t<decltype(phase)>;
   constexpr auto& kinds = Phase::extremes_of;
-  const auto& reach = step.bounds().reach;
+  const auto& upper_bounds = step.bounds().upper_bounds;
   bool is_beyond_reach = true;
   for (std::size_t i = 0; i < kinds.size() && is_beyond_reach; ++i)
-    is_beyond_reach = threshold(kinds[i], S(0), duration) >= reach[i];
+    is_beyond_reach = threshold(kinds[i], S(0), duration) >= upper_bounds[i];
   if (is_beyond_reach) return;
   long parts = arcs(phase, step.start().x, duration);
   // In contact at loose tolerances most steps are long, and each point inside costs an
@@ -84,7 +84,7 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
       const ExtremeValue<S>&l = at_left[i], &r = at_right[i];
       if (!(l.rate > 0 && r.rate < 0)) continue;
       using std::min;
-      const S bound = min(reach[i], where_tangents_meet(l, r, S(right.time - left.time)));
+      const S bound = min(upper_bounds[i], where_tangents_meet(l, r, S(right.time - left.time)));
       if (bound <= threshold(kinds[i], left.time, right.time)) continue;
       const auto rate = [&](const Unknowns& x) {
         Unknowns rates{};

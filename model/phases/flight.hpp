@@ -43,9 +43,9 @@ struct Flight : Phase<S, Chart, state, ends, Extreme::displacement, Extreme::bea
     rates = chart.rates(x, at, acceleration(mobility, at.motion, rotor.loads(at.motion)));
   }
 
-  S swing(const Unknowns& x, const S& h) const {
-    return rotor.swing(rotor.supports.springs.tangent_stiffness(rotor.ring.clearance),
-                       chart.speed(x), h);
+  S phase_swing(const Unknowns& x, const S& h) const {
+    return rotor.phase_swing(rotor.supports.springs.tangent_stiffness(rotor.ring.clearance),
+                             chart.speed(x), h);
   }
 
   /// Every contact multiplies the errors at its start, and a flight is cheap: errors of length are
@@ -93,7 +93,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     if (!motion) return all;
     using std::max, std::min;
     const S clearance = rotor.ring.clearance, reach = min(motion->displacement, clearance);
-    all.reach = {reach, rotor.supports.greatest_bearing_force(reach, motion->velocity)};
+    all.upper_bounds = {reach, rotor.supports.greatest_bearing_force(reach, motion->velocity)};
     all.events[MotorOff()].stays_positive = !rotor.motor_on || motion->speed < rotor.motor_off;
     EventBound<S>& touch_down = all.events[TouchDown()];
     touch_down.stays_positive = motion->displacement < clearance;

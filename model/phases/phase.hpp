@@ -38,9 +38,9 @@ struct ExtremeValue {
 template <class S, std::size_t guards, std::size_t extremes>
 struct StepBounds {
   std::array<EventBound<S>, guards> events{};
-  std::array<S, extremes> reach;
+  std::array<S, extremes> upper_bounds;
 
-  StepBounds() { reach.fill(std::numeric_limits<S>::infinity()); }
+  StepBounds() { upper_bounds.fill(std::numeric_limits<S>::infinity()); }
 };
 
 /// Coordinates of a rotor.
@@ -99,7 +99,7 @@ concept PhaseOf = HasEnd<T, S, 0> && HasEnd<T, S, 1> && HasEnd<T, S, T::event_co
   { phase.scale(x) } -> std::same_as<Unknowns>;
   { phase.bounds(at, at) } -> std::same_as<StepBounds<S, T::event_count, T::extremes_of.size()>>;
   { phase.extremes(x, rates)[i] } -> std::convertible_to<ExtremeValue<S>>;
-  { phase.swing(x, time) } -> std::same_as<S>;  // see RotorSystem
+  { phase.phase_swing(x, time) } -> std::same_as<S>;  // see RotorSystem
   requires !T::bounds_vibration || requires { phase.vibration_reach(at, at)[i]; };
   { T::extreme_takes_rates(i) } -> std::same_as<bool>;
   // Whether the rates, and a guard, compute the loads of the contact.

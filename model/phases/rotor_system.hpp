@@ -20,7 +20,7 @@ struct RotorSystem {
       : body(Body<S>::of(p)),
         supports(p, equations),
         ring(p),
-        motor_off(radians_per_turn() * stated<S>(p.motor_off_Hz)) {}
+        motor_off(radians_per_turn() * as_typed<S>(p.motor_off_Hz)) {}
 
   static S radians_per_turn() {  // to the precision of S
     using std::acos;
@@ -57,7 +57,7 @@ struct RotorSystem {
   /// Upper bound of the phase angle through which a motion swings in a step of length h, rad: its
   /// natural vibration with that stiffness plus the rotation, seen from the stator. Vibrations that
   /// swing further in one step are below its tolerance.
-  S swing(const S& vibrating_stiffness, const S& speed, const S& h) const {
+  S phase_swing(const S& vibrating_stiffness, const S& speed, const S& h) const {
     using std::abs, std::min, std::sqrt;
     const S furthest(16);  // at the loosest tolerance steps reach about a third of it
     const S rotation = body.eccentricity > 0 ? S(abs(speed)) : S(0);

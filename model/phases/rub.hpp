@@ -20,8 +20,8 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   using typename Base::Unknowns, typename Base::Point;
   static constexpr bool contact_in_rates = true, bounds_vibration = true;
 
-  S swing(const Unknowns& x, const S& h) const {
-    return rotor.swing(rotor.ring.stiffness, chart.speed(x), h);
+  S phase_swing(const Unknowns& x, const S& h) const {
+    return rotor.phase_swing(rotor.ring.stiffness, chart.speed(x), h);
   }
 
   static constexpr bool extreme_takes_rates(std::size_t i) { return i > 0; }
@@ -45,18 +45,18 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
     using std::max, std::sqrt;
     const Ring<S>& ring = rotor.ring;
     const S square = ring.stiffness / rotor.body.mass, frequency = sqrt(square);
-    std::array<S, 3> reach{};
+    std::array<S, 3> upper_bounds{};
     for (const auto* const end : {&from, &to}) {
       const RimPoint<S> k = chart.rim_point(end->x);
       const S to_rest = end->rates[Chart::normal_velocity] / square,
               speed = k.normal_velocity / frequency;
       const S amplitude = S(1.5) * sqrt(to_rest * to_rest + speed * speed);
       const S furthest = k.displacement + to_rest + amplitude;
-      reach[0] = max(reach[0], furthest);
-      reach[2] = max(reach[2], S(ring.stiffness * (furthest - ring.clearance) +
-                                 ring.damping * frequency * amplitude));
+      upper_bounds[0] = max(upper_bounds[0], furthest);
+      upper_bounds[2] = max(upper_bounds[2], S(ring.stiffness * (furthest - ring.clearance) +
+                                               ring.damping * frequency * amplitude));
     }
-    return reach;
+    return upper_bounds;
   }
 
   /// The rim pressed against the ring.

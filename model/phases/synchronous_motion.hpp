@@ -140,7 +140,7 @@ class SynchronousMotion {
   template <std::size_t Degree>
   class Harmonic {
    public:
-    void lay(Function f, const Series& series) {
+    void set(Function f, const Series& series) {
       for (std::size_t n = 0; n <= Degree; ++n) {
         terms_[n].x[f] = series[n].x();
         terms_[n].y[f] = series[n].y();
@@ -246,8 +246,8 @@ class SynchronousMotion {
         rate.alpha[1] -= d * e * e / inertia;
         return lacking(1, force, A);
       });
-    first_.lay(displacement, A);
-    first_.lay(velocity, rate(1, A));
+    first_.set(displacement, A);
+    first_.set(velocity, rate(1, A));
     has_ripple_ = is_complete_ && supports.gravity != 0;
     if (!has_ripple_) return;
 
@@ -272,8 +272,8 @@ class SynchronousMotion {
       // large.
       ripples_little_ = ripples_little_ && K[0].norm() < range();
       if (!ripples_little_) return Series();
-      harmonic.lay(speed_ripple, H);
-      harmonic.lay(angle_ripple, K);
+      harmonic.set(speed_ripple, H);
+      harmonic.set(angle_ripple, K);
       return K;
     };
     const bool balanced = supports.balanced_by_springs;
@@ -284,8 +284,8 @@ class SynchronousMotion {
     const Series force_of_shift = k * shift + d * rate(2, shift);
     Series A2 = force_of_shift / impedance(2);
     add_terms(A2, sqrt(rounding), [&] { return lacking(2, force_of_shift, A2); });
-    second_.lay(displacement, A2);
-    second_.lay(velocity, rate(2, A2));
+    second_.set(displacement, A2);
+    second_.set(velocity, rate(2, A2));
     make_ripple(2, second_, balanced ? shift : A2);
   }
 

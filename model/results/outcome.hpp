@@ -51,8 +51,9 @@ class BasicOutcomeWatch {
         supports_(scenario.parameters, scenario.equations),
         until_s_(scenario.until) {
     using std::sqrt;
-    const S period = RotorSystem<S>::radians_per_turn() *
-                     sqrt(stated<S>(parameters_.mass) / supports_.springs.tangent_stiffness(S(0)));
+    const S period =
+        RotorSystem<S>::radians_per_turn() *
+        sqrt(as_typed<S>(parameters_.mass) / supports_.springs.tangent_stiffness(S(0)));
     time_of_speed_s_ = until_s_ - stalling_periods * period;
   }
 

@@ -57,7 +57,7 @@ class StopObserver : public Observer {
     force_.on_maximum(maximum);
   }
 
-  bool goes_on(const Progress& now) override {
+  bool should_continue(const Progress& now) override {
     constexpr double slow = 0.1 * two_pi, for_s = 1;
     const bool is_slow = std::abs(now.speed) < slow;
     has_turned_ = has_turned_ || !is_slow;

@@ -64,7 +64,8 @@ struct SummaryField {
   std::string_view meaning;
   std::variant<Outcome Of::*, long Of::*, bool Of::*, S Of::*, std::optional<S> Of::*> value;
   ErrorScale scale = ErrorScale::own;
-  S (*made_of)(const Of&) = nullptr;  ///< the larger quantity of which it is a part or difference
+  S (*error_base)
+  (const Of&) = nullptr;  ///< the larger quantity of which it is a part or difference
   Settled settled = Settled::once_known;
 
   /// Whether a run that stopped as soon as its outcome was decided has the whole run's value.
@@ -175,7 +176,7 @@ inline constexpr auto summary_fields = [] {
 }();
 
 template <class S>
-void raise(std::optional<S>& greatest, const S& value) {
+void keep_greatest(std::optional<S>& greatest, const S& value) {
   if (!greatest || value > *greatest) greatest = value;
 }
 
@@ -257,7 +258,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
     in_rolling_.on_maximum(maximum);
   }
 
-  bool goes_on(const BasicProgress<S>& now) override {
+  bool should_continue(const BasicProgress<S>& now) override {
     // Fixed steps have no dense output: the speed at the end of the step before is taken.
     const S& time_s = watch_.time_of_speed_s();
     if (!watch_.early_speed() && last_progress_ && last_progress_->time_s <= time_s &&
@@ -285,7 +286,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
  private:
   void note_parameters(const Parameters& p) {
     using std::sqrt;
-    const S mass = stated<S>(p.mass),
+    const S mass = as_typed<S>(p.mass),
             natural = sqrt(S(supports_.springs.tangent_stiffness(S(0)) / mass));
     summary_.critical_speed_Hz = in_Hz(natural);
     if (natural > 0) summary_.damping_ratio = supports_.damping / (2 * mass * natural);
@@ -298,7 +299,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
 
   void note_extremes(const BasicInstant<S>& at, const Motion<S>& motion) {
     const S displacement = motion.displacement.norm();
-    if (at.mass_lost || !loses_mass_) raise(summary_.max_displacement_m, displacement);
+    if (at.mass_lost || !loses_mass_) keep_greatest(summary_.max_displacement_m, displacement);
     if (!at.mass_lost)
       summary_.max_displacement_before_loss_m =
           std::max(summary_.max_displacement_before_loss_m, displacement);
@@ -306,8 +307,8 @@ class BasicSummaryObserver : public BasicObserver<S> {
     summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, S(bearings.norm()));
     if (!at.touches()) return;
     const S force = -ring_.touching_force(ring_.rim_point(motion));
-    if (!at.mass_lost) raise(summary_.peak_normal_force_before_loss_N, force);
-    if (!in_rolling_.is_found()) raise(summary_.peak_force_to_rolling_N, force);
+    if (!at.mass_lost) keep_greatest(summary_.peak_normal_force_before_loss_N, force);
+    if (!in_rolling_.is_found()) keep_greatest(summary_.peak_force_to_rolling_N, force);
     if (force > summary_.peak_normal_force_N.value_or(S(0))) {
       summary_.peak_normal_force_N = force;
       summary_.peak_time_s = at.time_s;

@@ -6,7 +6,7 @@
 
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
-#include "model/methods/stages.hpp"
+#include "model/methods/whole_run.hpp"
 
 namespace rotor {
 namespace {

@@ -18,10 +18,10 @@ class SpeedWatch : public Observer {
     reached.touches = at.touches();
     if (at.event == Event::motor_off) reached.time_s = at.time_s;
   }
-  bool goes_on(const Progress& now) override {
+  bool should_continue(const Progress& now) override {
     if (reached.time_s || reached.touches) return false;
     reached.greatest_Hz = std::max(reached.greatest_Hz, in_Hz(now.speed));
-    return monitor_.goes_on(now);
+    return monitor_.should_continue(now);
   }
 
   SpeedReached reached{};

@@ -50,7 +50,7 @@ template <class S = double>
 BasicInstant<S> start_of(const Scenario& scenario) {
   BasicInstant<S> start = at_rest<S>(scenario.parameters);
   if (scenario.start_speed_Hz == 0) return start;
-  const S speed = RotorSystem<S>::radians_per_turn() * stated<S>(scenario.start_speed_Hz);
+  const S speed = RotorSystem<S>::radians_per_turn() * as_typed<S>(scenario.start_speed_Hz);
   const Supports<S> supports(scenario.parameters, scenario.equations);
   const Vector<S> centre =
       supports.unbalance_response(start.body, speed) - Vector<S>(start.body.eccentricity, S(0));

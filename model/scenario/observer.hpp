@@ -53,7 +53,7 @@ class BasicObserver {
   virtual void on_instant(const BasicInstant<S>& /*at*/) {}
 
   /// Called after every step; the run ends there if it returns false.
-  virtual bool goes_on(const BasicProgress<S>& /*now*/) { return true; }
+  virtual bool should_continue(const BasicProgress<S>& /*now*/) { return true; }
 
   /// Whether on_step() is to show the motion between those times.
   virtual bool wants_dense_output(const S& /*from_s*/, const S& /*until_s*/) const { return false; }
@@ -85,9 +85,9 @@ class ObserverGroup : public Observer {
     for (Observer* observer : all_) observer->on_instant(at);
   }
 
-  bool goes_on(const Progress& now) override {
+  bool should_continue(const Progress& now) override {
     bool all = true;
-    for (Observer* observer : all_) all = observer->goes_on(now) && all;
+    for (Observer* observer : all_) all = observer->should_continue(now) && all;
     return all;
   }
 

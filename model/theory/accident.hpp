@@ -9,7 +9,7 @@
 namespace rotor {
 
 /// How far an oscillator of damping ratio zeta > 0 swings after a blow, over v / w_0.
-inline double swing(double zeta) {
+inline double swing_after_blow(double zeta) {
   if (zeta == 1) return std::exp(-1);
   const double root = std::sqrt(std::abs(1 - zeta * zeta));
   return std::exp(-zeta / root * (zeta < 1 ? std::acos(zeta) : std::acosh(zeta)));
@@ -72,8 +72,9 @@ struct Accident {
     const double k = SupportSprings<double>(p).linear_stiffness("the laws of the accident");
     const double natural = std::sqrt(k / m), d = p.support_damping;
     const double jumps = equations.velocity_jump == VelocityJump::twice ? 2 : 1;
-    const double limit = natural * (c - e_1) /
-                         (jumps * (e_1 - p.eccentricity) * swing(d / (2 * m * natural)));  // (1)
+    const double limit =
+        natural * (c - e_1) /
+        (jumps * (e_1 - p.eccentricity) * swing_after_blow(d / (2 * m * natural)));  // (1)
     if (limit > natural) contact_speed = limit;
     reach = response.greatest();
     contact_s = response.first_contact();
@@ -87,7 +88,8 @@ struct Accident {
     const double contact_rate = std::sqrt(ring.stiffness / m);
     const double zeta = ring.damping / (2 * m * contact_rate);
     impact_force = ring.stiffness * v_O.real() / contact_rate * impact(zeta);
-    whirl_friction = whirling_friction(p, m, v_O.real(), swing(zeta) * swing(zeta));
+    whirl_friction =
+        whirling_friction(p, m, v_O.real(), swing_after_blow(zeta) * swing_after_blow(zeta));
     first_friction = whirling_friction(p, m, 2 * v_O.real(), 0);
     if (!(ring.friction > 0)) return;
 
@@ -112,8 +114,9 @@ struct Accident {
     const double rho = r * high / rate, normal_force = ring.stiffness * (rho - c);
     const double drift = s / (1 + 2 * s) * ring.friction * normal_force / (m * rate);
     const double radial_rate = rate * std::sqrt(1 / (x * x) + 1 + 2 * kappa / (1 + kappa));
-    rolling_force = normal_force + ring.stiffness * drift / radial_rate *
-                                       swing(ring.damping / (2 * m * radial_rate));  // (4)
+    rolling_force =
+        normal_force + ring.stiffness * drift / radial_rate *
+                           swing_after_blow(ring.damping / (2 * m * radial_rate));  // (4)
     unbalance_share = kappa * e_1 / (ring.friction * r);
   }
 

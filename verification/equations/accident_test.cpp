@@ -48,7 +48,8 @@ TEST(AccidentLaws, WhirlsAboveItsFrictionAndNotBelow) {
   p.contact_stiffness = 1e10;  // a blow lasts for less than a thousandth of a swing
   for (const double zeta : {0.05, 0.3}) {
     p.contact_damping = 2 * zeta * std::sqrt(p.mass * p.contact_stiffness);
-    const double friction = whirling_friction(p, p.mass, 0.7, swing(zeta) * swing(zeta));
+    const double friction =
+        whirling_friction(p, p.mass, 0.7, swing_after_blow(zeta) * swing_after_blow(zeta));
     const auto rolls = [&](double share) {
       p.friction = share * friction;
       const auto clearance = p.stator_radius - p.rotor_radius;

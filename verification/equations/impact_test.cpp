@@ -32,7 +32,8 @@ TEST_P(Impact, OfSpringAndDashpotHasTheDurationReboundAndForceOfTheClosedForm) {
   const Instant& release = run.first(Event::release);
   const double restitution = -release.state[3] / v_0;
   EXPECT_NEAR(touch.time_s, 3e-3 / v_0, 1e-15);
-  Law("rebound of a blow by swing()", 1e-9).expect_left(restitution - swing(zeta) * swing(zeta));
+  Law("rebound of a blow by swing_after_blow()", 1e-9)
+      .expect_left(restitution - swing_after_blow(zeta) * swing_after_blow(zeta));
   Law("largest force of a blow by impact()", 1e-9)
       .expect_left(*summary.summary().peak_normal_force_N /
                        (p.contact_stiffness * v_0 / w_0 * impact(zeta)) -

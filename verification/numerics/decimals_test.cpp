@@ -15,9 +15,9 @@ Comparison exactly(const ScenarioSpec& spec, double tolerance = 1e-15) {
 }
 
 TEST(Decimals, AreReadInThePrecisionThatIsUsed) {
-  EXPECT_LT(abs(stated<Quad>(0.1) * 10 - 1), 1e-33);
-  EXPECT_LT(std::abs(stated<long double>(0.1) * 10 - 1), 1e-18L);
-  EXPECT_EQ(stated<double>(0.1), 0.1);
+  EXPECT_LT(abs(as_typed<Quad>(0.1) * 10 - 1), 1e-33);
+  EXPECT_LT(std::abs(as_typed<long double>(0.1) * 10 - 1), 1e-18L);
+  EXPECT_EQ(as_typed<double>(0.1), 0.1);
 }
 
 // 49280.4052682 N by an independent program in quadruple precision. The doubles nearest to the

@@ -26,7 +26,7 @@ using Verner = Verner87<Unknowns, Quad>;
 using Fehlberg = Fehlberg78<Unknowns, Quad>;
 using Numbers = std::vector<std::pair<std::string, std::optional<Quad>>>;
 
-const GoesOn always = [](double /*time_s*/) { return true; };
+const ShouldContinue always = [](double /*time_s*/) { return true; };
 const Quad best_tolerance("1e-24");
 
 /// All values, with the names of for_each_named; empty if the run has no such value.

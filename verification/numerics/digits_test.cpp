@@ -19,7 +19,7 @@ namespace rotor {
 namespace {
 
 /// A limit of steps: in quadruple precision some thousands take a second.
-GoesOn for_steps(long most) {
+ShouldContinue for_steps(long most) {
   return [most, n = 0L](double /*time_s*/) mutable { return ++n < most; };
 }
 

@@ -119,11 +119,11 @@ bool has_bounds(RotorSystem<double> rotor, const FlightChart<double>& chart,
   phase(to.x, to.rates, 0);
   const double square = rotor.ring.clearance * rotor.ring.clearance, part = h / steps;
   rotor.ring.clearance = 1;  // m, far away
-  const auto reach = phase.bounds(from, to).reach;
-  if (!std::isfinite(reach[0])) return false;
+  const auto upper_bounds = phase.bounds(from, to).upper_bounds;
+  if (!std::isfinite(upper_bounds[0])) return false;
   constexpr double rounding = 1e-9;
-  EXPECT_GE(reach[0], displacement * (1 - rounding));
-  EXPECT_GE(reach[1], bearing_force * (1 - rounding));
+  EXPECT_GE(upper_bounds[0], displacement * (1 - rounding));
+  EXPECT_GE(upper_bounds[1], bearing_force * (1 - rounding));
   rotor.ring.clearance = displacement;  // just touched
   EXPECT_GE(*phase.bounds(from, to).events[FreeFlight<double>::TouchDown()].curvature * part * part,
             bend * (1 - rounding) - 1e-15 * square);
@@ -203,7 +203,7 @@ TEST(FlightBounds, DoNotCountAMotorThatIsOff) {
     const FlightChart<double> chart(rotor, q);
     const FreeFlight<double> phase(rotor, chart);
     const FlightPoint from = point_of(phase, 0, chart.unknowns(q));
-    return phase.bounds(from, later(from, 1e-3)).reach[1];
+    return phase.bounds(from, later(from, 1e-3)).upper_bounds[1];
   };
   EXPECT_GT(bounds(true), 1e3 * bounds(false));
 }

@@ -158,7 +158,7 @@ TEST(RubInEachState, ContinuesFromWhereARunHasEnded) {
 /// The friction that holds a rim, relative to |F_n|.
 double needed_friction(const Scenario& scenario, const Instant& at) {
   const ColumnContext context(scenario);
-  View view(at, context);
+  InstantView view(at, context);
   return std::abs(view.friction() / view.normal_force());
 }
 

@@ -40,7 +40,7 @@ TEST(PublishedMethod, CountsTheWhirlOfTheLastTimeThatItRollsAlone) {
     at.contact = contact;
     at.time_s += 1;
     observer.on_instant(at);
-    observer.goes_on({at.time_s, 400, -at.time_s});
+    observer.should_continue({at.time_s, 400, -at.time_s});
   }
   EXPECT_EQ(observer.summary().whirl_from_s, 6);
   EXPECT_EQ(observer.summary().whirl_until_s, 7);

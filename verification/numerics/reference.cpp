@@ -11,7 +11,7 @@
 #include "model/certified/quad.hpp"
 #include "model/integration/fehlberg.hpp"
 #include "model/methods/event_method.hpp"
-#include "model/methods/stages.hpp"
+#include "model/methods/whole_run.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/program.hpp"
 

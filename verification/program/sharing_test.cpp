@@ -62,7 +62,7 @@ std::vector<Scenario> scenarios() {
 TEST(RunUps, ForgetTheWayThatWasInterrupted) {
   RunUps run_ups;
   struct : Observer {
-    bool goes_on(const Progress&) override { return --steps_left > 0; }
+    bool should_continue(const Progress&) override { return --steps_left > 0; }
     long steps_left = 1000;
   } monitor;
   const Scenario scenario{.until = 29.15, .tolerance = 1e-8};
@@ -142,7 +142,7 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
 TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   class Steps : public Observer {
    public:
-    bool goes_on(const Progress& /*now*/) override { return ++count, true; }
+    bool should_continue(const Progress& /*now*/) override { return ++count, true; }
     long count = 0;
   };
   RunUps run_ups;

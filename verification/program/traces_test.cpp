@@ -78,7 +78,7 @@ void compare(const Column& column, const std::vector<Instant>& instants, const S
   for (const Instant& at : instants)
     largest = std::max(largest, std::abs(column_by_formula(column.name, at, scenario)));
   for (const Instant& at : instants) {
-    View view(at, context);
+    InstantView view(at, context);
     double expected = column_by_formula(column.name, at, scenario);
     if (column.name == "friction_force_N" && slip_is_rounding(at, scenario))
       expected = -at.direction * std::abs(expected);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/methods/event_method.hpp"
-#include "model/methods/stages.hpp"
+#include "model/methods/whole_run.hpp"
 #include "model/run/simulation.hpp"
 
 namespace rotor {

@@ -6,7 +6,7 @@
 
 namespace rotor {
 
-inline const GoesOn always = [](double /*time_s*/) { return true; };
+inline const ShouldContinue always = [](double /*time_s*/) { return true; };
 
 /// From steady motion through the mass loss into contact, and out of it.
 inline Scenario short_run(double until_s) {

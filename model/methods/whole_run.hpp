@@ -32,7 +32,7 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
 template <class Method, class S>
 void finish(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
             BasicObserver<S>& observer) {
-  const S end = stated<S>(scenario.until);
+  const S end = as_typed<S>(scenario.until);
   pass_mass_loss(method, scenario, loss, observer);
   if (!method.stopped()) {
     if (!method.instant().mass_lost) method.run_up(end, observer);
