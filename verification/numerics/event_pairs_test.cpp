@@ -17,7 +17,7 @@ namespace rotor {
 namespace {
 
 /// A motion that starts at the ring, with a large torque.
-struct Rub {
+struct DrivenRub {
   Scenario scenario;
   Instant from;
 };
@@ -32,7 +32,7 @@ Scenario driven(double friction, double until_s) {
 
 /// Rolling; sliding in either direction, with so little friction that it lasts; and bouncing on a
 /// ring whose damper lets it spring back slowly.
-std::vector<Rub> rubs() {
+std::vector<DrivenRub> rubs() {
   const Scenario rolling = driven(0.3, 5e-3), sliding = driven(0.001, 2e-3);
   Scenario bouncing = driven(0, 2e-3);
   bouncing.parameters.contact_damping = 1e5;
@@ -73,12 +73,12 @@ std::vector<double> middles_s(const Recorded& run) {
   return all;
 }
 
-Instant at_time(Rub rub, double time_s) {
+Instant at_time(DrivenRub rub, double time_s) {
   rub.scenario.until = time_s;
   return Recorded(rub.scenario, rub.from).last();
 }
 
-void expect_sound(const Rub& rub, const Recorded& run) {
+void expect_sound(const DrivenRub& rub, const Recorded& run) {
   EXPECT_LT(run.energy_residual(), 1e-9);  // the torque's work is at least 1e-2 of the energy
   EXPECT_LT(run.angular_momentum_residual(), 1e-9);
   Scenario finer = rub.scenario;
@@ -93,10 +93,10 @@ const std::set<ContactState> all_states = {ContactState::free, ContactState::sli
 
 TEST(RubInEachState, GoesOnWithoutItsMotor) {
   std::set<ContactState> seen;
-  for (const Rub& rub : rubs())
+  for (const DrivenRub& rub : rubs())
     for (const double middle_s : middles_s(Recorded(rub.scenario, rub.from))) {
       const double speed = at_time(rub, middle_s).state[5];
-      Rub limited = rub;
+      DrivenRub limited = rub;
       limited.scenario.parameters.motor_off_Hz = speed / two_pi;
       const Recorded run(limited.scenario, limited.from);
       const auto off = run.first(Event::motor_off);
@@ -114,9 +114,9 @@ TEST(RubInEachState, GoesOnWithoutItsMotor) {
 TEST(RubInEachState, LosesItsMass) {
   std::set<ContactState> seen;
   for (const Equations equations : {Equations::published, Equations::consistent})
-    for (const Rub& rub : rubs())
+    for (const DrivenRub& rub : rubs())
       for (const double middle_s : middles_s(Recorded(rub.scenario, rub.from))) {
-        Rub losing = rub;
+        DrivenRub losing = rub;
         Parameters& p = losing.scenario.parameters;
         p.loses_mass = true;
         p.mass_loss_time = middle_s;
@@ -140,7 +140,7 @@ TEST(RubInEachState, LosesItsMass) {
 
 TEST(RubInEachState, ContinuesFromWhereARunHasEnded) {
   std::set<ContactState> seen;
-  for (const Rub& rub : rubs()) {
+  for (const DrivenRub& rub : rubs()) {
     const Recorded whole(rub.scenario, rub.from);
     for (const double middle_s : middles_s(whole)) {
       Scenario until_there = rub.scenario;

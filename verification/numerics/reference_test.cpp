@@ -34,9 +34,9 @@ struct FrictionCase {
 
 void PrintTo(const FrictionCase& c, std::ostream* out) { *out << "mu = " << c.friction; }
 
-class Rub : public testing::TestWithParam<FrictionCase> {};
+class ReferenceRub : public testing::TestWithParam<FrictionCase> {};
 
-TEST_P(Rub, AgreesWithTheReferenceInQuadruplePrecision) {
+TEST_P(ReferenceRub, AgreesWithTheReferenceInQuadruplePrecision) {
   const std::vector<ReferenceLandmark> exact = reference(GetParam().run);
   EventRecorder recorder;
   const RunEnd end =
@@ -59,7 +59,7 @@ TEST_P(Rub, AgreesWithTheReferenceInQuadruplePrecision) {
 
 // At mu = 0.08 the 41 contacts multiply a rounding error of the first by some 1e5 until the late
 // ones, which are nearly tangential: double precision cannot resolve their times to 1e-12 s.
-INSTANTIATE_TEST_SUITE_P(Frictions, Rub,
+INSTANTIATE_TEST_SUITE_P(Frictions, ReferenceRub,
                          testing::Values(FrictionCase{0.3, "fig03: mu = 0.3", 7, 1e-12},
                                          FrictionCase{0.2, "fig03: mu = 0.2", 12, 1e-12},
                                          FrictionCase{0.08, "fig03: mu = 0.08", 41, 3e-10}),

@@ -66,6 +66,28 @@ TEST_F(Make, DoesNotLookForOptionalPackagesUnasked) {
   EXPECT_NE(asked_output.find("MPI"), std::string::npos) << asked_output;
 }
 
+// The model needs none of the program's libraries, and builds nothing but itself.
+TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
+  std::ifstream file(ROTOR_SOURCES "/model/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const auto block = [&](const std::string& language) {
+    const std::size_t start = readme.find("```" + language + '\n') + language.size() + 4;
+    return readme.substr(start, readme.find("```", start) - start);
+  };
+  write("accident.cpp", block("cpp"));
+  write("CMakeLists.txt",
+        "cmake_minimum_required(VERSION 3.25)\nproject(mine CXX)\n" + block("cmake"));
+  const auto [status, output] =
+      shell("ln -s '" ROTOR_SOURCES
+            "' rotor && cmake -B made -G Ninja -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON >log 2>&1 && "
+            "ninja -C made -t commands | grep -o ' -o [^ ]*[.]dir/' | sort -u");
+  EXPECT_EQ(output, " -o CMakeFiles/accident.dir/\n -o rotor/CMakeFiles/model.dir/\n")
+      << status << content("log");
+  const std::string printed = shell("'" ROTOR_EXAMPLE "'").output;
+  EXPECT_NE(readme.find('`' + printed.substr(0, printed.size() - 1) + '`'), std::string::npos)
+      << printed;
+}
+
 // Where a test fails or crashes, tests.sh returns an error.
 TEST_F(Make, SaysThatTestsHaveFailed) {
   const std::string run = "'" ROTOR_SOURCES "/verification/tests.sh' fake";
