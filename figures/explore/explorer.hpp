@@ -7,6 +7,7 @@
 #include "figures/explore/settings.hpp"
 #include "figures/record/columns.hpp"
 #include "figures/results/json.hpp"
+#include "figures/runs/run_ups.hpp"
 
 namespace rotor {
 

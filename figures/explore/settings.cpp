@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "figures/runs/run_ups.hpp"
 #include "model/mechanics/contact.hpp"
 #include "model/mechanics/mass_loss.hpp"
 

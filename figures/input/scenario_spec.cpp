@@ -40,7 +40,7 @@ void state_lost_mass(Parameters& p, double lost_mass) {
 /// The default time between the mass loss and the end of a run.
 constexpr double default_rub_s = 0.25;
 
-/// The scenario, except for the time at which a stated speed is reached: mass is lost at the start.
+/// The scenario; if the mass loss is stated by its speed, mass is lost at the start.
 Scenario numbers_of(const ScenarioSpec& spec) {
   for (const InputQuantity& s : input_quantities())
     if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
@@ -145,39 +145,20 @@ ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
   return result;
 }
 
-Scenario scenario_of(const ScenarioSpec& spec) {
-  RunUps none;
-  return scenario_of(spec, none);
-}
-
-Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
+Scenario stated_scenario(const ScenarioSpec& spec) {
   Scenario scenario = numbers_of(spec);
-  Parameters& p = scenario.parameters;
+  check(scenario);
   if (const auto speed = number(spec, mass_loss_speed)) {
-    check(scenario);
     if (*speed < scenario.start_speed_Hz)
       throw InputError("{} = {} Hz: the run starts at {} Hz already", mass_loss_speed, *speed,
                        scenario.start_speed_Hz);
-    Interruptible monitor;
-    const auto until = number(spec, "until");
-    const SpeedReached reached = run_ups.time_at_speed(scenario, *speed, until, monitor);
-    if (is_interrupted()) throw Interrupted();
-    if (!reached.time_s)
-      throw InputError(
-          "{} = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most {:.6g} Hz{}",
-          mass_loss_speed, *speed, reached.looked_until_s,
-          reached.touches ? ", when it touches the ring," : "", reached.greatest_Hz,
-          *speed > p.motor_off_Hz ? "; above motor_off_hz the motor is off" : "");
-    p.mass_loss_time = *reached.time_s;
-    if (p.mass_loss_time > 0) scenario.mass_loss_speed_Hz = *speed;
-    if (spec.digits && *speed == p.motor_off_Hz)
+    if (spec.digits && *speed == scenario.parameters.motor_off_Hz)
       throw InputError(
           "digits and {}: at {} Hz, motor_off_hz, the mass loss and the end of the drive coincide; "
           "state mass_loss_time",
           mass_loss_speed, *speed);
-    scenario.until = until.value_or(p.mass_loss_time + default_rub_s);
+    scenario.mass_loss_speed_Hz = *speed;
   }
-  check(scenario);
   return scenario;
 }
 

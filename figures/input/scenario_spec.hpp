@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "figures/input/names.hpp"
-#include "figures/runs/run_ups.hpp"
+#include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
@@ -43,12 +43,11 @@ struct ScenarioSpec {
 };
 
 /// Throws InputError, stating what is wrong and what is allowed, if two numbers determine the same
-/// one, if one is missing, or if the scenario is not physical. The speed at the mass loss is
-/// searched in run-ups that may already be known.
-Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups);
-Scenario scenario_of(const ScenarioSpec& spec);
+/// one, if one is missing, or if the scenario is not physical. A mass loss at a stated speed still
+/// has the time 0: a run-up finds its time, see scenario_of() in figures/runs.
+Scenario stated_scenario(const ScenarioSpec& spec);
 
-/// Throws InputError if scenario_of() would throw whatever its run-ups give.
+/// Throws InputError if stated_scenario() would because of a number.
 void check_numbers(const ScenarioSpec& spec);
 
 /// Whether a rotor is not the paper's: its mass, inertia or radius is stated.

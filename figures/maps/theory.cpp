@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
+#include "figures/runs/run_ups.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "model/theory/accident.hpp"
 

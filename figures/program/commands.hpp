@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "figures/input/scene.hpp"
 #include "figures/program/drawing.hpp"
 #include "figures/results/json.hpp"
 #include "figures/runs/production.hpp"
+#include "figures/runs/scene.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {
@@ -85,7 +85,7 @@ void run_rotor(const RunOptions& options);
 void estimate_rotor(const CaseOptions& options);
 
 /// The scene with the runs that were requested.
-Scene scene_of(const CaseOptions& options);
+Scene scene_of(const CaseOptions& options, RunUps& run_ups);
 
 struct SceneTables {
   std::map<int, std::vector<NamedTable>> of;  ///< one table per run, by the scenes' numbers

@@ -5,16 +5,17 @@
 
 namespace rotor {
 
-Scene scene_of(const CaseOptions& options) {
+Scene scene_of(const CaseOptions& options, RunUps& run_ups) {
   if (options.scene.empty()) {
     const ScenarioSpec stated = options.equations_and_method.overridden_by(options.numbers);
-    const std::vector<SceneRun> runs = {{"run", scenario_of(stated), stated}};
+    const std::vector<SceneRun> runs = {{"run", scenario_of(stated, run_ups), stated}};
     return {.title = "", .window = window_about_loss(runs), .columns = {}, .runs = runs};
   }
   return read_scene(options.scene,
                     {.of_parameters = {},
                      .of_runs = options.equations_and_method.overridden_by(options.numbers),
-                     .run = options.run_name});
+                     .run = options.run_name},
+                    run_ups);
 }
 
 void estimate_rotor(const CaseOptions& options) {
@@ -27,7 +28,8 @@ void estimate_rotor(const CaseOptions& options) {
     numbers.erase("mass_loss_time");
   }
   auto runs = Json::array();
-  const Scene scene = scene_of(stated);
+  RunUps none;
+  const Scene scene = scene_of(stated, none);
   for (const SceneRun& run : scene.runs) {
     Json row;
     const bool one_of_many = scene.runs.size() > 1;

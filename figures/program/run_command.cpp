@@ -37,8 +37,8 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
 }
 
 /// The scene, with everything that the options state.
-Scene requested_scene(const RunOptions& options) {
-  Scene result = scene_of(options);
+Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
+  Scene result = scene_of(options, run_ups);
   if (result.runs.size() > 1 && !(options.trace.empty() && options.events.empty()))
     throw InputError("{}: --trace and --events need a single run; choose it with --run",
                      options.scene);
@@ -227,12 +227,12 @@ void run_rotor(const RunOptions& options) {
   if (options.json_schema) return print_summary(summary_schema(), true, stdout);
   if (!options.columns.empty() && options.trace.empty())
     throw InputError("--columns requires --trace, or is help");
-  const Scene scene = requested_scene(options);
+  RunUps run_ups;
+  const Scene scene = requested_scene(options, run_ups);
   if (options.estimate_error || has_run_with_digits(scene)) require_certified();
   const bool one_of_many = scene.runs.size() > 1;
   auto runs = Json::array();
   std::vector<std::string> messages, failures;
-  RunUps run_ups;
   for (const SceneRun& run : scene.runs) {
     const auto of_run = [&](const std::string& sentence) {
       return one_of_many ? run.name + ": " + sentence : sentence;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "figures/input/scene.hpp"
+#include "figures/runs/scene.hpp"
 
 namespace rotor {
 

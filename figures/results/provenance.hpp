@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "figures/input/scene.hpp"
+#include "figures/runs/scene.hpp"
 
 namespace rotor {
 

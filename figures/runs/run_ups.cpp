@@ -86,8 +86,16 @@ RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& mo
 
 SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
                                    std::optional<double> until_s, Observer& monitor) {
-  const std::vector<RunUpCheckpoint>& checkpoints = family(run_up_to_speed(scenario)).checkpoints;
   constexpr double ripple = 0.01;  // the speed rises, apart from this
+  std::vector<RunUpCheckpoint>& checkpoints = family(run_up_to_speed(scenario)).checkpoints;
+  // Resistance delays the speed: a run that loses its mass there passes this checkpoint, too.
+  const Parameters& p = scenario.parameters;
+  const double rise_Hz = std::min(speed_Hz, p.motor_off_Hz) - scenario.start_speed_Hz;
+  Scenario soonest = scenario;
+  soonest.until = (1 - ripple) * p.inertia * two_pi * rise_Hz / p.torque;
+  const double passed_s = SummaryObserver(soonest).time_of_speed_s();
+  if (passed_s > 0 && soonest.until < until_s.value_or(std::numeric_limits<double>::max()))
+    follow(checkpoints, passed_s, monitor);
   const auto faster = std::find_if(
       checkpoints.begin() + 1, checkpoints.end(), [&](const RunUpCheckpoint& checkpoint) {
         return in_Hz(checkpoint.simulation.instant().state[5]) > (1 - ripple) * speed_Hz;
@@ -97,6 +105,34 @@ SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
   if (found.time_s || faster - 1 == checkpoints.begin()) return found;
   // The greatest speed may have occurred earlier.
   return rotor::time_at_speed(checkpoints.front().simulation, scenario, speed_Hz, until_s, monitor);
+}
+
+Scenario scenario_of(const ScenarioSpec& spec) {
+  RunUps none;
+  return scenario_of(spec, none);
+}
+
+Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
+  Scenario scenario = stated_scenario(spec);
+  const double speed_Hz = scenario.mass_loss_speed_Hz;
+  if (speed_Hz == 0) return scenario;
+  Parameters& p = scenario.parameters;
+  const bool states_end = spec.numbers.contains("until");
+  Interruptible monitor;
+  const SpeedReached reached = run_ups.time_at_speed(
+      scenario, speed_Hz, states_end ? std::optional(scenario.until) : std::nullopt, monitor);
+  if (is_interrupted()) throw Interrupted();
+  if (!reached.time_s)
+    throw InputError(
+        "mass_loss_speed_hz = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most "
+        "{:.6g} Hz{}",
+        speed_Hz, reached.looked_until_s, reached.touches ? ", when it touches the ring," : "",
+        reached.greatest_Hz,
+        speed_Hz > p.motor_off_Hz ? "; above motor_off_hz the motor is off" : "");
+  p.mass_loss_time = *reached.time_s;
+  if (p.mass_loss_time == 0) scenario.mass_loss_speed_Hz = 0;
+  if (!states_end) scenario.until += p.mass_loss_time;
+  return scenario;
 }
 
 }  // namespace rotor

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "figures/data/interruption.hpp"
+#include "figures/input/scenario_spec.hpp"
 #include "model/results/summary.hpp"
 #include "model/run/time_at_speed.hpp"
 
@@ -54,5 +55,11 @@ class RunUps {
   std::list<Family> families_;   ///< the most recently used first
   std::size_t checkpoints_ = 0;  ///< of all
 };
+
+/// The scenario of what is stated. A mass loss at a stated speed is at the time at which the run-up
+/// first has that speed. Throws InputError as stated_scenario() does, and if the speed is not
+/// reached; Interrupted.
+Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups);
+Scenario scenario_of(const ScenarioSpec& spec);
 
 }  // namespace rotor

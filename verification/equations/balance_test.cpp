@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "figures/input/scene.hpp"
+#include "figures/runs/scene.hpp"
 #include "model/run/simulation.hpp"
 #include "verification/support/law.hpp"
 

@@ -1,7 +1,7 @@
 /// The digits of a run are those of the decimals as stated.
 #include <gtest/gtest.h>
 
-#include "figures/input/scenario_spec.hpp"
+#include "figures/runs/run_ups.hpp"
 #include "model/certified/comparison.hpp"
 #include "model/certified/quad.hpp"
 

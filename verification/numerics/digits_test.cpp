@@ -8,8 +8,8 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
-#include "figures/input/scene.hpp"
 #include "figures/results/certified_result.hpp"
+#include "figures/runs/scene.hpp"
 #include "verification/support/certain_digits.hpp"
 #include "verification/support/reference_tables.hpp"
 #include "verification/support/short_run.hpp"

@@ -9,7 +9,7 @@
 #include <regex>
 
 #include "figures/data/csv.hpp"
-#include "figures/input/scene.hpp"
+#include "figures/runs/scene.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {

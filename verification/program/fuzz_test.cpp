@@ -4,8 +4,8 @@
 #include <regex>
 
 #include "figures/data/text.hpp"
-#include "figures/input/scene.hpp"
 #include "figures/results/json.hpp"
+#include "figures/runs/scene.hpp"
 #include "model/scenario/instant.hpp"
 #include "verification/support/command_line.hpp"
 

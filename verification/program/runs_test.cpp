@@ -6,6 +6,7 @@
 #include "figures/data/text.hpp"
 #include "figures/input/scenario_spec.hpp"
 #include "figures/results/run_result.hpp"
+#include "figures/runs/run_ups.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/run/simulation.hpp"
 #include "model/scenario/instant.hpp"

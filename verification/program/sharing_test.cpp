@@ -88,7 +88,8 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
     Scenario scenario{.until = 30};
     scenario.parameters.mass_loss_time = 0;
     const auto found = run_ups.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
-    const auto alone = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
+    const auto alone =
+        time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, null_observer);
     EXPECT_EQ(found.time_s, alone.time_s) << speed_Hz;
     EXPECT_EQ(found.time_s.has_value(), speed_Hz < 151);
     EXPECT_EQ(found.greatest_Hz, alone.greatest_Hz) << speed_Hz;
@@ -163,6 +164,11 @@ TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   EXPECT_LT(steps(scenario), all / 20);
   scenario.parameters.torque = 0.29;
   EXPECT_GT(steps(scenario), all / 3);
+  scenario.parameters.torque = 0.28;
+  Observer null_observer;
+  scenario.parameters.mass_loss_time =
+      run_ups.time_at_speed(scenario, 140, std::nullopt, null_observer).time_s.value();
+  EXPECT_LT(steps(scenario), all / 20);  // the search has passed there
 }
 
 }  // namespace

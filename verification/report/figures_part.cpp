@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "figures/input/scene.hpp"
+#include "figures/runs/scene.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/report/document.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
-#include "figures/input/scene.hpp"
+#include "figures/runs/scene.hpp"
 
 namespace rotor {
 

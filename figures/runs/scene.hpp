@@ -9,6 +9,7 @@
 
 #include "figures/input/scenario_spec.hpp"
 #include "figures/record/recorder.hpp"
+#include "figures/runs/run_ups.hpp"
 
 namespace rotor {
 
@@ -38,7 +39,8 @@ struct Overrides {
   std::string run{};  ///< the only run that is kept, unless empty
 };
 
-/// Reads a TOML scene file. Throws InputError.
+/// Reads a TOML scene file. Throws InputError. Run-ups to a stated speed are left in `run_ups`.
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides, RunUps& run_ups);
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides = {});
 
 /// The scene files of a folder's figures, figNN.toml, by their numbers.

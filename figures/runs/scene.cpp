@@ -1,4 +1,4 @@
-#include "figures/input/scene.hpp"
+#include "figures/runs/scene.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,8 +15,8 @@ namespace {
 
 class SceneReader : TomlFile {
  public:
-  SceneReader(const std::filesystem::path& file, Overrides overrides)
-      : TomlFile(file), overrides_(std::move(overrides)) {}
+  SceneReader(const std::filesystem::path& file, Overrides overrides, RunUps& run_ups)
+      : TomlFile(file), overrides_(std::move(overrides)), run_ups_(run_ups) {}
 
   Scene read() {
     const toml::table& root = this->root();
@@ -51,9 +51,9 @@ class SceneReader : TomlFile {
   }
 
   SceneRun run(const std::string& name, const ScenarioSpec& stated, const toml::node& node,
-               std::string_view key) const {
+               std::string_view key) {
     const ScenarioSpec all = stated.overridden_by(overrides_.of_runs);
-    return {name, at(node, key, [&] { return scenario_of(all); }), all,
+    return {name, at(node, key, [&] { return scenario_of(all, run_ups_); }), all,
             stated.numbers.contains("until")};
   }
 
@@ -138,6 +138,7 @@ class SceneReader : TomlFile {
   }
 
   Overrides overrides_;
+  RunUps& run_ups_;
   std::map<std::string, std::string> overridden_;  ///< by the runs' names
 };
 
@@ -155,8 +156,13 @@ std::map<int, std::filesystem::path> figure_files(const std::filesystem::path& f
   return files;
 }
 
+Scene read_scene(const std::filesystem::path& file, const Overrides& overrides, RunUps& run_ups) {
+  return SceneReader(file, overrides, run_ups).read();
+}
+
 Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) {
-  return SceneReader(file, overrides).read();
+  RunUps none;
+  return read_scene(file, overrides, none);
 }
 
 bool SceneRun::leaves_equations_open() const {
