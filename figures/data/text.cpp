@@ -1,6 +1,7 @@
 #include "figures/data/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <cmath>
@@ -94,6 +95,11 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
                        [&](const auto& a, const auto& b) { return how_far(a) < how_far(b); });
   const bool is_near = how_far(*nearest) <= std::max<std::size_t>(2, mistyped.size() / 3);
   return is_near ? fmt::format("; did you mean {}?", *nearest) : "";
+}
+
+std::string choices(std::string_view mistyped, const std::vector<std::string>& names) {
+  const std::string meant = suggestion(mistyped, names);
+  return meant.empty() ? fmt::format("; there are: {}", fmt::join(names, ", ")) : meant;
 }
 
 std::string duration(double seconds) {

@@ -27,6 +27,8 @@ std::string unless_number(const std::string& text);
 
 /// "; did you mean NAME?" if one of the names was probably meant; otherwise empty.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
+/// The same, but otherwise "; there are: " and all names.
+std::string choices(std::string_view mistyped, const std::vector<std::string>& names);
 
 /// Whether a value is among others.
 template <class Values, class Value>

@@ -1,7 +1,6 @@
 #include "figures/input/toml_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,12 +76,11 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
   if (&table == &root_) keys_of_root_ = allowed;
   for (const auto& [key, node] : table)
     if (!contains(allowed, key.str()))
-      fail(node, key.str(), "unknown key{}{}; allowed here: {}",
+      fail(node, key.str(), "unknown key{}{}",
            &table != &root_ && contains(keys_of_root_, key.str())
                ? ", which belongs above the first [table]"
                : "",
-           suggestion(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}),
-           fmt::join(allowed, ", "));
+           choices(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}));
 }
 
 std::optional<double> TomlFile::number(const toml::node& node, std::string_view key) const {

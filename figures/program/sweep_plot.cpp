@@ -164,8 +164,7 @@ DrawnResult drawn_result(const std::string& stated, const Sweep& sweep) {
                           : number != all.end() ? *number
                                                 : "outcome";
   if (!has(key))
-    throw InputError("--column {}: there is no such result{}; there are: {}", shown(key),
-                     suggestion(key, all), fmt::join(all, ", "));
+    throw InputError("--column {}: there is no such result{}", shown(key), choices(key, all));
   const bool has_axis = std::any_of(sweep.axes.begin(), sweep.axes.end(),
                                     [&](const Axis& axis) { return is_drawn(axis, sweep); });
   if (key == "outcome" ? !has_axis : !is_number(key))

@@ -207,8 +207,7 @@ std::vector<const Column*> parse_columns(const std::vector<std::string>& names) 
     if (!column) {
       std::vector<std::string> allowed;
       for (const Column& known : all_columns()) allowed.emplace_back(known.name);
-      throw InputError("there is no column \"{}\"{}; there are: {}", shown(name),
-                       suggestion(name, allowed), fmt::join(allowed, ", "));
+      throw InputError("there is no column \"{}\"{}", shown(name), choices(name, allowed));
     }
     if (contains(columns, column)) throw InputError("duplicate column \"{}\"", name);
     columns.push_back(column);

@@ -72,8 +72,7 @@ class SweepReader : TomlFile {
     for (const toml::node& item : list(root(), "columns")) {
       const auto name = item.value_or<std::string>("");
       if (!contains(allowed, name))
-        fail(item, "columns", "there is no result \"{}\"{}; there are: {}", shown(name),
-             suggestion(name, allowed), fmt::join(allowed, ", "));
+        fail(item, "columns", "there is no result \"{}\"{}", shown(name), choices(name, allowed));
       add_new(all, name, item, "columns");
     }
     return all;
@@ -86,8 +85,8 @@ class SweepReader : TomlFile {
     std::vector<std::string> allowed;
     for (const NamedInput& input : named_inputs()) allowed.emplace_back(input.name);
     for (const InputQuantity& input : input_quantities()) allowed.emplace_back(input.quantity.name);
-    fail_at(in, "quantity", "there is no quantity \"{}\"{}; there are: {}", shown(*name),
-            suggestion(name_of_symbol(*name), allowed), fmt::join(allowed, ", "));
+    fail_at(in, "quantity", "there is no quantity \"{}\"{}", shown(*name),
+            choices(name_of_symbol(*name), allowed));
   }
 
   double number(const toml::table& in, std::string_view key, const Quantity& quantity) const {
