@@ -99,8 +99,9 @@ const std::vector<Law>& all_laws() {
       {"law_speed_at_loss_Hz", "rotation speed at the mass loss, for a motor without resistance",
        [](const P& p) { return json_of(p.speed, two_pi); }},
       {"law_contact_speed_Hz",
-       "speed above which an overcritical rotor touches the ring, null if below the critical one; "
-       "(1)",
+       "rough speed from which a rotor well above its critical speed touches the ring (a rotor "
+       "that "
+       "swings out in few turns needs more), null if below the critical speed; (1)",
        [](const P& p) { return json_of(p.law.contact_speed, two_pi); }},
       {"law_reach_m", "largest displacement without a ring",
        [](const P& p) { return json_of(p.law.reach); }},
