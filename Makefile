@@ -231,7 +231,7 @@ verify: build ## build, run all tests, and compare the published numbers with ou
 	$(call build-target,all)
 	@verification/verify.sh $(BUILD)
 
-claim: build ## print all that is known about one claim of the paper: make claim ID=speed
+claim: build ## print all that is known about one claim of the paper: make claim ID=speed; without ID, the claims
 	$(call build-target,report-numbers)
 	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
 
@@ -280,9 +280,9 @@ reference: build ## recompute high-precision.csv and random-runs.csv in quadrupl
 	@$(BUILD)/digits-reference reference-data/random-runs.csv
 	@$(BUILD)/reference reference-data/high-precision.csv
 
-ensembles: build ## recompute reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes)
+ensembles: build ## recompute reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes); one with ID=speed
 	$(call build-target,ensembles)
-	@$(BUILD)/ensembles reference-data 10000
+	@$(BUILD)/ensembles reference-data $(if $(ID),1000 $(call quote,$(ID)),10000)
 
 prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-data/proven.csv (minutes)
 	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))

@@ -54,6 +54,9 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
   static const auto translation = [](In in, P p) {
     return Loss(p).after.mass * std::pow(velocity(in), 2) / 2;
   };
+  static const auto transient = [](In in, P p, double factor) {
+    return 100 * std::log(factor) * 2 * Loss(p).after.mass / p.support_damping / in.t_50;
+  };
   static const std::map<std::string, Arithmetic> all = {
       {"speed_rad", [](In, P p) { return two_pi * p.motor_off_Hz; }},
       {"lost_mass", [](In, P p) { return Loss(p).lost_mass; }},
@@ -86,10 +89,22 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
       {"share_printed", [](In in, P) { return 100 * in.energy_left / in.energy_before; }},
       {"shortest_steps", [](In in, P) { return in.shortest_s / Scenario{}.step_rub; }},
       {"longest_steps", [](In in, P) { return in.longest_s / Scenario{}.step_rub; }},
-      // Time until the free vibration after the loss has decayed to a tenth, relative to t_1.
-      {"transient_50",
-       [](In in, P p) {
-         return 100 * std::log(10) * 2 * Loss(p).after.mass / p.support_damping / in.t_50;
+      // Time until the free vibration after the loss has decayed by a factor, relative to t_1.
+      {"transient_tenth", [](In in, P p) { return transient(in, p, 10); }},
+      {"transient_twentieth", [](In in, P p) { return transient(in, p, 20); }},
+      // With half the stiffness, twice the mass; and at the operating speed beside half of it.
+      {"critical_falls",
+       [](In, P p) {
+         const double here = p.support_stiffness / p.mass,
+                      there = p.support_stiffness / 2 / (2 * p.mass);
+         return there < here ? 1. : 0.;
+       }},
+      {"inertia_rises",
+       [](In, P p) {
+         const auto force = [&](double speed_Hz) {
+           return Loss(p).after.mass * Loss(p).after.eccentricity * std::pow(two_pi * speed_Hz, 2);
+         };
+         return force(p.motor_off_Hz) > force(p.motor_off_Hz / 2) ? 1. : 0.;
        }},
       {"border_by_ratio",
        [](In in, P p) {

@@ -1,14 +1,15 @@
 /// The audit: where the paper contradicts itself, shown by measurement, in both sets of equations.
 #include <gtest/gtest.h>
 
-#include <boost/math/tools/roots.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
-#include "model/mechanics/mass_loss.hpp"
 #include "model/scenario/instant.hpp"
 #include "verification/paper/paper_runs.hpp"
-#include "verification/support/follow.hpp"
+#include "verification/paper/readings.hpp"
 #include "verification/support/observers.hpp"
-#include "verification/support/place_of_loss.hpp"
+#include "verification/support/onset_speed.hpp"
 #include "verification/support/summary_of.hpp"
 
 namespace rotor {
@@ -76,31 +77,65 @@ TEST(Audit, TheFrictionOfEq22HasTheOppositeSignOfThatInEq24) {
   EXPECT_LT(right.dot(slip), 0);  // brakes it, as condition (23) asks for
 }
 
-/// The lowest speed at which the loss of the same piece leads to contact, from a point of the rim
-/// at an angle from opposite to the unbalance.
-double border_Hz(const Equations& equations, double angle) {
-  const auto touches = [&](double speed_Hz) {
-    Scenario scenario{.equations = equations, .start_speed_Hz = speed_Hz, .until = 0.1};
-    scenario.parameters.torque = 0;
-    Instant at =
-        PlaceOfLoss(scenario.parameters, angle, MassLoss<double>(scenario.parameters).lost_mass)
-            .lose_mass(start_of(scenario), equations);
-    at.motor_on = false;
-    SummaryObserver summary(scenario);
-    follow(scenario, at, scenario.until, summary);
-    return summary.summary().touch_downs > 0 ? 1. : -1.;
-  };
-  const auto close = [](double a, double b) { return b - a < 5e-3; };
-  return boost::math::tools::bisect(touches, 40., 140., close).second;
+// Places between those of the search, which stops where two grids agree.
+TEST(Audit, TheBordersOverAllPlacesOfTheLossHoldOnAnotherGrid) {
+  const OnsetSpeeds speeds = onset_speeds_by_place(Equations::published);
+  EXPECT_GT(speeds.greatest_Hz - speeds.least_Hz, 4);
+  constexpr int places = 20;
+  for (int n = 0; n < places; ++n) {
+    const double speed_Hz = onset_speed_Hz(Equations::published, (n + 0.25) * two_pi / places);
+    EXPECT_GT(speed_Hz, speeds.least_Hz - 0.02) << n;
+    EXPECT_LT(speed_Hz, speeds.greatest_Hz + 0.02) << n;
+  }
 }
 
-TEST(Audit, ThePlaceOfTheLossMovesTheBorderOfContact) {
-  for (const auto& [equations, least, greatest] :
-       {std::tuple(Equations::published, 50.89, 54.84), {Equations::consistent, 94.27, 102.6}}) {
-    std::vector<double> borders;
-    for (int part = 0; part < 8; ++part) borders.push_back(border_Hz(equations, part * two_pi / 8));
-    EXPECT_NEAR(std::ranges::min(borders), least, 0.05);
-    EXPECT_NEAR(std::ranges::max(borders), greatest, 0.1);
+TEST(Audit, TheChangesOverAllPlacesOfTheLossHoldOnAnotherGrid) {
+  PaperRuns runs{{}};
+  const double largest = read_off("elsewhere_time", runs).value();
+  const auto to_rolling = [&](double angle) {
+    const Summary& lost = runs.lost_at(angle);
+    return *lost.rolling_onset_s - *lost.first_contact_s;
+  };
+  double on_this_grid = 0;
+  constexpr int places = 100;
+  for (int n = 0; n < places; ++n)
+    on_this_grid = std::max(
+        on_this_grid, 100 * std::abs(to_rolling((n + 0.3) * two_pi / places) / to_rolling(0) - 1));
+  EXPECT_LE(on_this_grid, 1.01 * largest);
+  EXPECT_GT(on_this_grid, 0.9 * largest);
+}
+
+TEST(Refined, StopsWhereTwoGridsAgreeAndThrowsIfNoneDo) {
+  long finest = 0;
+  const auto slow = [&](long points) {
+    finest = points;
+    return 1 + 1 / static_cast<double>(points);
+  };
+  EXPECT_NEAR(refined(slow, 2, 0.04), 1, 0.1);
+  EXPECT_EQ(finest, 32);  // 1.125 and 1.0625 differ by more, 1.0625 and 1.03 by less
+  EXPECT_THROW(refined([](long points) { return static_cast<double>(points); }, 2, 0.01),
+               std::runtime_error);
+}
+
+// Half and twice are the ends of a range: between them a change is at most 5 % larger.
+TEST(Audit, StiffnessAndDampingBetweenHalfAndTwiceChangeNoMoreThanTheEnds) {
+  PaperRuns runs{{}};
+  for (const char* quantity : {"contact_stiffness", "contact_damping"}) {
+    const auto change = [&](double factor) {
+      const Summary &as_it_is = runs.high().summary(),
+                    &changed = runs.changed(0.3, quantity, factor).summary();
+      const auto to_rolling = [](const Summary& s) {
+        return *s.rolling_onset_s - *s.first_contact_s;
+      };
+      return std::array{std::abs(*changed.peak_normal_force_N / *as_it_is.peak_normal_force_N - 1),
+                        std::abs(to_rolling(changed) / to_rolling(as_it_is) - 1)};
+    };
+    const auto half = change(0.5), twice = change(2);
+    for (int n = 1; n < 12; ++n)
+      for (const std::size_t result : {0U, 1U})
+        EXPECT_LE(change(0.5 * std::pow(4, n / 12.))[result],
+                  1.05 * std::max(half[result], twice[result]))
+            << quantity << ' ' << n;
   }
 }
 

@@ -40,17 +40,16 @@ std::string cells(const Stored& stored) {
 
 }  // namespace
 
-Verdict verdict_of(const Number& number, std::size_t set, double words) {
-  const Allowed allowed = number.allowed(words);
+namespace {
+
+Verdict verdict_of(const Number& number, const Reading::InSet& in, const Judging& judging) {
+  const Allowed allowed = number.allowed(judging.words);
   Verdict verdict{{}, infinity, infinity};
-  for (const Reading& reading : number.readings) {
-    const Reading::InSet& in = reading.in[set];
-    const auto note = [](double& off, double another) { off = std::min(off, another); };
-    if (in.by_rk4) note(verdict.off_a, allowed.off(*in.by_rk4));
-    if (number.kind == Kind::method) {
-      if (in.converged) note(verdict.off_a, allowed.off(*in.converged));
-      continue;
-    }
+  const auto note = [](double& off, double another) { off = std::min(off, another); };
+  if (in.by_rk4 && judging.own_method) note(verdict.off_a, allowed.off(*in.by_rk4));
+  if (!number.is_drawn() || !judging.populations) {
+    if (in.converged) note(verdict.off_a, allowed.off(*in.converged));
+  } else {
     note(verdict.off_a, off_median(allowed, in.a.spread));
     note(verdict.off_b, off_range(allowed, in.a.spread));
     note(verdict.off_b, off_range(allowed, in.b.spread));
@@ -59,15 +58,87 @@ Verdict verdict_of(const Number& number, std::size_t set, double words) {
   return verdict;
 }
 
+bool is_worse(const std::string& one, const std::string& other) {
+  return std::ranges::find(from_best, one) > std::ranges::find(from_best, other);
+}
+
+}  // namespace
+
+Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging) {
+  const auto by = [&](std::size_t reading) {
+    return verdict_of(
+        number, number.readings[std::min(reading, number.readings.size() - 1)].in[set], judging);
+  };
+  switch (judging.by) {
+    case Judging::By::first:
+      return by(0);
+    case Judging::By::second:
+      return by(1);
+    case Judging::By::every: {
+      Verdict worst = by(0);
+      for (std::size_t n = 1; n < number.readings.size(); ++n)
+        if (const Verdict one = by(n); is_worse(one.says, worst.says)) worst = one;
+      return worst;
+    }
+    default:
+      return by(number.decides[set]);
+  }
+}
+
+void choose_readings(std::vector<Number>& numbers) {
+  std::map<std::string, std::vector<Number*>> sentences;
+  for (Number& number : numbers) sentences[number.sentence].push_back(&number);
+  for (const auto& [sentence, its] : sentences)
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+      std::size_t readings = 1, best = 0;
+      for (const Number* number : its) readings = std::max(readings, number->readings.size());
+      std::optional<std::pair<long, long>> fewest;  // refuted, and within rounding
+      for (std::size_t n = 0; n < readings; ++n) {
+        std::pair<long, long> count;
+        for (Number* number : its) {
+          number->decides[set] = n;
+          const std::string says = verdict_of(*number, set).says;
+          count.first += says == "refuted";
+          count.second += says == "within rounding";
+        }
+        if (!fewest || count < *fewest) fewest = count, best = n;
+      }
+      for (Number* number : its) number->decides[set] = std::min(best, number->readings.size() - 1);
+    }
+}
+
 std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
-                                                      std::size_t set, double words) {
+                                                      std::size_t set, const Judging& judging) {
   std::map<std::string, std::string> worst;
   for (const Number& number : numbers) {
-    const std::string its = verdict_of(number, set, words).says;
+    const std::string its = verdict_of(number, set, judging).says;
     std::string& verdict = worst.try_emplace(number.claim, its).first->second;
-    if (std::ranges::find(from_best, its) > std::ranges::find(from_best, verdict)) verdict = its;
+    if (is_worse(its, verdict)) verdict = its;
   }
   return worst;
+}
+
+std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
+  using By = Judging::By;
+  const std::vector<Judging> rules = {
+      {.says = "half the widths of words", .words = 0.5},
+      {.says = "twice the widths of words", .words = 2},
+      {.says = "every reading must hold", .by = By::every},
+      {.says = "the first reading for the whole text", .by = By::first},
+      {.says = "the second reading for the whole text", .by = By::second},
+      {.says = "no result of the paper's method", .own_method = false},
+      {.says = "only the inputs as printed", .own_method = false, .populations = false}};
+  std::vector<Turned> turned;
+  for (std::size_t set = 0; set < sets.size(); ++set)
+    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set)) {
+      Turned one{claim, set, verdict, {}};
+      for (const Judging& rule : rules)
+        if (const std::string other = verdicts_of_claims(numbers, set, rule).at(claim);
+            other != verdict)
+          one.others.push_back(fmt::format("{}: {}", other, rule.says));
+      if (!one.others.empty()) turned.push_back(one);
+    }
+  return turned;
 }
 
 std::vector<Counts> sensitivity(const std::vector<Number>& numbers) {
@@ -76,7 +147,7 @@ std::vector<Counts> sensitivity(const std::vector<Number>& numbers) {
     for (const double words : {0.5, 1., 2.}) {
       Counts counts{sets[set].name, words, {}};
       for (const std::string& verdict : from_best) counts.claims[verdict] = 0;
-      for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set, words))
+      for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set, {.words = words}))
         ++counts.claims[verdict];
       all.push_back(counts);
     }
@@ -87,19 +158,22 @@ std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers) {
   std::set<std::string> names;
   for (const Number& number : numbers)
     for (const Reading& reading : number.readings)
-      if (number.kind != Kind::method) names.insert(reading.name);
+      if (number.is_drawn()) names.insert(reading.name);
   return {names.begin(), names.end()};
 }
 
 std::vector<Number> read_numbers(const std::filesystem::path& table) {
-  static const std::map<std::string, Kind> kinds = {
-      {"arithmetic", Kind::arithmetic}, {"method", Kind::method}, {"simulated", Kind::simulated}};
+  static const std::map<std::string, Kind> kinds = {{"arithmetic", Kind::arithmetic},
+                                                    {"method", Kind::method},
+                                                    {"simulated", Kind::simulated},
+                                                    {"extreme", Kind::extreme}};
   const std::vector<std::string> known = all_readings();
   std::vector<Number> numbers;
   for (const CsvRow& row : read_csv(table)) {
     if (!kinds.contains(row["kind"])) row.fail("there is no kind " + row["kind"]);
     Number number{.claim = row["claim"],
                   .id = row["number"],
+                  .sentence = row["sentence"].empty() ? row["claim"] : row["sentence"],
                   .figures = row["figures"],
                   .place = row["place"],
                   .says = row["says"],
@@ -127,6 +201,17 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
   return numbers;
 }
 
+std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& claim) {
+  std::vector<Number> its;
+  std::ranges::copy_if(numbers, std::back_inserter(its),
+                       [&](const Number& number) { return number.claim == claim; });
+  if (!its.empty()) return its;
+  std::set<std::string> claims;
+  for (const Number& number : numbers) claims.insert(number.claim);
+  throw std::runtime_error(
+      fmt::format("there is no claim \"{}\"; there are: {}", claim, fmt::join(claims, ", ")));
+}
+
 std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
   std::vector<Number> numbers = read_numbers(folder / "claims.csv");
   const Ensembles ensembles = read_ensembles(folder / "ensembles.csv");
@@ -140,15 +225,22 @@ std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
       for (Reading& reading : number.readings) {
         Reading::InSet& in = reading.in[set];
         in.converged = read_off(reading.name, converged);
-        if (set == 0) in.by_rk4 = read_off(reading.name, by_rk4);
-        if (number.kind == Kind::method) continue;
+        if (set == 0 && number.kind != Kind::extreme) in.by_rk4 = read_off(reading.name, by_rk4);
+        if (!number.is_drawn()) continue;
         const auto stored = [&](const char* population) {
-          return ensembles.at({sets[set].name, population, number.id, reading.name});
+          const auto found = ensembles.find({sets[set].name, population, number.id, reading.name});
+          if (found == ensembles.end())
+            throw std::runtime_error(fmt::format(
+                "ensembles.csv has no row for {} of {} in population ({}), {} equations: make "
+                "ensembles ID={} computes it",
+                reading.name, number.id, population, sets[set].name, number.claim));
+          return found->second;
         };
         in.a = stored("a");
         in.b = stored("b");
       }
   }
+  choose_readings(numbers);
   return numbers;
 }
 
@@ -162,7 +254,7 @@ std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
   std::string rows;
   for (const Number& number : numbers)
     for (const Reading& reading : number.readings) {
-      if (number.kind == Kind::method) continue;
+      if (!number.is_drawn()) continue;
       const auto& values = draws.at(reading.name);
       const Allowed allowed = number.allowed();
       const auto hold =
@@ -209,7 +301,7 @@ std::string claims_table(const std::vector<Number>& numbers) {
                   "off (b)", "corrected", "printed", "converged", "", "claim");
   for (const Number& n : numbers) {
     const Verdict as_printed = verdict_of(n, 0);
-    const auto converged = n.readings.front().in[0].converged;
+    const auto converged = n.readings[n.decides[0]].in[0].converged;
     table += fmt::format("  {:<16}{:>8.3g}{:>8.3g}  {:<16}{:>12}{:>12} {:<7} {}{}\n",
                          as_printed.says, as_printed.off_a, as_printed.off_b, verdict_of(n, 1).says,
                          n.printed.empty() ? n.rule : n.printed,

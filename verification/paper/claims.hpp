@@ -23,8 +23,9 @@ struct Reading {
   std::array<InSet, sets.size()> in{};
 };
 
-/// Arithmetic on printed numbers, what the paper's method does, or what its equations give.
-enum class Kind { arithmetic, method, simulated };
+/// Arithmetic on printed numbers; what the paper's method does; what its equations give; the
+/// largest result over all values of a continuous quantity.
+enum class Kind { arithmetic, method, simulated, extreme };
 
 /// A verdict with its margins: see policy.md.
 struct Verdict {
@@ -32,23 +33,40 @@ struct Verdict {
   double off_a = 0, off_b = 0;
 };
 
+/// How numbers are judged: by default as policy.md says, otherwise by another sensible rule.
+struct Judging {
+  enum class By { sentence, first, second, every };  ///< which readings decide
+  const char* says = "";
+  double words = 1;  ///< multiplies the widths of words
+  By by = By::sentence;
+  bool own_method = true, populations = true;
+};
+
 /// A number of a claim, which may have several.
 struct Number {
-  std::string claim, id, figures, place, says, printed, rule, unit;
+  std::string claim, id, sentence, figures, place, says, printed, rule, unit;
   Kind kind = Kind::simulated;
   bool conditions = false;  ///< population (b)
   std::vector<Reading> readings;
   std::array<std::string, sets.size()> expected{};  ///< verdicts that the table states
   std::string reason;
+  std::array<std::size_t, sets.size()> decides{};  ///< the reading of its sentence
 
+  bool is_drawn() const { return kind == Kind::arithmetic || kind == Kind::simulated; }
   Allowed allowed(double words = 1) const { return rotor::allowed(printed, rule, words); }
 };
 
-/// The verdict in a set of equations, with the widths of words multiplied.
-Verdict verdict_of(const Number& number, std::size_t set, double words = 1);
+/// The verdict in a set of equations.
+Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging = {});
+
+/// Chooses the readings that decide: one for all numbers of a sentence.
+void choose_readings(std::vector<Number>& numbers);
 
 /// Only the table, readings without values.
 std::vector<Number> read_numbers(const std::filesystem::path& table);
+
+/// The numbers of a claim. Throws std::runtime_error, with all claims, if there is no such claim.
+std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& claim);
 
 /// The table with values from runs at the inputs as printed and from the stored ensembles.
 std::vector<Number> judged_numbers(const std::filesystem::path& folder);
@@ -57,7 +75,18 @@ const std::vector<Number>& judged();
 
 /// The verdict of each claim in a set of equations: the worst one of its numbers.
 std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
-                                                      std::size_t set, double words = 1);
+                                                      std::size_t set, const Judging& judging = {});
+
+/// A verdict on a claim, and those that other rules of policy.md would give: "refuted: every
+/// reading must hold".
+struct Turned {
+  std::string claim;
+  std::size_t set;
+  std::string verdict;
+  std::vector<std::string> others;
+};
+/// All claims with a verdict that another rule would turn.
+std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers);
 
 /// Counts of verdicts with half, once and twice the widths of words.
 struct Counts {
@@ -67,7 +96,7 @@ struct Counts {
 };
 std::vector<Counts> sensitivity(const std::vector<Number>& numbers);
 
-/// The readings to draw: all but those about the paper's method.
+/// The readings to draw over populations.
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers);
 
 /// Rows of ensembles.csv of draws in a set of equations.

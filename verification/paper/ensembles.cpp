@@ -14,9 +14,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Draws need only the printed digits.
-constexpr double tolerance_of_draws = 1e-8;
-
 double value_of(const std::string& reading, PaperRuns& runs) {
   try {
     return read_off(reading, runs).value_or(nan);
@@ -46,9 +43,7 @@ Draws evaluate(const std::vector<std::string>& readings, long count,
   Draws draws;
   for (const std::string& name : readings) draws[name].resize(static_cast<std::size_t>(count));
   const auto evaluate_at = [&](long n) {
-    PaperInputs inputs = at(n);
-    inputs.spec.numbers["tolerance"] = tolerance_of_draws;
-    PaperRuns runs(inputs);
+    PaperRuns runs(at(n));
     for (const std::string& name : readings)
       draws.at(name)[static_cast<std::size_t>(n)] = value_of(name, runs);
   };

@@ -1,7 +1,10 @@
 /// Recomputes reference-data/ensembles.csv, every reading over the populations of policy.md:
-/// `ensembles FOLDER COUNT`.
+/// `ensembles FOLDER COUNT`; or only the rows of one claim: `ensembles FOLDER COUNT CLAIM`.
 #include <fmt/format.h>
 
+#include <fstream>
+#include <map>
+#include <sstream>
 #include <thread>
 
 #include "figures/data/files.hpp"
@@ -11,23 +14,33 @@
 namespace rotor {
 namespace {
 
+/// Rows by what identifies them: all up to the column `draws`.
+using Rows = std::map<std::string, std::string>;
+
+void add(Rows& rows, std::istream& lines) {
+  for (std::string line; std::getline(lines, line);) {
+    std::size_t comma = 0;
+    for (int n = 0; n < 4; ++n) comma = line.find(',', comma + (n > 0));
+    if (comma != std::string::npos) rows[line.substr(0, comma)] = line;
+  }
+}
+
 int main(const Arguments& arguments) {
-  if (arguments.size() != 2) throw std::runtime_error("needs: FOLDER COUNT");
-  const std::filesystem::path folder = arguments[0];
+  if (arguments.size() != 2 && arguments.size() != 3)
+    throw std::runtime_error("needs: FOLDER COUNT [CLAIM]");
+  const std::filesystem::path folder = arguments[0], table = folder / "ensembles.csv";
   const long count = std::stol(arguments[1]);
-  const auto numbers = read_numbers(folder / "claims.csv");
+  const auto all = read_numbers(folder / "claims.csv");
+  std::vector<Number> numbers = all;
+  Rows rows;
+  if (arguments.size() == 3) {
+    numbers = of_claim(all, arguments[2]);
+    std::ifstream file(table);
+    add(rows, file);
+  }
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  std::string csv = fmt::format(
-      "# Each reading over the populations of policy.md, from `make ensembles`; not from "
-      "the paper.\n"
-      "# rotor " ROTOR_VERSION
-      ", method event at tolerance 1e-8; {} draws, seed 1: (a) of Sobol's sequence, (b) "
-      "independent ones.\n"
-      "# valued: share of the draws with a value; median, p5, p95: of those; holds: share of the "
-      "draws in which the claim holds.\n"
-      "equations,population,number,reading,draws,valued,median,p5,p95,holds\n",
-      count);
-  for (const auto& [name, population] : {std::pair("a", Population::a), {"b", Population::b}}) {
+  constexpr std::array populations = {std::pair("a", Population::a), std::pair("b", Population::b)};
+  for (const auto& [name, population] : populations) {
     const PopulationDraws draws(population, folder, count);
     for (const Set& set : sets) {
       const auto at = [&](long n) { return draws(n, set.equations); };
@@ -36,12 +49,30 @@ int main(const Arguments& arguments) {
         fmt::print(stderr, "({}), {} equations: {} of {} draws\n", name, set.name, done, count);
         next = done + std::max(1L, count / 10);
       };
-      csv += ensembles_rows(numbers, set.name, name,
-                            evaluate(readings_to_draw(numbers), count, at, threads, report));
+      std::istringstream lines(
+          ensembles_rows(numbers, set.name, name,
+                         evaluate(readings_to_draw(numbers), count, at, threads, report)));
+      add(rows, lines);
     }
   }
+  std::string csv =
+      "# Each reading over the populations of policy.md, from `make ensembles`; not from "
+      "the paper.\n"
+      "# rotor " ROTOR_VERSION
+      ", method event at tolerance 1e-8; seed 1: (a) of Sobol's sequence, (b) independent draws.\n"
+      "# valued: share of the draws with a value; median, p5, p95: of those; holds: share of the "
+      "draws in which the claim holds.\n"
+      "equations,population,number,reading,draws,valued,median,p5,p95,holds\n";
+  for (const auto& [name, population] : populations)
+    for (const Set& set : sets)
+      for (const Number& number : all)
+        for (const Reading& reading : number.readings)
+          if (const auto row =
+                  rows.find(fmt::format("{},{},{},{}", set.name, name, number.id, reading.name));
+              row != rows.end())
+            csv += row->second + '\n';
   FileTransaction files;
-  files.write(folder / "ensembles.csv", csv);
+  files.write(table, csv);
   files.commit();
   return 0;
 }

@@ -72,7 +72,7 @@ TEST(Ensembles, AreWhatRunsGive) {
           readings_to_draw(judged()), count, [&](long n) { return draws(n, set.equations); }, 2);
       for (const Number& number : judged())
         for (const Reading& reading : number.readings) {
-          if (number.kind == Kind::method) continue;
+          if (!number.is_drawn()) continue;
           const Stored& stored = all.at({set.name, name, number.id, reading.name});
           const Spread& s = stored.spread;
           const double holds = stored.holds;

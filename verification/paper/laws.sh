@@ -6,6 +6,7 @@ cat <<'HEAD'
 # The accuracy of the laws of model/theory on the random rotors of verification/paper/laws.toml, from `make laws`; not from the
 # paper. share: of the unbalance, kappa e_x1/(mu r), from and up to; rolling_speed, peak_force: the run's value over the
 # law's, of runs that roll; other quantities: whether the run ends as the law predicts; agree: share within 10 %, or that does.
+# speed_deficit: (1 - the ratio of rolling speeds)/share; agree: share of the runs that lose more speed than the law says.
 # trusted_...: rotors of region.toml in the tested region, by the outcome predicted; agree: share with this outcome, and speed
 # and force within 10 %.
 equations,quantity,share_from,share_to,runs,q05,q25,median,q75,q95,agree
@@ -36,13 +37,14 @@ cat "$@" | grep -v '^#' | awk -F, '
     speed = of("rolling_onset_speed_Hz")/of("law_rolling_speed_Hz")
     force = of("peak_force_to_rolling_N")/of("law_peak_force_N")
     row("rolling_speed", from, to, speed); row("peak_force", from, to, force)
+    if (share >= 0.1) row("speed_deficit", 0.1, "", (1 - speed)/share)
     row("rolling_speed", 0, "", speed); row("peak_force", 0, "", force)
   }' | sort -t, -k1,1 -k2,2 -k3,3g -k4,4 -k5,5g | awk -F, '
   function quantile(share) { return sprintf("%.3f", ratio[1 + int(share*(n - 1) + 0.5)]) }
   function print_row() {
     if (!n) return
     printf "%s,%d,", key, n
-    if (key ~ /,(rolling_speed|peak_force),/)
+    if (key ~ /,(rolling_speed|peak_force|speed_deficit),/)
       printf "%s,%s,%s,%s,%s,", quantile(0.05), quantile(0.25), quantile(0.5), quantile(0.75), quantile(0.95)
     else
       printf ",,,,,"
@@ -50,5 +52,5 @@ cat "$@" | grep -v '^#' | awk -F, '
   }
   { of = $1 "," $2 "," $3 "," $4 }
   of != key { print_row(); key = of; n = good = 0 }
-  { ratio[++n] = $5; good += $5 >= 0.9 && $5 <= 1.1 }
+  { ratio[++n] = $5; good += $2 == "speed_deficit" ? $5 > 0 : $5 >= 0.9 && $5 <= 1.1 }
   END { print_row() }'

@@ -6,6 +6,7 @@
 
 #include "figures/results/run_result.hpp"
 #include "model/results/energy.hpp"
+#include "model/results/stop_on.hpp"
 #include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
@@ -248,11 +249,16 @@ const Summary& PaperRuns::lost_at(double angle) {
   const auto found = lost_at_.find(angle);
   if (found != lost_at_.end()) return found->second;
   const PaperRun& opposite = high();
-  const Scenario& scenario = opposite.scenario();
+  Scenario scenario = opposite.scenario();
+  scenario.tolerance = std::max(scenario.tolerance, 1e-8);  // there are many, and of few digits
   const Instant from =
       PlaceOfLoss(scenario.parameters, angle).lose_mass(opposite.before_loss(), scenario.equations);
   SummaryObserver observer(scenario);
-  run(scenario, from, observer);
+  StopObserver stop(StopOn::outcome, scenario);
+  ObserverGroup both;
+  both.add(observer);
+  both.add(stop);
+  run(scenario, from, both);
   return lost_at_.emplace(angle, observer.summary()).first->second;
 }
 

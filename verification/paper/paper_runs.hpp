@@ -116,7 +116,8 @@ class PaperRuns {
     double first_impact_damped;  ///< share of its energy along the normal that the dashpot takes
   };
   const std::optional<FrictionWork>& friction_work();
-  /// The same loss at high friction from another point of the rim: see place_of_loss.hpp.
+  /// The same loss at high friction from another point of the rim, until its outcome: see
+  /// place_of_loss.hpp.
   const Summary& lost_at(double angle);
   /// When the run-up passes the eigenfrequency of the supports, s.
   std::optional<double> time_at_critical_speed();

@@ -179,6 +179,7 @@ PaperInputs PopulationDraws::operator()(long n, const Equations& equations) cons
   const long point = accepted_.empty() ? n : accepted_.at(static_cast<std::size_t>(n));
   PaperInputs inputs;
   inputs.spec.equations = equations;
+  inputs.spec.numbers["tolerance"] = 1e-8;  // draws need only the printed digits
   std::map<std::string, double, std::less<>> drawn = SweepPoints(sweep_)(point).spec.numbers;
   const auto taken = [&](const char* input) { return drawn.extract(input).mapped(); };
   if (accepted_.empty()) {

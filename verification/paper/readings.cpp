@@ -6,7 +6,7 @@
 #include <map>
 
 #include "model/mechanics/mass_loss.hpp"
-#include "verification/support/place_of_loss.hpp"
+#include "verification/support/refined.hpp"
 
 namespace rotor {
 namespace {
@@ -103,17 +103,19 @@ Value friction_until(PaperRuns& r, const Instant&, std::size_t from_last) {
   return *(work->until_touch_downs.rbegin() + static_cast<long>(from_last));
 }
 
-/// Largest change of a result when the piece leaves from elsewhere on the rim, %.
-Formula elsewhere(const std::function<Value(const Summary&)>& result) {
+/// Largest value of a result over all places on the rim from which the piece can leave.
+Formula elsewhere(const std::function<double(const Summary& opposite, const Summary&)>& result) {
   return [=](PaperRuns& r) -> Value {
-    const Value opposite = result(r.lost_at(0));
-    double largest = 0;
-    for (const int quarters : {1, 2, 3}) {
-      const Value changed = result(r.lost_at(quarters * two_pi / 4));
-      if (!opposite || !changed) return std::nullopt;
-      largest = std::max(largest, std::abs(*changed / *opposite - 1));
-    }
-    return 100 * largest;
+    return refined(
+        [&](long places) {
+          double largest = 0;
+          for (long n = 0; n < places; ++n)
+            largest =
+                std::max(largest, result(r.lost_at(0), r.lost_at(two_pi * static_cast<double>(n) /
+                                                                 static_cast<double>(places))));
+          return largest;
+        },
+        360, 0.01);
   };
 }
 
@@ -212,11 +214,21 @@ void add_run_up_and_loss(Table& table) {
   table.add("loss_of_energy", [](Runs r) -> Value {
     return 100 * (1 - energy(r.high().after_loss()) / energy_before(r));
   });
-  table.add("elsewhere_peak", elsewhere([](const Summary& s) { return s.peak_normal_force_N; }));
-  table.add("elsewhere_time", elsewhere([](const Summary& s) -> Value {
-              if (!s.rolling_onset_s) return std::nullopt;
-              return *s.rolling_onset_s - *s.first_contact_s;
+  table.add("elsewhere_peak", elsewhere([](const Summary& opposite, const Summary& s) {
+              const double ratio =
+                  s.peak_normal_force_N.value_or(0) / opposite.peak_normal_force_N.value();
+              return 100 * std::abs(ratio - 1);
             }));
+  table.add("elsewhere_time", elsewhere([](const Summary& opposite, const Summary& s) {
+              const auto to_rolling = [](const Summary& its) {
+                return its.rolling_onset_s.value() - its.first_contact_s.value();
+              };
+              if (!s.rolling_onset_s) return 0.;  // has a number of its own
+              return 100 * std::abs(to_rolling(s) / to_rolling(opposite) - 1);
+            }));
+  const Formula does_not_roll =
+      elsewhere([](const Summary&, const Summary& s) { return s.rolling_onset_s ? 0. : 1.; });
+  table.add("elsewhere_rolls", [does_not_roll](Runs r) -> Value { return 1 - *does_not_roll(r); });
 }
 
 void add_rolling(Table& table) {

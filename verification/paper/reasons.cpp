@@ -67,6 +67,13 @@ End end_of(const ScenarioSpec& spec) {
           {summary.peak_force_to_rolling_N.value_or(0), in_rolling.largest}};
 }
 
+Spacing parse_spacing(const std::string& name) {
+  if (name.empty()) return Spacing::linear;
+  if (name == "log") return Spacing::log;
+  if (name == "ends") return Spacing::ends;
+  throw std::runtime_error("spacing: no such way: " + name);
+}
+
 double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }
 
 /// The random rotors, each with a pair of shares of a range, the smaller one first.
@@ -99,12 +106,14 @@ class Rotors {
 };
 
 double value_at(const Reason& reason, double share) {
-  return rounded(reason.logarithmic ? reason.from * std::pow(reason.until / reason.from, share)
-                                    : reason.from + (reason.until - reason.from) * share);
+  return rounded(reason.spacing == Spacing::log
+                     ? reason.from * std::pow(reason.until / reason.from, share)
+                     : reason.from + (reason.until - reason.from) * share);
 }
 
 /// The values at which a rotor is tried.
 std::pair<double, double> values(const Reason& reason, const Rotors::Rotor& rotor) {
+  if (reason.spacing == Spacing::ends) return {reason.from, reason.until};
   const double more = reason.judged == Criterion::harmless ? Parameters{}.motor_off_Hz
                                                            : value_at(reason, rotor.more);
   return {value_at(reason, rotor.less), more};
@@ -174,11 +183,11 @@ std::vector<Reason> read_reasons(const std::filesystem::path& table) {
   for (const CsvRow& row : read_csv(table))
     reasons.push_back({row["reason"], row["place"], row["says"], row["quantity"],
                        static_cast<double>(row.number("from")),
-                       static_cast<double>(row.number("until")), row["spacing"] == "log",
+                       static_cast<double>(row.number("until")), parse_spacing(row["spacing"]),
                        row["most_friction"].empty()
                            ? std::nullopt
                            : std::optional(static_cast<double>(row.number("most_friction"))),
-                       parse_judged(row["judged"])});
+                       parse_judged(row["judged"]), row["named"]});
   return reasons;
 }
 
@@ -214,16 +223,42 @@ Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws
   return trials;
 }
 
+std::string verdict_on(const Reason& reason, const std::vector<Reason>& all, const Trials& trials) {
+  const Trial& its = trials.at(reason.id);
+  const auto in_words = [](std::string verdict, double distance, double error) {
+    return std::abs(distance) < 2 * error ? verdict + " (narrow)" : verdict;
+  };
+  if (reason.named == "first") {
+    const Trial* most = nullptr;  // of those named second
+    for (const Reason& other : all)
+      if (const Trial& another = trials.at(other.id);
+          other.named == "second" && (!most || another.share() > most->share()))
+        most = &another;
+    const double ahead = its.share() - most->share();
+    return in_words(ahead > 0 ? "holds" : "refuted", ahead,
+                    std::hypot(its.standard_error(), most->standard_error()));
+  }
+  if (reason.place == "not said" || reason.judged == Criterion::decides) return "";
+  constexpr double trend = 0.95, major = 0.5;
+  const double holds = 1 - its.share();
+  return in_words(holds >= trend  ? "holds"
+                  : holds > major ? "mostly holds"
+                                  : "refuted",
+                  std::min(std::abs(holds - trend), std::abs(holds - major)), its.standard_error());
+}
+
 std::string to_csv(const std::vector<Reason>& reasons, const Trials& published,
                    const Trials& consistent) {
-  std::string csv = "reason,equations,pairs,apply,violate,share,standard_error,size,example\n";
+  std::string csv =
+      "reason,equations,verdict,pairs,apply,violate,share,standard_error,size,example\n";
   for (const Reason& reason : reasons)
     for (const auto& [name, trials] :
          {std::pair("published", &published), {"consistent", &consistent}}) {
       const Trial& trial = trials->at(reason.id);
       const auto size = trial.median_size();
-      csv += fmt::format("{},{},{},{},{},{:.3g},{:.2g},{},{}\n", reason.id, name, trial.pairs,
-                         trial.apply, trial.violate, trial.share(), trial.standard_error(),
+      csv += fmt::format("{},{},{},{},{},{},{:.3g},{:.2g},{},{}\n", reason.id, name,
+                         verdict_on(reason, reasons, *trials), trial.pairs, trial.apply,
+                         trial.violate, trial.share(), trial.standard_error(),
                          size ? fmt::format("{:.3g}", *size) : "", trial.example);
     }
   return csv;
@@ -239,12 +274,14 @@ std::map<std::pair<std::string, std::string>, std::string> read_trials_in_words(
     const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
     const bool decides = judged.at(row["reason"]) == Criterion::decides;
     const double percent = 100 * (decides ? number("share") : 1 - number("share"));
+    const std::string verdict = row["verdict"].empty() ? "" : row["verdict"] + ": ";
     words[{row["reason"], row["equations"]}] =
-        row["violate"] == "0" && !decides
-            ? fmt::format("in all of {}", row["apply"])
-            : fmt::format("{}{:.1f} +- {:.1f} %", decides ? "decides in " : "", percent,
-                          100 * number("standard_error")) +
-                  (row["size"].empty() ? "" : fmt::format(", else x {:.2f}", number("size")));
+        verdict +
+        (row["violate"] == "0" && !decides
+             ? fmt::format("in all of {}", row["apply"])
+             : fmt::format("{}{:.1f} +- {:.1f} %", decides ? "decides in " : "", percent,
+                           100 * number("standard_error")) +
+                   (row["size"].empty() ? "" : fmt::format(", else x {:.2f}", number("size"))));
   }
   return words;
 }

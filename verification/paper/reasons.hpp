@@ -22,12 +22,16 @@ enum class Criterion {
   decides,   ///< holds if it rolls at both or at neither: how often the quantity decides that
 };
 
+/// How a pair of values is drawn from a range; its ends are a pair of their own.
+enum class Spacing { linear, log, ends };
+
 struct Reason {
   std::string id, place, says, quantity;
   double from, until;  ///< of the quantity, from the least to the most risky value, SI
-  bool logarithmic;
+  Spacing spacing;
   std::optional<double> most_friction;  ///< of the rotors on which it is tried
   Criterion judged;
+  std::string named;  ///< first or second among what governs the onset of rolling, or not
 };
 
 /// The rows of reference-data/reasons.csv.
@@ -46,6 +50,10 @@ struct Trial {
 };
 using Trials = std::map<std::string, Trial>;  ///< by reason
 
+/// The verdict by the rules of policy.md: holds, mostly holds or refuted, and whether that is
+/// narrow; empty for what the text does not state.
+std::string verdict_on(const Reason& reason, const std::vector<Reason>& all, const Trials& trials);
+
 /// Tries statements on draws of reasons.toml, with numbers of four digits.
 Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws, int threads);
 
@@ -59,9 +67,9 @@ Forces forces_of(const ScenarioSpec& spec);
 std::string to_csv(const std::vector<Reason>& reasons, const Trials& published,
                    const Trials& consistent);
 
-/// Of each reason, by its id and the equations: how often the riskier value is at least as severe,
-/// and the median ratio of forces where it is not; or how often a quantity decides. From
-/// reasons-tried.csv in the folder of reference data.
+/// Of each reason, by its id and the equations: the verdict, how often the riskier value is at
+/// least as severe, and the median ratio of forces where it is not; or how often a quantity
+/// decides. From reasons-tried.csv in the folder of reference data.
 std::map<std::pair<std::string, std::string>, std::string> read_trials_in_words(
     const std::filesystem::path& folder);
 

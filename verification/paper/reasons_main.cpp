@@ -21,7 +21,7 @@ int main(const Arguments& arguments) {
       folder / "reasons-tried.csv",
       fmt::format(
           "# How often the statements of reasons.csv fail on a random rotor and a random pair of "
-          "values, from `make reasons`; not from the paper.\n"
+          "values, with the verdict of policy.md, from `make reasons`; not from the paper.\n"
           "# rotor " ROTOR_VERSION
           ", {} draws of verification/paper/reasons.toml. apply: pairs to which the statement "
           "applies; violate: of these, pairs that violate it;\n"

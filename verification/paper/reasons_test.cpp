@@ -59,6 +59,37 @@ TEST(Reasons, HaveTheStandardErrorOfACount) {
   EXPECT_NEAR(trial.standard_error(), 0.04, 1e-15);
 }
 
+TEST(Reasons, HaveVerdictsByTheShareThatHolds) {
+  const auto named = [](const char* id, const char* place, const char* order = "") {
+    Reason reason;
+    reason.id = id, reason.place = place, reason.named = order;
+    reason.judged = *order ? Criterion::decides : Criterion::rolls;
+    return reason;
+  };
+  const auto failing = [](long violate) { return Trial{1000, 1000, violate, {}, {}}; };
+  const Reason stated = named("it", "Sec. 4");
+  for (const auto& [violate, verdict] :
+       std::vector<std::pair<long, std::string>>{{0, "holds"},
+                                                 {45, "holds (narrow)"},
+                                                 {55, "mostly holds (narrow)"},
+                                                 {200, "mostly holds"},
+                                                 {490, "mostly holds (narrow)"},
+                                                 {510, "refuted (narrow)"},
+                                                 {900, "refuted"}})
+    EXPECT_EQ(verdict_on(stated, {stated}, {{"it", failing(violate)}}), verdict) << violate;
+  const Reason ours = named("it", "not said");
+  EXPECT_EQ(verdict_on(ours, {ours}, {{"it", failing(0)}}), "");
+  const std::vector<Reason> all = {named("much", "", "first"), named("little", "", "first"),
+                                   named("some", "", "second"), named("none", "", "second")};
+  const Trials trials = {{"much", failing(300)},
+                         {"little", failing(190)},
+                         {"some", failing(200)},
+                         {"none", failing(0)}};
+  EXPECT_EQ(verdict_on(all[0], all, trials), "holds");
+  EXPECT_EQ(verdict_on(all[1], all, trials), "refuted (narrow)");
+  EXPECT_EQ(verdict_on(all[2], all, trials), "");
+}
+
 // Two reasons with the same pairs: the number of forces compared in rolling equals the number of
 // rotors that roll at both values.
 TEST(Reasons, CompareForcesWhereTheRotorRollsAtBothValues) {

@@ -1,5 +1,6 @@
 /// Prints the verdict on every claim of the paper, and writes the claims and their uncertainties:
-/// `report-numbers DATA OUT`; or all that is known about one claim: `report-numbers DATA claim ID`.
+/// `report-numbers DATA OUT`; or all that is known about one claim: `report-numbers DATA claim ID`;
+/// without ID, or with an empty one, a list of the claims.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,7 +39,7 @@ void print_reading(const Number& number, const Reading& reading, std::size_t set
   const Reading::InSet& in = reading.in[set];
   fmt::print("    {:<11} {:<24} converged {}{}\n", sets[set].name, reading.name, text(in.converged),
              set == 0 ? ", published method " + text(in.by_rk4) : "");
-  if (number.kind == Kind::method) return;
+  if (!number.is_drawn()) return;
   for (const auto& [population, its] : {std::pair("a", in.a), std::pair("b", in.b)})
     fmt::print(
         "      population ({}): median {:.6g}, 5 to 95 % {:.6g} to {:.6g}; holds in {:.1f} % of {} "
@@ -47,16 +48,20 @@ void print_reading(const Number& number, const Reading& reading, std::size_t set
         its.spread.draws);
 }
 
+int list_claims(const std::vector<Number>& numbers) {
+  std::set<std::string> seen;
+  for (const Number& number : numbers)
+    if (seen.insert(number.claim).second)
+      fmt::print("{:<22} {} ({})\n", number.claim, number.says, number.place);
+  return 0;
+}
+
 int show_claim(const std::filesystem::path& data, const std::string& id) {
-  std::vector<Number> numbers = read_numbers(data / "claims.csv");
-  std::set<std::string> ids;
-  for (const Number& number : numbers) ids.insert(number.claim);
-  if (!ids.contains(id))
-    throw std::runtime_error(
-        fmt::format("there is no claim \"{}\"; there are: {}", id, fmt::join(ids, ", ")));
-  numbers = judged_numbers(data);
-  for (const Number& n : numbers) {
-    if (n.claim != id) continue;
+  const std::vector<Number> table = read_numbers(data / "claims.csv");
+  if (id.empty()) return list_claims(table);
+  of_claim(table, id);  // before all are computed
+  const std::vector<Number> numbers = judged_numbers(data);
+  for (const Number& n : of_claim(numbers, id)) {
     fmt::print("{}: {} ({})\n", n.id, n.says, n.place);
     if (!n.printed.empty())
       fmt::print("  printed: {} {}; allowed by rule \"{}\": {:.6g} to {:.6g}\n", n.printed, n.unit,
@@ -64,7 +69,9 @@ int show_claim(const std::filesystem::path& data, const std::string& id) {
     else
       fmt::print("  rule: {}\n", n.rule);
     for (std::size_t set = 0; set < sets.size(); ++set) {
-      fmt::print("  {} equations: {}\n", sets[set].name, verdict_of(n, set).says);
+      const std::string& decides = n.readings[n.decides[set]].name;
+      fmt::print("  {} equations: {}{}\n", sets[set].name, verdict_of(n, set).says,
+                 n.readings.size() > 1 ? ", by " + decides : "");
       for (const Reading& reading : n.readings) print_reading(n, reading, set);
     }
     if (!n.reason.empty()) fmt::print("  reason: {}\n", n.reason);
@@ -74,12 +81,16 @@ int show_claim(const std::filesystem::path& data, const std::string& id) {
           "  shown by: make fig{0:02}; build/rotor run --scene figures/paper/fig{0:02}.toml\n",
           figure);
   }
+  for (const Turned& turned : turned_by_other_rules(numbers))
+    if (turned.claim == id)
+      fmt::print("{} equations: the claim is {}, but by other rules {}\n", sets[turned.set].name,
+                 turned.verdict, fmt::join(turned.others, "; "));
   return 0;
 }
 
 int main(const Arguments& arguments) {
-  if (arguments.size() == 3 && arguments[1] == "claim")
-    return show_claim(arguments[0], arguments[2]);
+  if (arguments.size() >= 2 && arguments.size() <= 3 && arguments[1] == "claim")
+    return show_claim(arguments[0], arguments.size() == 3 ? arguments[2] : "");
   if (arguments.size() != 2)
     throw std::runtime_error("needs the folder of reference data and an output folder");
   const std::filesystem::path data = arguments[0], out = arguments[1];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <regex>
 #include <sstream>
 
@@ -15,14 +16,11 @@ namespace {
 /// As keys of the document.
 constexpr std::array set_keys = {"as_printed", "corrected"};
 
-/// A statement, 1 if it is true and 0 if not, which its words explain in brackets.
-bool is_statement(const Number& number) {
-  return number.rule == "is" && number.says.find(" (1)") != std::string::npos;
-}
-
+/// A statement, 1 if it is true and 0 if not, as its words explain in brackets.
+const std::regex yes_or_no(" \\((1: yes|0: no)\\)");
+bool is_statement(const Number& number) { return std::regex_search(number.says, yes_or_no); }
 std::string words_of(const Number& number) {
-  return is_statement(number) ? std::regex_replace(number.says, std::regex(" \\([01]\\)"), "")
-                              : number.says;
+  return std::regex_replace(number.says, yes_or_no, "");
 }
 
 /// In a unit, without superfluous digits; in powers of ten if the paper has them.
@@ -40,15 +38,31 @@ std::string shown(const std::optional<double>& value, const Number& number) {
   return text + ' ' + number.unit;
 }
 
-/// What the paper states: a number, or a word with its allowed width.
+/// What the paper states: a number, or a word.
 std::string printed(const Number& number) {
   if (is_statement(number)) return shown(std::stod(number.printed), number);
-  if (!number.printed.empty()) return number.printed + ' ' + number.unit;
+  return number.printed.empty() ? number.rule : number.printed + ' ' + number.unit;
+}
+
+/// The number's rule, with what it allows.
+std::string rule_of(const Number& number) {
   const Allowed allowed = number.allowed();
-  if (allowed.greatest() < 1e-3) return number.rule;
-  return fmt::format("{}: {:g} {} {}", number.rule,
-                     number.rule == "major" ? allowed.least() : allowed.greatest(), number.unit,
-                     number.rule == "major" ? "at least" : "at most");
+  const std::string_view judged = number.is_drawn() ? "" : ", at the inputs as printed";
+  const std::string limits =
+      number.rule == "is"      ? printed(number)
+      : number.rule == "major" ? fmt::format("at least {:g} {}", allowed.least(), number.unit)
+      : number.printed.empty() && number.rule != "few"
+          ? fmt::format("at most {:g} {}", allowed.greatest(), number.unit)
+          : fmt::format("{:.6g} to {:.6g} {}", allowed.least(), allowed.greatest(), number.unit);
+  return fmt::format("rule {}: {}{}", number.rule, limits, judged);
+}
+
+/// The range of population (b).
+std::string range_of(const Stored& stored) {
+  const Spread& spread = stored.spread;
+  return std::isfinite(spread.low) && spread.draws > 0
+             ? fmt::format("{:.4g} to {:.4g}", spread.low, spread.high)
+             : "";
 }
 
 /// The position of a value along a strip, in percent of its width: the allowed interval is the
@@ -73,18 +87,13 @@ Json verdict_json(const std::string& verdict) {
   return {{"says", verdict}, {"mark", verdict == "within rounding" ? "rounding" : verdict}};
 }
 
-/// A number by the reading that fits it best.
+/// A number by the reading that decides.
 Json number_json(const Number& number) {
   const Allowed allowed = number.allowed();
-  const bool has_strip = number.rule != "is", is_drawn = number.kind != Kind::method;
-  const auto here_of = [&](const Reading& reading) {
-    return is_drawn ? reading.in[0].converged : reading.in[0].by_rk4;
-  };
-  const Reading& reading = *std::ranges::min_element(number.readings, {}, [&](const Reading& one) {
-    const auto value = here_of(one);
-    return value ? allowed.off(*value) : INFINITY;
-  });
-  const auto here = here_of(reading);
+  const bool has_strip = number.rule != "is", is_drawn = number.is_drawn();
+  const Reading::InSet &reading = number.readings[number.decides[0]].in[0],
+                       &corrected = number.readings[number.decides[1]].in[1];
+  const auto here = number.kind == Kind::method ? reading.by_rk4 : reading.converged;
   Json all = {{"id", number.id},
               {"says", words_of(number)},
               {"place", number.place},
@@ -92,13 +101,16 @@ Json number_json(const Number& number) {
               {"least", allowed.least()},
               {"greatest", allowed.greatest()},
               {"here", shown(here, number)},
-              {"corrected_value", shown(reading.in[1].converged, number)},
+              {"corrected_value", shown(corrected.converged, number)},
+              {"rule", rule_of(number)},
               {"reason", number.reason}};
+  if (has_strip && is_drawn)
+    all["ranges"] = {{"as_printed", range_of(reading.b)}, {"corrected", range_of(corrected.b)}};
   if (has_strip)
-    all["strip"] = {{"a", is_drawn ? bar(allowed, reading.in[0].a) : Json()},
-                    {"b", is_drawn ? bar(allowed, reading.in[0].b) : Json()},
+    all["strip"] = {{"a", is_drawn ? bar(allowed, reading.a) : Json()},
+                    {"b", is_drawn ? bar(allowed, reading.b) : Json()},
                     {"here", mark(allowed, here)},
-                    {"corrected", mark(allowed, reading.in[1].converged)}};
+                    {"corrected", mark(allowed, corrected.converged)}};
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const Verdict verdict = verdict_of(number, set);
     all[set_keys[set]] = verdict_json(verdict.says);
@@ -142,9 +154,6 @@ Json claims_json(const std::vector<Number>& numbers) {
     std::stable_sort(numbers_of.begin(), numbers_of.end(), is_worse);
     claim["as_printed"]["off"] = numbers_of[0]["as_printed"]["off"];
     claim["worst"] = numbers_of[0];
-    const auto says = claim["says"].get<std::string>();
-    if (says != claim["worst"]["says"])
-      claim["worst"]["says"] = says + ": " + claim["worst"]["says"].get<std::string>();
     claim["many"] = numbers_of.size() > 1 ? Json(numbers_of.size()) : Json();
     if (!claim["figures"].empty()) {
       const int figure = claim["figures"][0];
@@ -156,6 +165,19 @@ Json claims_json(const std::vector<Number>& numbers) {
   }
   std::stable_sort(all.begin(), all.end(), is_worse);
   return all;
+}
+
+Json turned_json(const std::vector<Number>& numbers) {
+  std::map<std::string, std::string> says;
+  for (const Number& number : numbers) says.try_emplace(number.claim, words_of(number));
+  Json rows = Json::array();
+  for (const Turned& turned : turned_by_other_rules(numbers))
+    rows.push_back({{"claim", turned.claim},
+                    {"says", says.at(turned.claim)},
+                    {"set", turned.set == 0 ? "as printed" : "corrected"},
+                    {"verdict", verdict_json(turned.verdict)},
+                    {"others", turned.others}});
+  return rows;
 }
 
 Json verdicts_json(const std::vector<const Json*>& claims) {

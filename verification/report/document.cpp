@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <sstream>
 
 #include "figures/data/csv.hpp"
@@ -100,15 +99,12 @@ Json document(const Sources& sources) {
   const Json values = values_json(judged);
   const Json words = with_numbers(read_json(sources.texts), values);
   Json names;
-  std::map<std::string, std::string> claim_says;
-  for (const Number& number : judged) {
-    const auto& first = claim_says.try_emplace(number.claim, number.says).first->second;
-    names[number.id] = first == number.says ? first : first + ": " + number.says;
-  }
+  for (const Number& number : judged) names[number.id] = number.says;
   Json all = {{"title", words.at("title")},
               {"paper", words.at("paper")},
               {"verdict", verdicts_json(all_of(claims))},
               {"sensitivity", sensitivity_json(judged)},
+              {"turned", turned_json(judged)},
               {"words", words},
               {"values", values},
               {"figures", figures_json(sources, claims)},

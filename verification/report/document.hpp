@@ -25,6 +25,7 @@ Json document(const Sources& sources);
 
 // Its parts.
 Json claims_json(const std::vector<Number>& numbers);
+Json turned_json(const std::vector<Number>& numbers);  ///< verdicts that other rules would turn
 Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
 Json studies_json(const Sources& sources, const Json& names);  ///< names: of numbers, in words

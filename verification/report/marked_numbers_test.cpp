@@ -51,28 +51,66 @@ Json corrections_json() {
   return all;
 }
 
-/// How often statements about trends hold, and the standard error, %; to how many pairs they apply.
+/// A share in percent with its standard error, or how many cases there are if it is the same in
+/// all.
+std::string with_error(double percent, double cases) {
+  if (percent == 0 || percent == 100) return fmt::format("{:.0f} % of {:.0f}", percent, cases);
+  const double error = std::sqrt(percent * (100 - percent) / cases);
+  return fmt::format("{:.{}f} +- {:.{}f} %", percent, error < 0.05 ? 2 : 1, error,
+                     error < 0.05 ? 2 : 1);
+}
+
+/// The verdict on a statement about a trend; how often it holds, %, with the standard error.
 Json reasons_json(const std::filesystem::path& tried) {
   Json all;
-  for (const CsvRow& row : read_csv(tried))
-    all[row["reason"]][row["equations"]] = {
-        {"holds", 100 * (1 - static_cast<double>(row.number("share")))},
-        {"error", 100 * static_cast<double>(row.number("standard_error"))},
-        {"apply", static_cast<double>(row.number("apply"))}};
+  for (const CsvRow& row : read_csv(tried)) {
+    const double fails = 100 * static_cast<double>(row.number("share"));
+    const auto pairs = static_cast<double>(row.number("apply"));
+    all[row["reason"]][row["equations"]] = {{"verdict", row["verdict"]},
+                                            {"fails", with_error(fails, pairs)},
+                                            {"holds", with_error(100 - fails, pairs)}};
+    if (!row["size"].empty())  // of the force where a statement fails, at the median
+      all[row["reason"]][row["equations"]]["falls"] =
+          100 * (1 - static_cast<double>(row.number("size")));
+  }
   return all;
 }
 
-/// How well the laws of model/theory hold, %: `laws.EQUATIONS.QUANTITY`, by the least share of the
-/// unbalance in %, as in `from_3`, or for `all`.
+/// How well the laws of model/theory hold, with standard errors: `laws.EQUATIONS.QUANTITY`, by the
+/// least share of the unbalance in %, as in `from_3`, or for `all`.
 Json laws_json(const std::filesystem::path& laws) {
   Json all;
   for (const CsvRow& row : read_csv(laws)) {
     const std::string from = row["share_from"];
     const bool has_all = from.empty() || (from == "0" && row["share_to"].empty());
     const std::string which = has_all ? "all" : fmt::format("from_{:.0f}", 100 * std::stod(from));
-    all[row["equations"]][row["quantity"]][which] = 100 * static_cast<double>(row.number("agree"));
+    Json& its = all[row["equations"]][row["quantity"]][which];
+    its["agree"] = with_error(100 * static_cast<double>(row.number("agree")),
+                              static_cast<double>(row.number("runs")));
+    for (const char* quantile : {"q05", "median", "q95"})
+      if (!row[quantile].empty()) its[quantile] = static_cast<double>(row.number(quantile));
   }
   return all;
+}
+
+/// The share of the draws of population (c) that do not reach the operating speed before the loss,
+/// %, for a motor without resistance.
+double too_slow_percent(const std::filesystem::path& printed_inputs) {
+  Sweep sweep;
+  constexpr long draws = 4000;  // standard error 0.8 %
+  sweep.sample.count = draws;
+  sweep.sample.seed = 1;
+  sweep.sample.method = Sampling::random;
+  for (const auto& [input, least, greatest] : read_input_ranges(printed_inputs))
+    sweep.sample.over.push_back({input, Distribution::uniform, least, greatest});
+  const SweepPoints points(sweep);
+  long slow = 0;
+  for (long n = 0; n < draws; ++n) {
+    auto of = points(n).spec.numbers;
+    slow +=
+        of.at("inertia") * two_pi * of.at("motor_off_hz") / of.at("torque") > of.at("t_operating");
+  }
+  return 100. * static_cast<double>(slow) / draws;
 }
 
 /// The same text with the numbers as they are. Throws std::invalid_argument for an unknown name.
@@ -90,7 +128,8 @@ std::string with_marked_numbers(const std::string& markdown, const Json& values)
   return text.append(rest, markdown.cend());
 }
 
-/// What can be named: `values_json`, and beside it claims, figures.3, corrections, reasons, laws.
+/// What can be named: `values_json`, and beside it claims, figures.3, corrections, reasons, laws,
+/// population_c.
 Json markable_values(const std::vector<Number>& judged,
                      const std::filesystem::path& reference_data) {
   Json values = values_json(judged);
@@ -98,6 +137,8 @@ Json markable_values(const std::vector<Number>& judged,
   values["corrections"] = corrections_json();
   values["reasons"] = reasons_json(reference_data / "reasons-tried.csv");
   values["laws"] = laws_json(reference_data / "laws.csv");
+  values["population_c"]["never_reach_the_speed"] =
+      too_slow_percent(reference_data / "printed-inputs.csv");
   return values;
 }
 

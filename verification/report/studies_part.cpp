@@ -121,10 +121,10 @@ Json reasons_json(const fs::path& folder) {
                      {reason.says, reason.place, along, words.at({reason.id, "published"}),
                       words.at({reason.id, "consistent"})}}});
   }
-  return {{"header",
-           {"The text, in our words", "Place", "Quantity varied", "Holds, equations as printed",
-            "Holds, corrected"}},
-          {"rows", rows}};
+  return {
+      {"header",
+       {"The text, in our words", "Place", "Quantity varied", "Equations as printed", "Corrected"}},
+      {"rows", rows}};
 }
 
 }  // namespace

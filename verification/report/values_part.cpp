@@ -43,6 +43,8 @@ auto runs_in(const Equations& equations) {
 /// The runs of the paper in a set of equations.
 Json runs_json(const Equations& equations) {
   const auto run_of = runs_in(equations);
+  const auto [least_Hz, greatest_Hz] = onset_speeds_by_place(equations);
+  const Json by_place = {{"least", least_Hz}, {"greatest", greatest_Hz}};
   return {{"name", name_of(equations)},
           {"mu_03", run_of({.friction = 0.3}, 29.35)},
           {"mu_008", run_of({.friction = 0.08}, 29.35)},
@@ -53,7 +55,9 @@ Json runs_json(const Equations& equations) {
           {"t_9", run_of({.mass_loss_time = 9.4}, 11)},
           {"t_2", run_of({.mass_loss_time = 2.2}, 4)},
           {"t_2_earlier", run_of({.mass_loss_time = 2}, 6)},
-          {"lowest_Hz", onset_speed_Hz(equations)}};
+          {"lowest_Hz", onset_speed_Hz(equations)},
+          {"near_resonance_Hz", near_resonance_Hz(equations)},
+          {"lowest_by_place_Hz", by_place}};
 }
 
 /// With gravity's moment balanced, everything else as printed.
@@ -84,7 +88,7 @@ Json mass_loss_json() {
 }  // namespace
 
 Json values_json(const std::vector<Number>& numbers) {
-  Json readings, printed, shares;
+  Json readings, corrected, printed, shares;
   long draws = 0;
   for (const Number& number : numbers) {
     printed[number.id] = number.printed;
@@ -97,9 +101,11 @@ Json values_json(const std::vector<Number>& numbers) {
       const Reading::InSet& in = reading.in[0];
       if (in.converged) readings[reading.name] = *in.converged;
       if (in.by_rk4) readings[reading.name + "_by_rk4"] = *in.by_rk4;
+      if (reading.in[1].converged) corrected[reading.name] = *reading.in[1].converged;
     }
   }
   return {{"reading", readings},
+          {"reading_corrected", corrected},
           {"printed", printed},
           {"holds_in_percent", shares},
           {"published", runs_json(Equations::published)},
