@@ -130,11 +130,11 @@ std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
       {.says = "only the inputs as printed", .own_method = false, .populations = false}};
   std::vector<Turned> turned;
   for (std::size_t set = 0; set < sets.size(); ++set)
-    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set)) {
-      Turned one{claim, set, verdict, {}};
+    for (const Number& number : numbers) {
+      const std::string verdict = verdict_of(number, set).says;
+      Turned one{number, set, verdict, {}};
       for (const Judging& rule : rules)
-        if (const std::string other = verdicts_of_claims(numbers, set, rule).at(claim);
-            other != verdict)
+        if (const std::string other = verdict_of(number, set, rule).says; other != verdict)
           one.others.push_back(fmt::format("{}: {}", other, rule.says));
       if (!one.others.empty()) turned.push_back(one);
     }

@@ -77,15 +77,15 @@ const std::vector<Number>& judged();
 std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
                                                       std::size_t set, const Judging& judging = {});
 
-/// A verdict on a claim, and those that other rules of policy.md would give: "refuted: every
+/// The verdict on a number, and those that other rules of policy.md would give: "refuted: every
 /// reading must hold".
 struct Turned {
-  std::string claim;
+  Number number;
   std::size_t set;
   std::string verdict;
   std::vector<std::string> others;
 };
-/// All claims with a verdict that another rule would turn.
+/// All numbers with a verdict that another rule would turn.
 std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers);
 
 /// Counts of verdicts with half, once and twice the widths of words.

@@ -81,10 +81,9 @@ int show_claim(const std::filesystem::path& data, const std::string& id) {
           "  shown by: make fig{0:02}; build/rotor run --scene figures/paper/fig{0:02}.toml\n",
           figure);
   }
-  for (const Turned& turned : turned_by_other_rules(numbers))
-    if (turned.claim == id)
-      fmt::print("{} equations: the claim is {}, but by other rules {}\n", sets[turned.set].name,
-                 turned.verdict, fmt::join(turned.others, "; "));
+  for (const Turned& turned : turned_by_other_rules(of_claim(numbers, id)))
+    fmt::print("{}, {} equations: {}, but by other rules {}\n", turned.number.id,
+               sets[turned.set].name, turned.verdict, fmt::join(turned.others, "; "));
   return 0;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <regex>
 #include <sstream>
 
@@ -168,12 +167,10 @@ Json claims_json(const std::vector<Number>& numbers) {
 }
 
 Json turned_json(const std::vector<Number>& numbers) {
-  std::map<std::string, std::string> says;
-  for (const Number& number : numbers) says.try_emplace(number.claim, words_of(number));
   Json rows = Json::array();
   for (const Turned& turned : turned_by_other_rules(numbers))
-    rows.push_back({{"claim", turned.claim},
-                    {"says", says.at(turned.claim)},
+    rows.push_back({{"claim", turned.number.claim},
+                    {"says", words_of(turned.number)},
                     {"set", turned.set == 0 ? "as printed" : "corrected"},
                     {"verdict", verdict_json(turned.verdict)},
                     {"others", turned.others}});

@@ -112,7 +112,8 @@ TEST(Render, EscapesAndPrintsSymbols) {
 // Each column of the claims matches its head, and each mark has its position.
 TEST(ClaimRows, HaveEachNumberInItsColumn) {
   const Json strip = {{"here", {{"at", "50"}}}, {"corrected", {{"at", "60"}}}};
-  const Json claim = {{"worst",
+  const Json claim = {{"claim", "F_in"},
+                      {"worst",
                        {{"says", "says"},
                         {"printed", "1.5 s"},
                         {"here", "2.5 s"},
@@ -121,9 +122,9 @@ TEST(ClaimRows, HaveEachNumberInItsColumn) {
   const std::string rows =
       render(content_of(room / "claim_rows.mustache.html"), {}, {{"claims", {claim}}});
   for (const char* part :
-       {"<td data-label=\"paper\">1.5\u00a0s</td>", "<td data-label=\"here\">2.5\u00a0s</td>",
-        "<td data-label=\"corrected\">3.5\u00a0s</td>", "class=\"here\" style=\"left:50%\"",
-        "class=\"corrected\" style=\"left:60%\""})
+       {"<tr id=\"claim-F_in\">", "<td data-label=\"paper\">1.5\u00a0s</td>",
+        "<td data-label=\"here\">2.5\u00a0s</td>", "<td data-label=\"corrected\">3.5\u00a0s</td>",
+        "class=\"here\" style=\"left:50%\"", "class=\"corrected\" style=\"left:60%\""})
     EXPECT_NE(rows.find(part), std::string::npos) << part << rows;
 }
 
