@@ -64,8 +64,8 @@ struct SummaryField {
   std::string_view meaning;
   std::variant<Outcome Of::*, long Of::*, bool Of::*, S Of::*, std::optional<S> Of::*> value;
   ErrorScale scale = ErrorScale::own;
-  S (*error_base)
-  (const Of&) = nullptr;  ///< the larger quantity of which it is a part or difference
+  /// The larger quantity of which it is a part or difference.
+  S (*error_base)(const Of&) = nullptr;
   Settled settled = Settled::once_known;
 
   /// Whether a run that stopped as soon as its outcome was decided has the whole run's value.

@@ -59,6 +59,8 @@ TEST(ReportTexts, NameTestsThatExist) {
       known.push_back(std::string(all.GetTestSuite(s)->name()) + '.' +
                       name.substr(0, name.find('/')));
     }
+  if (std::ranges::find(known, "Rooms.IncludeOnlyWhatTheyMay") == known.end())
+    GTEST_SKIP() << "other folders' tests are not in this program";
   for (const Json& contradiction : texts().at("contradictions")) {
     EXPECT_EQ(contradiction.at("derivation").size(), 3U) << contradiction.at("title");
     for (const Json& test : contradiction.at("tests"))
