@@ -35,8 +35,10 @@ class DenseOutputOf : public BasicDenseOutput<S> {
   BasicInstant<S> at(const S& time_s) const override {
     BasicInstant<S> instant = start_;
     instant.time_s = time_s;
-    instant.state =
-        step_.system().phase().chart.state(step_.dense_output()(time_s - start_.time_s));
+    const auto& chart = step_.system().phase().chart;
+    instant.state = time_s == this->until_s  // where it costs nothing
+                        ? chart.state(step_.stop().x)
+                        : chart.state(step_.dense_output()(time_s - start_.time_s));
     return instant;
   }
 

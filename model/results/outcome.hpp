@@ -62,7 +62,7 @@ class BasicOutcomeWatch {
   void note_speed(const std::optional<S>& speed) { early_speed_ = speed; }
   const std::optional<S>& early_speed() const { return early_speed_; }
 
-  /// To be called at all events, and at the end.
+  /// To be called at all events, and at the end; in flight at any time.
   void note(const BasicInstant<S>& at) {
     touched_ = touched_ || at.contact != ContactState::free;
     rolled_ = rolled_ || at.contact == ContactState::rolling;

@@ -9,10 +9,11 @@
 
 namespace rotor {
 
-/// Where a run may end. outcome: as soon as the mass loss or a later event decides it, whatever
-/// speeds the rotor can still have. rolling: at the first maximum of the force after the onset of
-/// rolling; so does outcome. rest: after a second below 0.1 Hz, which counts after the mass loss
-/// or, in a run without one, after a motor has driven the rotor faster than that.
+/// Where a run may end. outcome: as soon as the mass loss, a later event or the end of a step in
+/// flight decides it, whatever speeds the rotor can still have. rolling: at the first maximum of
+/// the force after the onset of rolling; so does outcome. rest: after a second below 0.1 Hz, which
+/// counts after the mass loss or, in a run without one, after a motor has driven the rotor faster
+/// than that.
 enum class StopOn { outcome, rolling, rest };
 
 class StopObserver : public Observer {
@@ -31,6 +32,7 @@ class StopObserver : public Observer {
     watch_.note(at);
     if (at.event == Event::mass_loss) slow_since_s_ = at.time_s;
     mass_lost_ = at.mass_lost;
+    is_free_ = at.contact == ContactState::free;
     if (at.contact == ContactState::rolling) rolled_ = true;
     if (rolled_) in_rolling_.await();
     in_rolling_.on_instant(at);
@@ -38,13 +40,17 @@ class StopObserver : public Observer {
       force_.await();
     force_.on_instant(at);
     if (stop_on_ != StopOn::outcome || !loss_is_over()) return;
-    const Outcome outcome = watch_.outcome();
     const bool rolled_before =
         at.event == Event::mass_loss && in_rolling_.is_found() && !at.touches();
-    reached_ =
-        reached_ || rolled_before ||
-        (at.event != Event::none && (outcome == Outcome::freed || outcome == Outcome::no_contact) &&
-         watch_.stays_clear());
+    reached_ = reached_ || rolled_before || (at.event != Event::none && stays_clear());
+  }
+
+  bool wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const override {
+    return stop_on_ == StopOn::outcome && loss_is_over() && is_free_;
+  }
+  void on_step(const DenseOutput& step) override {
+    watch_.note(step.at(step.until_s));
+    reached_ = reached_ || stays_clear();
   }
 
   double threshold(Extreme of, const double& from_s, const double& until_s) const override {
@@ -69,6 +75,10 @@ class StopObserver : public Observer {
 
  private:
   bool loss_is_over() const { return mass_lost_ || !loses_mass_; }
+  bool stays_clear() const {
+    const Outcome outcome = watch_.outcome();
+    return (outcome == Outcome::freed || outcome == Outcome::no_contact) && watch_.stays_clear();
+  }
 
   StopOn stop_on_;
   bool loses_mass_;
@@ -77,7 +87,7 @@ class StopObserver : public Observer {
   NextMaximum<double> force_;       ///< at which the run ends
   double slow_since_s_ = 0;
   bool has_turned_;
-  bool mass_lost_ = false, rolled_ = false, reached_ = false;
+  bool mass_lost_ = false, is_free_ = false, rolled_ = false, reached_ = false;
 };
 
 }  // namespace rotor
