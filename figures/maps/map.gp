@@ -1,6 +1,6 @@
 # A map, published and consistent equations side by side. A script with the map's name, loaded before, defines
 # the axes; the caller sets, besides what style.gp needs:
-#   theory  closed forms at the same points
+#   theory  the lines of closed forms, as map-theory writes them
 #   shows   outcome or force
 
 if (!exists("rows")) { rows = 1; name_of_row(unused) = "" }
@@ -19,35 +19,25 @@ array name[classes] = ["no contact", "freed after contact", "bouncing after 0.5 
   "backward rolling", "undecided after 0.5 s", "touches or stalls before the loss"]
 kN(force) = force eq "" ? NaN : real(force)/1e3
 
-stats data using (1) nooutput name "all"
-panel = int(all_records)/(2*rows)
-stats theory using (1) nooutput name "closed"
-closed_scan = int(sqrt(closed_records/(2*rows)) + 0.5)
+# gnuplot reads numbers much faster than a table with all its names.
+nth(name) = int(system(sprintf("sed -n '/^[^#]/{p;q}' '%s' | tr , '\\n' | grep -nx %s | cut -d: -f1", data, name)))
+result = nth(shows eq "outcome" ? "outcome" : "peak_force_to_rolling_N")
+panel = (int(system(sprintf("grep -vc '^#' '%s'", data))) - 1)/(2*rows)
+rows_of(p) = sprintf("< awk -F, -v OFS=, '!/^#/ && n++ > %d { print $%d, $%d, $%d } n > %d { exit }' '%s'", \
+  p*panel, result, nth(abscissa), nth(ordinate), (p + 1)*panel, data)
+first_of(p) = sprintf("< awk '!/^#/ && (!n++ || n > %d) { print } n > %d { exit }' '%s'", 1 + p*panel, 1 + p*panel, data)
 
-# Lines on which a closed form equals the quantity it is compared with: $closed_P_I of panel P and form I.
-forms = 6
-array form[forms] = ["greatest_m", "bound_m", "steady_m", "synchronous_friction", "rebound_friction", "peak_force_N"]
-array meaning[forms] = ["closed forms: border of contact", "limit of possible contact", \
+# Lines on which a closed form equals the quantity it is compared with.
+forms = shows eq "force" ? 6 : 5
+array form[6] = ["greatest", "bound", "steady", "forward", "rebound", "peak"]
+array meaning[6] = ["closed forms: border of contact", "limit of possible contact", \
   "steady response reaches the ring", "limit of lasting forward rub", \
   "limit of backward whirl by rebounds", "largest force of 300 kN"]
-array line[forms] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linewidth 1.2 dashtype (5,4)", \
+array line[6] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linewidth 1.2 dashtype (5,4)", \
   "linecolor rgb blue linewidth 1.6 dashtype (2,2)", "linecolor rgb '#7a0177' linewidth 1.8 dashtype (8,3)", \
   "linecolor rgb '#006d2c' linewidth 1.8 dashtype (8,3,2,3)", "linecolor rgb '#30c0c0' linewidth 1.8"]
-nth(name) = int(system(sprintf("sed -n '/^[^#]/{p;q}' '%s' | tr , '\\n' | grep -nx %s | cut -d: -f1", theory, name)))
-u = nth(abscissa); v = nth(ordinate); mu = nth("mu"); gap = nth("clearance_m")
-array of[forms]
-do for [i = 1:forms] { of[i] = nth(form[i]) }
-excess(i) = i == 6 ? (shows eq "force" ? column(of[i])/3e5 - 1 : 1) : i > 3 ? (column(of[i]) > 1 ? 1 : column(of[i])) - column(mu) : column(of[i])/column(gap) - 1
-set contour base; unset surface; set cntrparam levels discrete 0; set zrange [-1000:1000]
-do for [p = 0:2*rows - 1] { do for [i = 1:forms] {
-  eval sprintf("set table $closed_%d_%d", p, i)
-  splot theory every :::p*closed_scan + 1::(p + 1)*closed_scan using (along_x(column(u))):(along_y(column(v))):(excess(i))
-  unset table
-} }
-unset contour; set surface
-
-nth_word(n) = real(word(strcol(1), n))    # gnuplot's tables have no commas
-array seen[forms] = [0, 0, 0, 0, 0, 0]
+array seen[6] = [0, 0, 0, 0, 0, 0]
+x_of(p, i) = column("panel") == p && strcol("line") eq form[i] ? along_x(column("x")) : NaN
 
 set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome" : "largest normal force")
 set tics front out
@@ -60,15 +50,15 @@ if (x_log) { set xtics 1 }
 if (y_log) { set ytics 1 }
 if (shows eq "outcome") {
   eval outcome_palette
-  value = "outcome_code(strcol('outcome'))"
+  its(unused) = outcome_code(strcol(1))
 } else {
   eval force_palette
   set logscale cb
-  darkest = 1000; greatest = 0
+  darkest = 1000
   set cbrange [1:darkest]
-  value = "kN(strcol('peak_force_to_rolling_N'))"
-  eval sprintf("stats data using (force = %s, greatest = force > greatest ? force : greatest, column('%s')) nooutput", \
-    value, abscissa)
+  its(unused) = kN(strcol(1))
+  greatest = real(system(sprintf("awk -F, '!/^#/ && n++ && $%d > most { most = $%d } END { print most/1e3 }' '%s'", \
+    result, result, data)))
   if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }
 }
 top = 0.9; bottom = rows == 2 ? 0.19 : 0.28
@@ -80,7 +70,7 @@ do for [p = 0:2*rows - 1] {
   set rmargin at screen at_left ? 0.515 : 0.98
   set tmargin at screen top - height*(p/2) - 0.03
   set bmargin at screen top - height*(p/2 + 1) + 0.02
-  eval sprintf("stats data every ::p*panel::p*panel using (titled = name_of_panel(0), column('%s')) nooutput", abscissa)
+  stats first_of(p) using (titled = name_of_panel(0), column(abscissa)) nooutput
   set title titled offset 0,-0.6
   set format x (at_bottom ? numbers(x_log) : ""); set format y (at_left ? numbers(y_log) : "")
   set xlabel (at_bottom ? x_name : "") offset 0,0.4
@@ -91,14 +81,12 @@ do for [p = 0:2*rows - 1] {
   }
   drawn = ""
   do for [i = 1:forms] {
-    eval sprintf("lines = |$closed_%d_%d|", p, i)
-    if (lines > 5) {
-      drawn = drawn.sprintf(", $closed_%d_%d using (nth_word(1)):(nth_word(2)) with lines %s", p, i, line[i])
+    if (int(system(sprintf("grep -c '^%d,%s,' '%s' || true", p, form[i], theory)))) {
+      drawn = drawn.sprintf(", theory using (x_of(%d, %d)):(along_y(column('y'))) with lines %s", p, i, line[i])
       seen[i] = 1
     }
   }
-  eval sprintf("plot data every ::p*panel::(p + 1)*panel - 1 using (along_x(column('%s'))):(along_y(column('%s'))):(%s) with image", \
-    abscissa, ordinate, value).drawn
+  eval "plot rows_of(p) using (along_x($2)):(along_y($3)):(its(0)) with image".drawn
 }
 
 # What the colours and lines mean.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -60,10 +61,18 @@ class MassLossResponse {
   /// of 16,000 periods of the faster motion.
   double greatest() const {
     constexpr double none = std::numeric_limits<double>::infinity();  // before the first sample
-    double found = steady(), last = none, here = std::abs(position(0)), t = 0;
-    for (long n = 0; n < most_looks && reach_from(t) > (1 + 1e-5) * found; ++n) {
-      t += look();
-      const double next = std::abs(position(t)), bend = 2 * here - last - next;
+    // Each sample turns the last: its rounding, 1e-16, adds up to 1e-10.
+    std::array<Complex, 3> parts = {driven(0), forward(0), backward(0)};
+    const std::array turns = {std::exp(i * speed_ * look()),
+                              std::exp((i * frequency_ - decay_) * look()),
+                              std::exp(-(i * frequency_ + decay_) * look())};
+    const double decay = std::exp(-decay_ * look());
+    double found = steady(), last = none, here = std::abs(position(0)), swing = bound() - steady();
+    for (long n = 0; n < most_looks && steady() + swing > (1 + 1e-5) * found; ++n) {
+      Complex z = 0;
+      for (std::size_t k = 0; k < parts.size(); ++k) z += parts[k] *= turns[k];
+      swing *= decay;
+      const double next = std::abs(z), bend = 2 * here - last - next;
       const bool is_peak = here >= last && here >= next && bend > 0;
       found = std::max(found, is_peak ? here + (next - last) * (next - last) / (8 * bend) : here);
       last = here;
