@@ -204,7 +204,7 @@ MAPS         := $(filter-out rounding,$(patsubst figures/maps/%.toml,%,$(wildcar
 MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
 MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
 maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (minutes)
-.SECONDARY: $(foreach map,$(MAPS) rounding,$(foreach end,.toml .csv -theory.csv,$(MAP_OUT)/$(map)$(end)))
+.SECONDARY: $(foreach map,$(MAPS) rounding,$(foreach end,.toml .csv -theory.csv -tolerance.txt,$(MAP_OUT)/$(map)$(end)))
 map-theory: build
 	$(call build-target,map-theory)
 $(BUILD)/map-theory: map-theory
@@ -217,15 +217,17 @@ $(MAP_OUT)/%.csv: $(MAP_OUT)/%.toml $(ROTOR)
 # The lines of a coarse map are as fine as those of a full one.
 $(MAP_OUT)/%-theory.csv: figures/maps/%.toml $(BUILD)/map-theory
 	@mkdir -p $(@D); $(BUILD)/map-theory $< > $@
+$(MAP_OUT)/%-tolerance.txt: figures/maps/%.toml figures/maps/tolerance.sh $(ROTOR)
+	@mkdir -p $(@D); figures/maps/tolerance.sh $(ROTOR) $< $(@D) > $@
 $(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
 	@awk -f figures/maps/shares.awk $< > $@
 MAP_STYLE := figures/maps/map.gp figures/paper/style.gp
-$(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp $(MAP_STYLE)
-	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; shows = 'outcome'" figures/maps/$*.gp figures/maps/map.gp
-$(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv figures/maps/%.gp $(MAP_STYLE)
-	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; shows = 'force'" figures/maps/$*.gp figures/maps/map.gp
-$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv figures/maps/rounding.gp figures/paper/style.gp
-	@figures/draw.sh $@ "data = '$<'" figures/maps/rounding.gp
+$(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv $(MAP_OUT)/%-tolerance.txt figures/maps/%.gp $(MAP_STYLE)
+	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; note = '$(word 3,$^)'; shows = 'outcome'" figures/maps/$*.gp figures/maps/map.gp
+$(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv $(MAP_OUT)/%-tolerance.txt figures/maps/%.gp $(MAP_STYLE)
+	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; note = '$(word 3,$^)'; shows = 'force'" figures/maps/$*.gp figures/maps/map.gp
+$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv $(MAP_OUT)/rounding-tolerance.txt figures/maps/rounding.gp figures/paper/style.gp
+	@figures/draw.sh $@ "data = '$<'; note = '$(word 2,$^)'" figures/maps/rounding.gp
 
 verify: build ## build, run all tests, and compare the published numbers with ours
 	$(call build-target,all)

@@ -1,6 +1,7 @@
 # A map, published and consistent equations side by side. A script with the map's name, loaded before, defines
 # the axes; the caller sets, besides what style.gp needs:
 #   theory  the lines of closed forms, as map-theory writes them
+#   note    what tolerance.sh says of the map
 #   shows   outcome or force
 
 if (!exists("rows")) { rows = 1; name_of_row(unused) = "" }
@@ -39,7 +40,8 @@ array line[6] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linew
 array seen[6] = [0, 0, 0, 0, 0, 0]
 x_of(p, i) = column("panel") == p && strcol("line") eq form[i] ? along_x(column("x")) : NaN
 
-set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome" : "largest normal force")
+set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome" : "largest normal force"). \
+  "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
 set tics front out
 unset grid
 unset colorbox
@@ -61,7 +63,7 @@ if (shows eq "outcome") {
     result, result, data)))
   if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }
 }
-top = 0.9; bottom = rows == 2 ? 0.19 : 0.28
+top = 0.88; bottom = rows == 2 ? 0.19 : 0.28
 height = (top - bottom)/rows
 low = rows == 2 ? 0.025 : 0.035
 do for [p = 0:2*rows - 1] {

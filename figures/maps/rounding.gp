@@ -1,14 +1,16 @@
 # The share of rotors that roll, over the rounding of the inputs that are not on the axes, and its standard error
-# for random draws. The caller sets what style.gp needs; data are the output of shares.awk.
+# for random draws. The caller sets what style.gp needs; data are the output of shares.awk, and
+# note what tolerance.sh says of the map.
 eval "set terminal ".square
 stats data using (1) nooutput name "all"
 panel = int(all_records)/2
 stats data every ::0::0 using "draws" nooutput name "draws"
-set multiplot title sprintf("{/:Bold Backward rolling over the rounding of the other inputs}: %d draws at each point", draws_max)
+set multiplot title sprintf("{/:Bold Backward rolling over the rounding of the other inputs}: %d draws at each point", draws_max). \
+  "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
 set tics front out; set xtics 40
 unset grid; unset key; unset colorbox
 set xrange [*:*] noextend; set yrange [*:*] noextend
-top = 0.9; bottom = 0.09; height = (top - bottom)/2
+top = 0.88; bottom = 0.09; height = (top - bottom)/2
 do for [p = 0:3] {
   at_left = p % 2 == 0; at_bottom = p/2 == 1
   set lmargin at screen at_left ? 0.1 : 0.49

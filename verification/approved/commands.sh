@@ -31,7 +31,7 @@ checkout() {
   ln -s "$sources"/Makefile "$sources"/model "$sources"/verification "$sources"/reference-data .
   ln -s "$sources"/figures/paper/fig0[34].* "$sources"/figures/paper/style.gp figures/paper
   ln -s "$sources"/figures/maps/speed-friction.* "$sources"/figures/maps/rounding.* \
-    "$sources"/figures/maps/map.gp "$sources"/figures/maps/shares.awk figures/maps
+    "$sources"/figures/maps/map.gp "$sources"/figures/maps/shares.awk "$sources"/figures/maps/tolerance.sh figures/maps
 }
 make() {
   said=$(env -i PATH="$PWD/bin" packages="$packages" make PYTHON=python3 "$@" 2>&1) && failed= || failed=1
