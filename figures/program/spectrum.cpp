@@ -12,6 +12,7 @@
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
 #include "figures/results/provenance.hpp"
+#include "model/mechanics/contact.hpp"
 
 namespace rotor {
 namespace {
@@ -111,7 +112,7 @@ void plot_spectrum(const Scene& scene, const PlotOptions& options) {
       throw InputError("--spectrum: only method event knows the motion between its steps");
     const double from_s = scene.window.from_s;
     const double length_s = std::min(scene.window.length_s, scenario.until - from_s);
-    const double contact_Hz = in_Hz(std::sqrt(p.contact_stiffness / p.mass));
+    const double contact_Hz = in_Hz(std::sqrt(Ring<double>(p).typical_stiffness() / p.mass));
     const double wanted = samples_a_period * length_s *
                           std::max({contact_Hz, p.motor_off_Hz, scenario.start_speed_Hz});
     const double samples = std::exp2(std::ceil(std::log2(std::max(wanted, 1024.))));

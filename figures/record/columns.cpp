@@ -78,7 +78,7 @@ constexpr std::array table = {
            [](InstantView& v) {
              const bool indented = v.at().contact != ContactState::free;
              const double depth = indented ? v.rim_point().indentation : 0;
-             return v.ring().stiffness * depth * depth / 2;
+             return v.ring().law.energy(depth);
            }},
     Column{"contact_state", "0 free, 1 sliding, 2 rolling, 3 free with the ring still indented",
            [](InstantView& v) { return static_cast<double>(v.at().contact); }},

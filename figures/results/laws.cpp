@@ -30,7 +30,8 @@ double speed_at_loss(const Scenario& scenario) {
 
 double ring_damping_ratio(const Parameters& p) {
   const double mass = MassLoss<double>(p).after.mass;
-  return p.contact_damping / (2 * std::sqrt(p.contact_stiffness * mass));
+  const auto [stiffness, damping] = Ring<double>(p).law.linear("the ring's damping ratio");
+  return damping / (2 * std::sqrt(stiffness * mass));
 }
 
 /// Which conditions of the tested region a rotor does not fulfil. "The tested region" in
@@ -156,13 +157,13 @@ Json laws_or_nulls(const Scenario& scenario) {
 std::vector<Remark> remarks_on_laws(const Scenario& scenario) {
   const Prediction predicted = prediction_of(scenario);
   const Accident& law = predicted.law;
-  const Ring<double> ring(scenario.parameters);
+  const double stiffness =
+      Ring<double>(scenario.parameters).law.linear("the indentation").stiffness;
   const double zeta = ring_damping_ratio(scenario.parameters);
   const double force = predicted.rolls
                            ? *law.rolling_force  // without the dashpot's part
                            : law.impact_force.value_or(0) / impact(zeta) * swing_after_blow(zeta);
-  std::vector<Remark> all =
-      remarks_on_rotor(scenario, predicted.speed / two_pi, force / ring.stiffness);
+  std::vector<Remark> all = remarks_on_rotor(scenario, predicted.speed / two_pi, force / stiffness);
   if (!predicted.doubts.empty())
     all.push_back({fmt::format("outside the tested region of the closed forms: {}",
                                fmt::join(predicted.doubts, "; "))});

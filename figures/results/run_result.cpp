@@ -273,8 +273,8 @@ std::vector<Remark> remarks(const RunResult& result) {
                                summary.touch_downs_before_loss)});
   // Steps per half period of the contact; with ten, the error of the largest force is about 1 %.
   constexpr double few_steps = 10;
-  const double steps =
-      std::numbers::pi * std::sqrt(p.mass / p.contact_stiffness) / result.scenario.step_rub;
+  const double steps = std::numbers::pi * std::sqrt(p.mass / Ring<double>(p).typical_stiffness()) /
+                       result.scenario.step_rub;
   if (result.scenario.method == Method::rk4 && summary.touch_downs > 0 && steps < few_steps)
     all.push_back({fmt::format("a contact lasts about {:.2g} steps of step_rub = {} s: the "
                                "published method needs at least {}",

@@ -34,13 +34,14 @@ struct Disturbance {
     S stator_radius = rotor.ring.clearance + rotor.ring.rotor_radius;
     const S undisturbed = stator_radius;
     for (S* of : rotor.supports.springs.numbers()) disturb(of);
-    for (S* of : {&rotor.supports.damping, &rotor.supports.gravity,  &rotor.supports.torque,
-                  &stator_radius,          &rotor.ring.rotor_radius, &rotor.ring.stiffness,
-                  &rotor.ring.damping,     &rotor.ring.friction,     &rotor.motor_off,
-                  &start.state[0],         &start.state[1],          &start.state[5],
-                  &start.body.mass,        &start.body.inertia,      &start.body.eccentricity,
-                  &loss.lost_mass,         &loss.piece_distance,     &loss.after.mass,
-                  &loss.after.inertia,     &loss.after.eccentricity})
+    for (S* of : {&rotor.supports.damping, &rotor.supports.gravity, &rotor.supports.torque,
+                  &stator_radius, &rotor.ring.rotor_radius})
+      disturb(of);
+    for (S* of : rotor.ring.law.numbers()) disturb(of);
+    for (S* of :
+         {&rotor.ring.friction, &rotor.motor_off, &start.state[0], &start.state[1], &start.state[5],
+          &start.body.mass, &start.body.inertia, &start.body.eccentricity, &loss.lost_mass,
+          &loss.piece_distance, &loss.after.mass, &loss.after.inertia, &loss.after.eccentricity})
       disturb(of);
     // The clearance is a difference of radii; their rounding is less than this.
     rotor.ring.clearance += (stator_radius - undisturbed) / 4;

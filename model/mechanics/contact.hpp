@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/mechanics/contact_law.hpp"
 #include "model/mechanics/rotor.hpp"
 
 namespace rotor {
@@ -42,15 +43,13 @@ template <class S>
 struct Ring {
   S rotor_radius;  ///< r, m
   S clearance;     ///< r_a - r, m
-  S stiffness;     ///< k_t, N/m
-  S damping;       ///< d_t, N s/m
-  S friction;      ///< mu
+  ContactLaw<S> law;
+  S friction;  ///< mu
 
   explicit Ring(const Parameters& p)
       : rotor_radius(as_typed<S>(p.rotor_radius)),
         clearance(clearance_of(p)),
-        stiffness(as_typed<S>(p.contact_stiffness)),
-        damping(as_typed<S>(p.contact_damping)),
+        law(p),
         friction(as_typed<S>(p.friction)) {}
 
   /// Double precision uses r_a, so that both inputs give identical runs.
@@ -80,7 +79,7 @@ struct Ring {
 
   /// F_n as long as the ring is pressed, N. The ring cannot pull: a positive value means no force.
   S elastic_force(const RimPoint<S>& k) const {
-    return -stiffness * k.indentation - damping * k.normal_velocity;  // Eq. (21)
+    return law.force(k.indentation, k.normal_velocity);
   }
 
   /// F_n of a rim that is known to touch: at a touch-down, rounding may still show a gap.
@@ -98,7 +97,19 @@ struct Ring {
   /// without damping has sprung back by then.
   bool is_indented_at_release(const RimPoint<S>& k) const {
     const S rounding = 16 * std::numeric_limits<S>::epsilon() * k.displacement;
-    return -damping * k.normal_velocity > stiffness * rounding;
+    return law.pulling(rounding, k.normal_velocity) > 0;
+  }
+
+  /// Slope of the force at the indentations of impacts, N/m: that of a linear ring at any.
+  S typical_stiffness() const {
+    return law.is_linear() ? law.linear().stiffness : law.tangent_stiffness(clearance / 100);
+  }
+
+  /// A time that is short beside that since the indentation was zero, or until it is, s; infinite
+  /// if the force is smooth there.
+  S smooth_time(const RimPoint<S>& k) const {
+    if (law.is_smooth()) return std::numeric_limits<S>::infinity();
+    return k.indentation / (k.normal_velocity > 0 ? 2 * k.normal_velocity : -3 * k.normal_velocity);
   }
 
   /// Power of the damper, W, while the rim presses it and while the ring's spring pushes it back.
@@ -107,9 +118,9 @@ struct Ring {
       case ContactState::free:
         return S(0);
       case ContactState::indented:
-        return stiffness * k.indentation * k.normal_velocity;
+        return law.spring_force(k.indentation) * k.normal_velocity;
       default:
-        return -damping * k.normal_velocity * k.normal_velocity;
+        return -law.damping(k.indentation) * k.normal_velocity * k.normal_velocity;
     }
   }
 

@@ -25,7 +25,8 @@ Transition meet_ring(const RotorSystem<S>& rotor, const State<S>& q, Event event
 template <class S>
 Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, ContactState contact) {
   const auto k = rotor.ring.rim_point(RotatingFrame<S>::motion(rotor.body, q));
-  if (rotor.ring.elastic_force(k) > 0) return {Event::none, ContactState::indented};
+  if (rotor.ring.law.pulling(k.indentation, k.normal_velocity) > 0)
+    return {Event::none, ContactState::indented};
   if (contact == ContactState::rolling) return {Event::none, contact};
   return meet_ring(rotor, q, Event::none);
 }
@@ -185,6 +186,10 @@ struct IndentedFlight : Flight<S, Chart, ContactState::indented, 3> {
   using Base::Base, Base::rotor, Base::chart, Base::guard, Base::next;
   using typename Base::Unknowns;
 
+  S smooth_time(const Unknowns& x) const {  // for the power of the damper
+    return rotor.ring.smooth_time(chart.rim_point(x));
+  }
+
   /// Delta = 0
   using RingClear = End<0>;
   S guard(RingClear /*end*/, const Unknowns& x) const { return chart.rim_point(x).indentation; }
@@ -192,10 +197,11 @@ struct IndentedFlight : Flight<S, Chart, ContactState::indented, 3> {
     return {Event::ring_clear, ContactState::free};
   }
 
-  /// k_t Delta + d_t Delta' = 0
+  /// F_n = 0, of a linear ring k_t Delta + d_t Delta' = 0
   using RenewedContact = End<1>;
   S guard(RenewedContact /*end*/, const Unknowns& x) const {
-    return rotor.ring.elastic_force(chart.rim_point(x));
+    const RimPoint<S> k = chart.rim_point(x);
+    return rotor.ring.law.pulling(k.indentation, k.normal_velocity);
   }
   Transition next(RenewedContact /*end*/, const Unknowns& x) const {
     return meet_ring(rotor, chart.state(x), Event::renewed_contact);

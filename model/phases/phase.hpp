@@ -100,6 +100,7 @@ concept PhaseOf = HasEnd<T, S, 0> && HasEnd<T, S, 1> && HasEnd<T, S, T::event_co
   { phase.bounds(at, at) } -> std::same_as<StepBounds<S, T::event_count, T::extremes_of.size()>>;
   { phase.extremes(x, rates)[i] } -> std::convertible_to<ExtremeValue<S>>;
   { phase.phase_swing(x, time) } -> std::same_as<S>;  // see RotorSystem
+  { phase.smooth_time(x) } -> std::same_as<S>;
   requires !T::bounds_vibration || requires { phase.vibration_reach(at, at)[i]; };
   { T::extreme_takes_rates(i) } -> std::same_as<bool>;
   // Whether the rates, and a guard, compute the loads of the contact.
@@ -133,6 +134,10 @@ struct Phase {
   Transition next(MotorOff /*end*/, const Unknowns& /*x*/) const {
     return {Event::motor_off, state, direction};
   }
+
+  /// The length of a step, s, that is short beside the time since the rates were last not smooth,
+  /// or until they will not be.
+  S smooth_time(const Unknowns& /*x*/) const { return std::numeric_limits<S>::infinity(); }
 
   Bounds bounds(const Point& /*from*/, const Point& /*to*/) const {
     Bounds all;

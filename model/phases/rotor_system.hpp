@@ -51,7 +51,7 @@ struct RotorSystem {
   /// The same in contact.
   S contact_frequency(const S& speed) const {
     using std::max, std::sqrt;
-    return max(flight_frequency(speed), sqrt(ring.stiffness / body.mass));
+    return max(flight_frequency(speed), sqrt(ring.typical_stiffness() / body.mass));
   }
 
   /// Upper bound of the phase angle through which a motion swings in a step of length h, rad: its

@@ -11,7 +11,8 @@
 namespace rotor {
 
 /// What sliding and rolling have in common. F_n may change its sign: a guard ends the phase there.
-template <class S, ContactChartOf<S> Chart, ContactState state>
+/// With the law of a linear ring, that is not asked which it is at every evaluation.
+template <class S, ContactChartOf<S> Chart, ContactState state, class Law>
 struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_force,
                    Extreme::normal_force> {
   using Base = Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_force,
@@ -20,13 +21,35 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   using typename Base::Unknowns, typename Base::Point;
   static constexpr bool contact_in_rates = true, bounds_vibration = true;
 
+  const Law& law() const {
+    if constexpr (std::is_same_v<Law, ContactLaw<S>>)
+      return rotor.ring.law;
+    else
+      return rotor.ring.law.linear();
+  }
+  /// F_n, N; positive where the ring would have to pull.
+  S force(const RimPoint<S>& k) const { return law().force(k.indentation, k.normal_velocity); }
+  /// Rate of -F_n, N/s.
+  S pressure_rate(const RimPoint<S>& k, const Unknowns& rates) const {
+    return law().pressure_rate(k.indentation, k.normal_velocity, rates[Chart::normal_velocity]);
+  }
+
   S phase_swing(const Unknowns& x, const S& h) const {
-    return rotor.phase_swing(rotor.ring.stiffness, chart.speed(x), h);
+    using std::abs;
+    const RimPoint<S> k = chart.rim_point(x);
+    const S deepest = k.indentation + abs(k.normal_velocity) * h;
+    return rotor.phase_swing(law().tangent_stiffness(deepest), chart.speed(x), h);
+  }
+
+  S smooth_time(const Unknowns& x) const {
+    if constexpr (std::is_same_v<Law, ContactLaw<S>>)
+      return rotor.ring.smooth_time(chart.rim_point(x));
+    else
+      return Base::smooth_time(x);
   }
 
   static constexpr bool extreme_takes_rates(std::size_t i) { return i > 0; }
   std::array<ExtremeValue<S>, 3> extremes(const Unknowns& x, const Unknowns& rates) const {
-    const Ring<S>& ring = rotor.ring;
     const auto k = chart.rim_point(x);
     // Components along the normal and the tangent, which turn.
     const Vector<S> position(k.displacement, 0), drift(k.normal_velocity, 0);
@@ -35,17 +58,22 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
     return {{{k.displacement, k.normal_velocity},
              ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
                                      rotor.supports.bearing_force_rate(position, drift, change)),
-             {-ring.elastic_force(k),
-              ring.stiffness * k.normal_velocity + ring.damping * rates[Chart::normal_velocity]}}};
+             {-force(k), pressure_rate(k, rates)}}};
   }
 
   /// What the radial vibration reaches in a step, judged by its ends: the position of rest that the
   /// acceleration shows, plus 1.5 times the amplitude. The bearing force hardly follows it.
+  /// Infinite unless the ring is linear.
   std::array<S, 3> vibration_reach(const Point& from, const Point& to) const {
     using std::max, std::sqrt;
     const Ring<S>& ring = rotor.ring;
-    const S square = ring.stiffness / rotor.body.mass, frequency = sqrt(square);
     std::array<S, 3> upper_bounds{};
+    if (!ring.law.is_linear()) {
+      upper_bounds.fill(std::numeric_limits<S>::infinity());
+      return upper_bounds;
+    }
+    const auto& [stiffness, damping] = ring.law.linear();
+    const S square = stiffness / rotor.body.mass, frequency = sqrt(square);
     for (const auto* const end : {&from, &to}) {
       const RimPoint<S> k = chart.rim_point(end->x);
       const S to_rest = end->rates[Chart::normal_velocity] / square,
@@ -53,8 +81,8 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
       const S amplitude = S(1.5) * sqrt(to_rest * to_rest + speed * speed);
       const S furthest = k.displacement + to_rest + amplitude;
       upper_bounds[0] = max(upper_bounds[0], furthest);
-      upper_bounds[2] = max(upper_bounds[2], S(ring.stiffness * (furthest - ring.clearance) +
-                                               ring.damping * frequency * amplitude));
+      upper_bounds[2] = max(upper_bounds[2], S(stiffness * (furthest - ring.clearance) +
+                                               damping * frequency * amplitude));
     }
     return upper_bounds;
   }
@@ -64,7 +92,7 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
     Pressed(const Rub& phase, const Unknowns& x)
         : at(phase.chart.kinematics(x)),
           k(phase.chart.rim_point(x)),
-          normal_force(phase.rotor.ring.elastic_force(k)),
+          normal_force(phase.force(k)),
           without_friction(acceleration(phase.mobility, at.motion, phase.loads(*this))),
           per_newton(
               friction_mobility(phase.mobility, at.motion, k, phase.rotor.ring.rotor_radius)) {}
@@ -98,7 +126,8 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   /// F_n = 0
   using Release = End<0>;
   S guard(Release /*end*/, const Unknowns& x) const {
-    return -rotor.ring.elastic_force(chart.rim_point(x));
+    const RimPoint<S> k = chart.rim_point(x);
+    return law().pressing(k.indentation, k.normal_velocity);
   }
   Transition next(Release /*end*/, const Unknowns& x) const {
     const bool indented = rotor.ring.is_indented_at_release(chart.rim_point(x));
@@ -124,9 +153,9 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
 };
 
 /// The rim slides in one direction, which is the sign of the slip velocity.
-template <class S, class Chart = ContactChart<S>>
-struct Sliding : Rub<S, Chart, ContactState::sliding> {
-  using Base = Rub<S, Chart, ContactState::sliding>;
+template <class S, class Chart = ContactChart<S>, class Law = ContactLaw<S>>
+struct Sliding : Rub<S, Chart, ContactState::sliding, Law> {
+  using Base = Rub<S, Chart, ContactState::sliding, Law>;
   using Base::rotor, Base::chart, Base::direction, Base::guard, Base::next;
   using typename Base::Unknowns, typename Base::Pressed;
 
@@ -156,9 +185,9 @@ struct Sliding : Rub<S, Chart, ContactState::sliding> {
 };
 
 /// The rim rolls without slip.
-template <class S, class Chart = ContactChart<S>>
-struct Rolling : Rub<S, Chart, ContactState::rolling> {
-  using Base = Rub<S, Chart, ContactState::rolling>;
+template <class S, class Chart = ContactChart<S>, class Law = ContactLaw<S>>
+struct Rolling : Rub<S, Chart, ContactState::rolling, Law> {
+  using Base = Rub<S, Chart, ContactState::rolling, Law>;
   using Base::Base, Base::rotor, Base::chart, Base::guard, Base::next;
   using typename Base::Unknowns, typename Base::Point, typename Base::Pressed;
 
@@ -196,9 +225,8 @@ struct Rolling : Rub<S, Chart, ContactState::rolling> {
     const auto reserve = [&](const Point& at) -> ValueAndSlope<S> {
       const Ring<S>& ring = rotor.ring;
       const RimPoint<S> k = chart.rim_point(at.x);
-      return {at.time, ring.friction * -ring.elastic_force(k) - friction,
-              ring.friction * (ring.stiffness * k.normal_velocity +
-                               ring.damping * at.rates[Chart::normal_velocity])};
+      return {at.time, ring.friction * -this->force(k) - friction,
+              ring.friction * this->pressure_rate(k, at.rates)};
     };
     const auto first = reserve(from), last = reserve(to);
     typename Base::Bounds all = Base::bounds(from, to);
@@ -227,7 +255,7 @@ struct Rolling : Rub<S, Chart, ContactState::rolling> {
         supports.greatest_bearing_force(k.displacement, abs(k.normal_velocity) + r * w);
     const S moment = body.inertia * abs(at.rates[Chart::rotor_speed]) + rotor.motor_torque() +
                      body.mass * supports.gravity * (k.displacement + e) +
-                     e * (support + abs(rotor.ring.elastic_force(k)));
+                     e * (support + abs(this->force(k)));
     return moment / (r - e);
   }
 };

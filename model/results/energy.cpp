@@ -61,7 +61,7 @@ void EnergyObserver::take_stock(const Instant& at) {
   const double indentation = at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
   balance_.kinetic = kinetic_energy(at.body, m);
   balance_.support_springs = supports_.springs.energy(m.displacement);
-  balance_.contact_spring = ring_.stiffness * indentation * indentation / 2;
+  balance_.contact_spring = ring_.law.energy(indentation);
 }
 
 }  // namespace rotor

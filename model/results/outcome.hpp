@@ -80,7 +80,7 @@ class BasicOutcomeWatch {
     using std::sqrt;
     const Ring<S> ring(parameters_);
     const S contact_period =
-        RotorSystem<S>::radians_per_turn() * sqrt(last_.body.mass / ring.stiffness);
+        RotorSystem<S>::radians_per_turn() * sqrt(last_.body.mass / ring.typical_stiffness());
     if (contact_since_s_ && last_.time_s - *contact_since_s_ > contact_period)
       return Outcome::sliding;
     const bool is_free = last_.contact == ContactState::free;

@@ -44,6 +44,15 @@ constexpr std::array all_quantities = {
              in<&Parameters::contact_stiffness>, 0, open},
     Quantity{"contact_damping", "d_t", "N s/m", "damping of the contact zone",
              in<&Parameters::contact_damping>, 0, closed},
+    Quantity{"contact_exponent", "n", "",
+             "exponent of the contact's elastic force in the indentation; 1: linear, 1.5: Hertz",
+             in<&Parameters::contact_exponent>, 1, closed, 3},
+    Quantity{"reference_indentation", "Delta_0", "m",
+             "indentation at which the elastic force is k_t Delta_0, unless contact_exponent is 1",
+             in<&Parameters::reference_indentation>, 0, closed},
+    Quantity{"contact_hysteresis", "alpha", "s/m",
+             "further damping of the contact zone per elastic force (Hunt and Crossley)",
+             in<&Parameters::contact_hysteresis>, 0, closed},
     Quantity{"friction", "mu", "", "coefficient of Coulomb friction between rotor and ring",
              in<&Parameters::friction>, 0, closed},
     Quantity{"rotor_radius", "r", "m", "radius of the rotor", in<&Parameters::rotor_radius>, 0,
@@ -79,6 +88,9 @@ Scenario run_up_part(const Scenario& scenario) {
   Scenario part = scenario;
   part.parameters.contact_stiffness = standard.parameters.contact_stiffness;
   part.parameters.contact_damping = standard.parameters.contact_damping;
+  part.parameters.contact_exponent = standard.parameters.contact_exponent;
+  part.parameters.reference_indentation = standard.parameters.reference_indentation;
+  part.parameters.contact_hysteresis = standard.parameters.contact_hysteresis;
   part.parameters.friction = standard.parameters.friction;
   part.parameters.unbalance_factor = standard.parameters.unbalance_factor;
   part.parameters.lost_mass = standard.parameters.lost_mass;
@@ -123,6 +135,11 @@ void check_numbers(const Scenario& scenario) {
   require(p.eccentricity < p.rotor_radius,
           "eccentricity = {} m: must be smaller than rotor_radius = {} m", p.eccentricity,
           p.rotor_radius);
+  require(
+      p.contact_exponent == 1 || p.reference_indentation > 0,
+      "contact_exponent = {}: needs reference_indentation, in m, greater than 0: the indentation "
+      "at which contact_stiffness holds",
+      p.contact_exponent);
   if (scenario.method == Method::rk4) {
     constexpr double most_steps = 1e10;
     const auto require_few = [&](std::string_view name, double step) {

@@ -70,6 +70,7 @@ struct Accident {
     const Ring<double> ring(p);
     const double m = body.mass, e_1 = body.eccentricity, r = ring.rotor_radius, c = ring.clearance;
     const double k = SupportSprings<double>(p).linear_stiffness("the laws of the accident");
+    const auto [k_t, d_t] = ring.law.linear("the laws of the accident");
     const double natural = std::sqrt(k / m), d = p.support_damping;
     const double jumps = equations.velocity_jump == VelocityJump::twice ? 2 : 1;
     const double limit =
@@ -85,15 +86,15 @@ struct Accident {
     const Complex v_O = response.velocity(*contact_s) * std::conj(outwards);
     const Complex v_C =
         v_O + i * speed * e_1 * std::exp(i * speed * *contact_s) * std::conj(outwards);
-    const double contact_rate = std::sqrt(ring.stiffness / m);
-    const double zeta = ring.damping / (2 * m * contact_rate);
-    impact_force = ring.stiffness * v_O.real() / contact_rate * impact(zeta);
+    const double contact_rate = std::sqrt(k_t / m);
+    const double zeta = d_t / (2 * m * contact_rate);
+    impact_force = k_t * v_O.real() / contact_rate * impact(zeta);
     whirl_friction =
         whirling_friction(p, m, v_O.real(), swing_after_blow(zeta) * swing_after_blow(zeta));
     first_friction = whirling_friction(p, m, 2 * v_O.real(), 0);
     if (!(ring.friction > 0)) return;
 
-    const double kappa = m * r * r / body.inertia, stiffness = ring.stiffness + k;
+    const double kappa = m * r * r / body.inertia, stiffness = k_t + k;
     const double least_rate = whirl.separatrix_rate(ring.friction);
     const auto softness = [&](double rate) { return rate * std::sqrt(m / stiffness); };
     const auto momentum = [&](double w) {
@@ -111,12 +112,11 @@ struct Accident {
     if (!(rate > least_rate)) return;
     rolling_speed = high;
     whirl_rate = rate;
-    const double rho = r * high / rate, normal_force = ring.stiffness * (rho - c);
+    const double rho = r * high / rate, normal_force = k_t * (rho - c);
     const double drift = s / (1 + 2 * s) * ring.friction * normal_force / (m * rate);
     const double radial_rate = rate * std::sqrt(1 / (x * x) + 1 + 2 * kappa / (1 + kappa));
-    rolling_force =
-        normal_force + ring.stiffness * drift / radial_rate *
-                           swing_after_blow(ring.damping / (2 * m * radial_rate));  // (4)
+    rolling_force = normal_force + k_t * drift / radial_rate *
+                                       swing_after_blow(d_t / (2 * m * radial_rate));  // (4)
     unbalance_share = kappa * e_1 / (ring.friction * r);
   }
 

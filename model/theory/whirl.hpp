@@ -10,15 +10,16 @@
 
 namespace rotor {
 
-/// The rotor after its mass loss. Throws std::domain_error unless the springs of its supports are
-/// linear.
+/// The rotor after its mass loss. Throws std::domain_error unless the springs of its supports and
+/// the ring are linear.
 class Whirl {
  public:
   explicit Whirl(const Parameters& p)
       : body_(MassLoss<double>(p).after),
         stiffness_(SupportSprings<double>(p).linear_stiffness("the whirl along the ring")),
         damping_(p.support_damping),
-        ring_(p) {}
+        ring_(p),
+        contact_stiffness_(ring_.law.linear("the whirl along the ring").stiffness) {}
 
   /// Backward sliding whirl in contact grows above this rate and dies below it, rad/s.
   double separatrix_rate(double friction) const {
@@ -28,20 +29,21 @@ class Whirl {
 
   /// Below this friction backward sliding whirl dies at any rate.
   double whip_friction() const {
-    return damping_ * std::sqrt((stiffness_ + ring_.stiffness) / body_.mass) / ring_.stiffness;
+    return damping_ * std::sqrt((stiffness_ + contact_stiffness_) / body_.mass) /
+           contact_stiffness_;
   }
 
   /// The rate of backward rolling at a speed, both in rad/s: the root of r w = Omega rho(Omega).
   double rolling_rate(double speed) const {
-    const double b = ring_.clearance * ring_.stiffness, rim = ring_.rotor_radius * speed;
-    const double c = rim * (ring_.stiffness + stiffness_);
+    const double b = ring_.clearance * contact_stiffness_, rim = ring_.rotor_radius * speed;
+    const double c = rim * (contact_stiffness_ + stiffness_);
     return 2 * c / (b + std::sqrt(b * b + 4 * body_.mass * rim * c));
   }
 
   /// s of backward rolling at a rate in rad/s.
   double shrinking(double rate) const {
     const double inertia_force = body_.mass * rate * rate;
-    return 2 * inertia_force / (stiffness_ + ring_.stiffness - inertia_force);
+    return 2 * inertia_force / (stiffness_ + contact_stiffness_ - inertia_force);
   }
 
   /// The friction that backward rolling needs at a speed; infinite where it would leave the ring.
@@ -84,6 +86,7 @@ class Whirl {
   Body<double> body_;
   double stiffness_, damping_;
   Ring<double> ring_;
+  double contact_stiffness_;
 };
 
 }  // namespace rotor

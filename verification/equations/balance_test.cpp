@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 
 #include "figures/runs/scene.hpp"
+#include "model/results/energy.hpp"
+#include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
 #include "verification/support/law.hpp"
+#include "verification/support/short_run.hpp"
 
 namespace rotor {
 namespace {
@@ -30,6 +34,31 @@ TEST_P(Figure, BalancesEnergyAndAngularMomentumInBothSetsOfEquations) {
       energy.expect_left(balance.energy_residual());
       momentum.expect_left(balance.angular_momentum_residual());
     }
+  }
+}
+
+TEST(ContactLaws, BalanceEnergyAndAngularMomentumInAccidents) {
+  Law law("balances with a power law, with hysteresis and with both, of the greatest", 1e-11);
+  Law by_cause("energy by cause with these laws, of the initial one", 1e-11);
+  for (const auto& [exponent, damping, hysteresis] :
+       {std::array{1.5, 1e4, 0.}, {1.25, 0., 0.3}, {1., 0., 0.3}, {1.5, 1e4, 0.1}}) {
+    Scenario scenario = short_run(0.04);
+    Parameters& p = scenario.parameters;
+    p.contact_exponent = exponent;
+    p.reference_indentation = 1e-4;
+    p.contact_damping = damping;
+    p.contact_hysteresis = hysteresis;
+    scenario.tolerance = 1e-12;
+    BalanceObserver balance(scenario);
+    EnergyObserver energy(scenario);
+    SummaryObserver summary(scenario);
+    ObserverGroup all{&balance, &energy, &summary};
+    run(scenario, all);
+    EXPECT_GT(summary.summary().touch_downs, 3);
+    EXPECT_EQ(summary.summary().outcome, Outcome::rolling);
+    law.expect_left(balance.energy_residual());
+    law.expect_left(balance.angular_momentum_residual());
+    by_cause.expect_left(energy.balance().residual() / energy.balance().initial);
   }
 }
 

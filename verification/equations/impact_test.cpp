@@ -1,6 +1,9 @@
 /// Closed forms of impacts, each to the accuracy of the integrator or of the form.
 #include <gtest/gtest.h>
 
+#include <boost/math/special_functions/beta.hpp>
+
+#include "model/results/energy.hpp"
 #include "model/results/summary.hpp"
 #include "model/scenario/observer.hpp"
 #include "model/theory/accident.hpp"
@@ -50,6 +53,109 @@ INSTANTIATE_TEST_SUITE_P(Damping, Impact, testing::Values(0.01, 0.079, 0.3, 0.6,
                          [](const auto& zeta) {
                            return "Zeta" + std::to_string(static_cast<int>(1000 * zeta.param));
                          });
+
+/// A head-on impact with a ring of another law, with its events, indentation and energy.
+struct HeadOn {
+  HeadOn(double exponent, double hysteresis) {
+    p.contact_exponent = exponent;
+    p.reference_indentation = reference;
+    p.contact_hysteresis = hysteresis;
+    scenario.parameters.loses_mass = false;
+    EventRecorder run;
+    SummaryObserver summary(scenario);
+    EnergyObserver energy(scenario);
+    ObserverGroup all{&run, &summary, &energy};
+    Instant from = at_rest(p);
+    from.state = {0, 0, 0, velocity, 0, 0};
+    from.motor_on = false;
+    all.on_instant(from);
+    follow(scenario, from, 8e-3, all);
+    touch = run.first(Event::touch_down);
+    release = run.first(Event::release);
+    restitution = -release.state[3] / velocity;
+    deepest = summary.summary().max_displacement_m.value_or(0) - Ring<double>(p).clearance;
+    peak_N = *summary.summary().peak_normal_force_N;
+    residual = energy.balance().residual() / energy.balance().initial;
+  }
+
+  /// Of F = k_t Delta_0 (Delta / Delta_0)^n, which stores that energy.
+  double indentation_of(double energy) const {
+    const double n = p.contact_exponent;
+    return reference *
+           std::pow((n + 1) * energy / p.contact_stiffness / reference / reference, 1 / (n + 1));
+  }
+
+  static constexpr double velocity = 0.7, reference = 37e-6;
+  Scenario scenario = bare();
+  Parameters& p = scenario.parameters;
+  Instant touch, release;
+  double restitution = 0, deepest = 0, peak_N = 0, residual = 0;
+};
+
+// With these exponents the motion is not smooth at touch-down and release.
+TEST(HeadOnImpact, OnAPowerLawHasTheIndentationForceDurationAndReboundOfTheClosedForm) {
+  Law law("indentation, force, duration and rebound of an impact on a power law", 1e-10);
+  Law balance("energy of an impact on a power law or with hysteresis", 1e-10);
+  for (const double n : {1.02, 1.25, 1.5, 2., 2.7}) {
+    const HeadOn run(n, 0);
+    const double energy = run.p.mass * HeadOn::velocity * HeadOn::velocity / 2;
+    const double deepest = run.indentation_of(energy);
+    const double duration =
+        2 * deepest / HeadOn::velocity / (n + 1) * boost::math::beta(1 / (n + 1), 0.5);
+    EXPECT_EQ(run.release.contact, ContactState::free) << n;
+    law.expect_left(run.deepest / deepest - 1);
+    law.expect_left(run.peak_N / ((n + 1) * energy / deepest) - 1);
+    law.expect_left((run.release.time_s - run.touch.time_s) / duration - 1);
+    law.expect_left(run.restitution - 1);
+    balance.expect_left(run.residual);
+  }
+}
+
+// v dv/(1 + alpha v) = -F_el dDelta/m, integrated to the deepest point and to the release: the
+// relation of restitution and damping does not depend on exponent, stiffness and mass.
+TEST(HeadOnImpact, OnHuntAndCrossleysRingHasTheirIndentationAndRestitution) {
+  Law law("indentation and restitution of Hunt and Crossley's ring", 1e-10);
+  for (const double n : {1., 1.25, 1.5})
+    for (const double share : {0.05, 0.3, 1.}) {
+      const double alpha = share / HeadOn::velocity;
+      const HeadOn run(n, alpha);
+      const double energy = run.p.mass * (share - std::log1p(share)) / (alpha * alpha);
+      const double back = share * run.restitution;
+      EXPECT_EQ(run.release.contact, ContactState::free) << n << ' ' << share;
+      EXPECT_LT(run.restitution, 1 - 0.5 * share / (1 + share));
+      law.expect_left(run.deepest / run.indentation_of(energy) - 1);
+      law.expect_left(share + back - std::log((1 + share) / (1 - back)));
+      law.expect_left(run.residual);
+    }
+}
+
+// A rim that leaves the ring faster than 1/alpha would have to be pulled back.
+TEST(HeadOnImpact, LeavesARingThatSpringsBackMoreSlowlyWithoutAForce) {
+  const double alpha = 0.5, velocity = -2 / alpha;
+  Scenario scenario = bare();
+  scenario.parameters.contact_hysteresis = alpha;
+  Instant from = at_rest(scenario.parameters);
+  from.contact = ContactState::sliding;
+  from.state = {Ring<double>(scenario.parameters).clearance + 37e-6, 0, 0, velocity, 0, 0};
+  from.motor_on = false;
+  EventRecorder run;
+  follow(scenario, from, 1e-4, run);
+  EXPECT_EQ(run.events().front().event, Event::ring_clear);
+  EXPECT_EQ(run.last().contact, ContactState::free);
+  EXPECT_EQ(run.last().state[3], velocity);
+}
+
+TEST(ContactLaw, IsRefusedByFormulasThatNeedALinearOne) {
+  Parameters hertz, damped;
+  hertz.contact_exponent = 1.5;
+  hertz.reference_indentation = 1e-4;
+  damped.contact_hysteresis = 0.1;
+  for (const Parameters& p : {hertz, damped}) {
+    EXPECT_THROW(Whirl{p}, std::domain_error);
+    EXPECT_THROW(Accident(p, Equations::published, 900), std::domain_error);
+    EXPECT_THROW(ContactLaw<double>(p).linear("a formula"), std::domain_error);
+  }
+}
 
 /// An oblique impact on a nearly straight wall: the stiffer the ring, the shorter the contact.
 struct Oblique {

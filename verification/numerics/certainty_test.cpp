@@ -89,7 +89,8 @@ TEST(DisturbedComputation, HasEachNumberOffByTheShareAndNotAllInOneDirection) {
     const auto& [supports, ring] = std::tie(of.supports, of.ring);
     std::vector<double> all = {supports.springs.force(1), supports.damping, supports.gravity,
                                supports.torque, of.motor_off};
-    for (const double number : {ring.clearance, ring.rotor_radius, ring.stiffness, ring.damping,
+    const auto& [stiffness, damping] = ring.law.linear("this test");
+    for (const double number : {ring.clearance, ring.rotor_radius, stiffness, damping,
                                 ring.friction, at.state[0], at.state[1], at.state[5]})
       all.push_back(number);
     for (const Body<double>& body : {at.body, lost.after})

@@ -7,6 +7,7 @@
 
 #include "model/scenario/observer.hpp"
 #include "model/scenario/scenario.hpp"
+#include "verification/support/contact_formulas.hpp"
 #include "verification/support/follow.hpp"
 
 namespace rotor {
@@ -14,7 +15,9 @@ namespace rotor {
 class BalanceObserver : public Observer {
  public:
   explicit BalanceObserver(const Scenario& scenario)
-      : supports_(scenario.parameters, scenario.equations), ring_(scenario.parameters) {}
+      : parameters_(scenario.parameters),
+        supports_(scenario.parameters, scenario.equations),
+        ring_(scenario.parameters) {}
 
   bool wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const override {
     return true;
@@ -74,7 +77,7 @@ class BalanceObserver : public Observer {
     const double indentation =
         at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
     double energy = kinetic_energy(at.body, m) + supports_.springs.energy(m.displacement) +
-                    ring_.stiffness * indentation * indentation / 2;
+                    contact_energy_by_formula(parameters_, indentation);
     if (conserves_gravity())
       energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);
     return {energy, at.body.mass * cross(m.mass_centre(), m.mass_centre_velocity()) +
@@ -92,11 +95,13 @@ class BalanceObserver : public Observer {
     if (at.contact != ContactState::free) {
       const RimPoint<double> k = ring_.rim_point(m);
       if (at.contact == ContactState::indented) {
-        power += ring_.stiffness * k.indentation * k.normal_velocity;  // spring against dashpot
+        power += spring_force_by_formula(parameters_, k.indentation) *
+                 k.normal_velocity;  // spring against dashpot
       } else {
         const double normal = ring_.elastic_force(k), friction = friction_at(at, m, k, normal);
-        power +=
-            -ring_.damping * k.normal_velocity * k.normal_velocity + friction * k.slip_velocity;
+        power += -contact_damping_by_formula(parameters_, k.indentation) * k.normal_velocity *
+                     k.normal_velocity +
+                 friction * k.slip_velocity;
         moment += friction * (k.displacement + ring_.rotor_radius);
       }
     }
@@ -111,6 +116,7 @@ class BalanceObserver : public Observer {
                                  normal);
   }
 
+  Parameters parameters_;
   Supports<double> supports_;
   Ring<double> ring_;
   bool begun_ = false;

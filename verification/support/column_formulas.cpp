@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "verification/support/contact_formulas.hpp"
+
 namespace rotor {
 namespace {
 
@@ -45,7 +47,8 @@ struct Rotor {
   double slip() const { return (x * v_y - y * v_x) / rho + p.rotor_radius * w; }
   double normal_force() const {
     if (!pressed) return 0;
-    return std::min(0., -p.contact_stiffness * delta() - p.contact_damping * delta_rate());
+    return std::min(0., -spring_force_by_formula(p, delta()) -
+                            contact_damping_by_formula(p, delta()) * delta_rate());
   }
 
   double friction() const {
@@ -91,10 +94,11 @@ struct Rotor {
 };
 
 double contact_damping_power(const Rotor& r) {
-  if (r.pressed) return -r.p.contact_damping * r.delta_rate() * r.delta_rate();
+  if (r.pressed)
+    return -contact_damping_by_formula(r.p, r.delta()) * r.delta_rate() * r.delta_rate();
   // Without a force the ring's spring and its damper keep each other's balance.
   if (r.at.contact == ContactState::indented)
-    return r.p.contact_stiffness * r.delta() * r.delta_rate();
+    return spring_force_by_formula(r.p, r.delta()) * r.delta_rate();
   return 0;
 }
 
@@ -156,8 +160,7 @@ const std::map<std::string, Formula, std::less<>>& formulas() {
        [](const Rotor& r) { return 0.5 * r.p.support_stiffness * r.rho * r.rho; }},
       {"contact_energy_J",
        [](const Rotor& r) {
-         const double depth = r.at.contact == ContactState::free ? 0 : r.delta();
-         return 0.5 * r.p.contact_stiffness * depth * depth;
+         return contact_energy_by_formula(r.p, r.at.contact == ContactState::free ? 0 : r.delta());
        }},
       {"contact_state", [](const Rotor& r) { return contact_number(r.at.contact); }},
   };

@@ -1,0 +1,25 @@
+/// The contact's law written anew from its formula, for tests of the model's.
+#pragma once
+
+#include <cmath>
+
+#include "model/mechanics/parameters.hpp"
+
+namespace rotor {
+
+/// F = k_t Delta_0 (Delta / Delta_0)^n, N.
+inline double spring_force_by_formula(const Parameters& p, double indentation) {
+  if (p.contact_exponent == 1) return p.contact_stiffness * indentation;
+  return p.contact_stiffness * p.reference_indentation *
+         std::pow(indentation / p.reference_indentation, p.contact_exponent);
+}
+/// Its integral over the indentation, J.
+inline double contact_energy_by_formula(const Parameters& p, double indentation) {
+  return spring_force_by_formula(p, indentation) * indentation / (p.contact_exponent + 1);
+}
+/// Force per velocity, N s/m.
+inline double contact_damping_by_formula(const Parameters& p, double indentation) {
+  return p.contact_damping + p.contact_hysteresis * spring_force_by_formula(p, indentation);
+}
+
+}  // namespace rotor
