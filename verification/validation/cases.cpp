@@ -69,6 +69,11 @@ std::vector<ComparedAccident> accidents() {
           accident(fmt::format("jump {}, mu {}, loss at {} s", name, mu, loss_s), scenario));
     }
   all.push_back(random_rotor());
+  Scenario hertz{.equations = Equations::consistent};
+  hertz.parameters.contact_exponent = 1.5;
+  hertz.parameters.reference_indentation = 1e-4;
+  hertz.parameters.contact_damping = 0;  // the other code's grows with the root of the indentation
+  all.push_back(accident("Hertz's contact, no dashpot", hertz));
 
   const ComparedAccident once = all[0], twice = all[5];
   const auto mistake = [&](const char* name, ComparedAccident of) -> ComparedAccident& {
@@ -83,6 +88,12 @@ std::vector<ComparedAccident> accidents() {
   mistake("no dashpot", once).given.parameters.contact_damping = 0;
   mistake("jump counted once, not twice", twice).given_from = once.from;
   return all;
+}
+
+double indentation(const Parameters& p, double force_N) {
+  if (p.contact_exponent == 1) return force_N / p.contact_stiffness;
+  const double share = force_N / p.contact_stiffness / p.reference_indentation;
+  return p.reference_indentation * std::pow(share, 1 / p.contact_exponent);
 }
 
 double find(const std::vector<Finding>& all, const std::string& quantity) {
@@ -119,8 +130,7 @@ std::vector<Finding> Course::findings(const ComparedAccident& of) const {
   all.push_back({"touch_downs", static_cast<double>(touch_downs_s.size()), 0});
   // The speed in rolling, w_0/(1 + m a^2/I), has less than twice the relative change of the lever
   // a, Delta/(2 r); without contact only the steps matter.
-  const double change =
-      touch_downs_s.empty() ? 1e-8 : peak_N / p.contact_stiffness / p.rotor_radius;
+  const double change = touch_downs_s.empty() ? 1e-8 : indentation(p, peak_N) / p.rotor_radius;
   if (onset_s) {
     all.push_back({"peak_normal_force_N", peak_N, of.force_allowed, 2e-4});
     all.push_back({"rolling_onset_speed_Hz", *onset_Hz, change, 1e-3});
@@ -149,12 +159,14 @@ Course by_engine(const ComparedAccident& accident) {
 double coarse_step_s(const Parameters& p) { return 5e-4 * std::sqrt(p.mass / p.contact_stiffness); }
 
 double viscosity(const Parameters& p, double step_s) { return 0.008 * p.mass / step_s; }
+double deepest_for_viscosity(const Parameters& p) { return (p.stator_radius - p.rotor_radius) / 5; }
 
 Course with_lever(const ComparedAccident& accident) {
   const Parameters& p = accident.scenario.parameters;
   const Body<double>& body = accident.from.body;
   const Supports<double> supports(p, accident.scenario.equations);
-  const double step_s = 2 * coarse_step_s(p), braking = viscosity(p, step_s / 2 / finer);
+  const double step_s = 2 * coarse_step_s(p), braking = viscosity(p, step_s / 2 / finer),
+               deepest = deepest_for_viscosity(p);
   Course::Sample sample{};
   const auto rates = [&](const State<double>& q, State<double>& rate, double time_s) {
     const Motion<double> motion = RotatingFrame<double>::motion(body, q);
@@ -162,7 +174,9 @@ Course with_lever(const ComparedAccident& accident) {
     ring.rotor_radius -= std::max(0.0, ring.rim_point(motion).indentation) / 2;
     const RimPoint<double> k = ring.rim_point(motion);
     const double normal = ring.normal_force(k), limit = -ring.friction * normal,
-                 friction = std::clamp(-braking * k.slip_velocity, -limit, limit);
+                 of_root = std::sqrt(std::max(0.0, k.indentation) / deepest),
+                 share = p.contact_exponent == 1 ? 1 : of_root,
+                 friction = std::clamp(-braking * share * k.slip_velocity, -limit, limit);
     Loads<double> loads = supports.loads(body, motion, false);
     loads += ring.loads(k, {normal, friction});
     rate = RotatingFrame<double>::rates(motion, q, acceleration<double>(body, motion, loads));

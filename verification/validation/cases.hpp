@@ -59,6 +59,12 @@ Course with_lever(const ComparedAccident& accident);
 double coarse_step_s(const Parameters& p);
 inline constexpr int finer = 3;
 double viscosity(const Parameters& p, double step_s);
+/// In Hertz's contact the other code's viscosity grows with the root of the indentation, m, up to
+/// this one.
+double deepest_for_viscosity(const Parameters& p);
+
+/// At which an undamped ring presses the rim with that force, m.
+double indentation(const Parameters& p, double force_N);
 
 /// Of the sphere of reference-data/measured-rebounds.csv at an angle from the wall's normal.
 struct Rebound {

@@ -25,15 +25,15 @@ neigh_modify exclude group all all
 {spheres}group disk id 1
 fix k_t all property/global kn peratomtypepair 1 {k_t}
 fix none all property/global kt peratomtypepair 1 0
-fix d_t all property/global gamman_abs peratomtypepair 1 {d_t}
-fix viscosity all property/global gammat_abs peratomtypepair 1 {viscosity}
+fix d_t all property/global gamman{abs} peratomtypepair 1 {d_t}
+fix viscosity all property/global gammat{abs} peratomtypepair 1 {viscosity}
 fix mu all property/global coefficientFriction peratomtypepair 1 {mu}
-pair_style gran model hooke/stiffness tangential no_history absolute_damping on limitForce on
+pair_style gran model {model} limitForce on
 pair_coeff * *
 timestep {step}
 fix body all rigid single force * on on off torque * off off on
-fix ring disk wall/gran model hooke/stiffness tangential no_history &
-  primitive type 1 zcylinder {r_a} 0 0 store_force yes absolute_damping on limitForce on
+fix ring disk wall/gran model {model} &
+  primitive type 1 zcylinder {r_a} 0 0 store_force yes limitForce on
 fix springs disk spring tether {k} 0 0 0 0
 fix dampers disk viscous {d}
 fix weight all gravity {g} vector 1 0 0
@@ -77,14 +77,23 @@ std::vector<Finding> by_liggghts(const ComparedAccident& accident, int divisor,
   const Parameters& p = accident.given.parameters;
   const double step_s = coarse_step_s(p) / divisor, r = p.rotor_radius;
   using fmt::arg;
+  // F = kn sqrt(r) Delta^1.5 in Hertz's contact, and friction of gammat m sqrt(r Delta).
+  const bool is_hertz = p.contact_exponent == 1.5;
+  const double k_t =
+      is_hertz ? p.contact_stiffness / std::sqrt(p.reference_indentation * r) : p.contact_stiffness;
+  // A negative viscosity drives the rim instead of braking it.
+  const double braking = std::copysign(viscosity(p, step_s), p.friction),
+               root = accident.given_from.body.mass * std::sqrt(r * deepest_for_viscosity(p));
   std::ofstream(folder + "/liggghts.in") << fmt::format(
-      input, arg("size", 4 * r), arg("spheres", spheres(accident)), arg("k_t", p.contact_stiffness),
+      input, arg("size", 4 * r), arg("spheres", spheres(accident)), arg("k_t", k_t),
       arg("d_t", p.contact_damping), arg("mu", std::abs(p.friction)),
-      // A negative one drives the rim instead of braking it.
-      arg("viscosity", std::copysign(viscosity(p, step_s), p.friction)), arg("step", step_s),
-      arg("r_a", p.stator_radius), arg("k", p.support_stiffness), arg("d", p.support_damping),
-      arg("g", p.gravity), arg("weight", accident.given_from.body.mass * p.gravity),
-      arg("every", 25 * divisor), arg("steps", std::lround(accident.until_s / step_s)));
+      arg("model", is_hertz ? "hertz/stiffness tangential no_history"
+                            : "hooke/stiffness tangential no_history absolute_damping on"),
+      arg("abs", is_hertz ? "" : "_abs"), arg("viscosity", is_hertz ? braking / root : braking),
+      arg("step", step_s), arg("r_a", p.stator_radius), arg("k", p.support_stiffness),
+      arg("d", p.support_damping), arg("g", p.gravity),
+      arg("weight", accident.given_from.body.mass * p.gravity), arg("every", 25 * divisor),
+      arg("steps", std::lround(accident.until_s / step_s)));
   if (std::system(
           fmt::format("cd {} && liggghts -in liggghts.in >liggghts.log 2>&1", folder).c_str()) != 0)
     throw std::runtime_error(
