@@ -102,7 +102,7 @@ endef
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps program build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
-        laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
+        laws contact-laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
         sanitize portable deps-prove prove deps-validate validate clean
 
 help: ## list all targets
@@ -305,6 +305,11 @@ validate: build ## compare the accidents with an independent code: reference-dat
 reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv
 	$(call build-target,reasons)
 	@$(BUILD)/reasons reference-data 1000
+
+contact-laws: build ## compare other contact laws with the paper's: reference-data/contact-laws.csv, and a picture (minutes)
+	$(call build-target,contact-laws)
+	@$(BUILD)/contact-laws reference-data 100
+	@verification/paper/contact_laws.sh $(ROTOR) $(BUILD)/contact-laws-traces
 
 laws: build ## test the laws of model/theory on 10,000 random rotors: reference-data/laws.csv, and a picture
 	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --out $(BUILD)/laws/laws.csv

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <set>
 
+#include "figures/data/csv.hpp"
 #include "verification/paper/claims.hpp"
+#include "verification/paper/contact_laws.hpp"
 #include "verification/paper/readings.hpp"
 
 namespace rotor {
@@ -64,23 +66,30 @@ TEST(PopulationB, LiesWithinItsProposals) {
 // right number of values on either side of the stored quantiles.
 TEST(Ensembles, AreWhatRunsGive) {
   const Ensembles all = read_ensembles(data / "ensembles.csv");
-  constexpr long count = 24;
+  constexpr long most = 24;
+  std::vector<std::string> readings = readings_to_draw(judged());
+  const auto others = std::ranges::partition(  // rings take more time
+      readings, [](const std::string& name) { return !name.starts_with("law_"); });
+  const std::vector<std::string> of_rings(others.begin(), others.end());
+  readings.erase(others.begin(), others.end());
   for (const auto& [name, population] : {std::pair("a", Population::a), {"b", Population::b}}) {
-    const PopulationDraws draws(population, data, count);
+    const PopulationDraws draws(population, data, most);
     for (const Set& set : sets) {
-      const Draws anew = evaluate(
-          readings_to_draw(judged()), count, [&](long n) { return draws(n, set.equations); }, 2);
+      const auto at = [&](long n) { return draws(n, set.equations); };
+      Draws anew = evaluate(readings, most, at, 2);
+      anew.merge(evaluate(of_rings, 6, at, 2));
       for (const Number& number : judged())
         for (const Reading& reading : number.readings) {
           if (!number.is_drawn()) continue;
           const Stored& stored = all.at({set.name, name, number.id, reading.name});
           const Spread& s = stored.spread;
           const double holds = stored.holds;
+          const auto count = static_cast<double>(anew.at(reading.name).size());
           const auto share = [&](const std::function<bool(double)>& counts) {
             return static_cast<double>(std::ranges::count_if(anew.at(reading.name), counts)) /
                    count;
           };
-          const auto error = [](double of) {
+          const auto error = [count](double of) {
             return 3 * std::sqrt(of * (1 - of) / count) + 1. / count;
           };
           const std::string what =
@@ -105,6 +114,69 @@ TEST(Ensembles, AreWhatRunsGive) {
               << what;
         }
     }
+  }
+}
+
+// The runs at the inputs as printed, and the quantiles of a few draws in one of the rings.
+TEST(ContactLaws, LeadToWhatTheTableSays) {
+  const PopulationDraws draws(Population::b, data, 8);
+  int rows = 0, drawn = 0, above = 0, below = 0;
+  for (const CsvRow& row : read_csv(data / "contact-laws.csv")) {
+    if (row["equations"] != "published" || row["mu"] != "0.3") continue;
+    ++rows;
+    const ContactForm form{static_cast<double>(row.number("exponent")),
+                           row["damping"] == "hysteresis"};
+    const bool is_linear = row["same_indentation"].empty();
+    const SameIndentation same =
+        row["same_indentation"] == "impact" ? SameIndentation::impact : SameIndentation::rolling;
+    const auto run_in = [&](PaperRuns& runs) -> const PaperRun& {
+      const double mu = runs.inputs().mu_high;
+      return is_linear ? runs.with(mu, {}) : runs.with(mu, *numbers_of(form, same, runs));
+    };
+    PaperRuns printed{PaperInputs()};
+    const Summary& s = run_in(printed).summary();
+    EXPECT_EQ(name_of(s.outcome), row["outcome"]);
+    EXPECT_EQ(s.touch_downs, row.number("touch_downs"));
+    const double digits = 1e-4;  // of five
+    EXPECT_NEAR(*s.peak_normal_force_N / 1e3 / static_cast<double>(row.number("peak_kN")), 1,
+                digits);
+    EXPECT_NEAR(1e3 * (*s.rolling_onset_s - *s.first_contact_s) /
+                    static_cast<double>(row.number("to_rolling_ms")),
+                1, digits);
+    if (is_linear || form.exponent != 1.5 || form.hysteresis) continue;
+    for (long n = 0; n < 8; ++n, ++drawn) {
+      PaperRuns runs(draws(n, Equations::published));
+      const double ratio =
+          *run_in(runs).summary().peak_normal_force_N / *runs.high().summary().peak_normal_force_N;
+      above += ratio > static_cast<double>(row.number("force_p95"));
+      below += ratio < static_cast<double>(row.number("force_p5"));
+    }
+  }
+  EXPECT_EQ(rows, 11);
+  // A tenth is outside; more than six of sixteen are so in one of a thousand samples.
+  EXPECT_EQ(drawn, 16);
+  EXPECT_LE(above + below, 6);
+}
+
+// A blow of the same velocity indents them as far, and the closed form of the restitution holds.
+TEST(ContactLaws, GiveWayAsFarAsTheLinearRing) {
+  PaperRuns runs{PaperInputs()};
+  const PaperRun& linear = runs.high();
+  const auto touch = linear.touch_down_before_rolling(linear.touch_downs_before_rolling() - 1);
+  const Parameters p = runs.parameters();
+  const double mass = MassLoss<double>(p).after.mass,
+               velocity = Ring<double>(p).rim_point(touch->motion()).normal_velocity;
+  const double same = deepest_indentation(p, mass, velocity);
+  EXPECT_NEAR(same, 43e-6, 0.5e-6);  // 34 kN, as in the run
+  for (const ContactForm& form : other_contacts) {
+    Parameters other = p;
+    const auto numbers = *numbers_of(form, SameIndentation::impact, runs);
+    for (const auto& [name, value] : numbers) {
+      Scenario scenario{.parameters = other};
+      find_input_quantity(name)->quantity.in(scenario) = value;
+      other = scenario.parameters;
+    }
+    EXPECT_NEAR(deepest_indentation(other, mass, velocity) / same, 1, 1e-5);
   }
 }
 

@@ -297,6 +297,12 @@ const PaperRun& PaperRuns::changed(double friction, const char* quantity, double
   return get(spec);
 }
 
+const PaperRun& PaperRuns::with(double friction, const std::map<std::string, double>& numbers) {
+  ScenarioSpec spec = at_operating_speed(friction);
+  for (const auto& [name, value] : numbers) spec.numbers[name] = value;
+  return get(spec);
+}
+
 const PaperRun& PaperRuns::from_steady(double part) {
   const Parameters p = parameters();
   ScenarioSpec spec = inputs_.spec;

@@ -105,6 +105,8 @@ class PaperRuns {
   const PaperRun& high_by(Method method);
   /// At the operating speed, a contact parameter multiplied.
   const PaperRun& changed(double friction, const char* quantity, double factor);
+  /// At the operating speed, numbers stated instead of the inputs'.
+  const PaperRun& with(double friction, const std::map<std::string, double>& numbers);
   /// From steady motion at a part of the operating speed, with supports whose critical speed is the
   /// same part.
   const PaperRun& from_steady(double part);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/mechanics/mass_loss.hpp"
+#include "verification/paper/contact_laws.hpp"
 #include "verification/support/refined.hpp"
 
 namespace rotor {
@@ -73,6 +74,24 @@ Value time_to_rolling(const PaperRun& run) {
   if (!run.onset()) return std::nullopt;
   return run.onset()->time_s - *run.summary().first_contact_s;
 }
+
+/// Largest change of a result in rings of Hertz's exponent with either damping, %.
+Formula change_by_law(double PaperInputs::*friction, SameIndentation same,
+                      const std::function<Value(const PaperRun&)>& result) {
+  return [=](PaperRuns& r) -> Value {
+    const double mu = r.inputs().*friction;
+    const Value linear = result(r.with(mu, {}));
+    double largest = 0;
+    for (const bool hysteresis : {false, true}) {
+      const auto numbers = numbers_of({1.5, hysteresis}, same, r);
+      const Value changed = numbers ? result(r.with(mu, *numbers)) : std::nullopt;
+      if (!linear || !changed) return std::nullopt;
+      largest = std::max(largest, std::abs(*changed / *linear - 1));
+    }
+    return 100 * largest;
+  };
+}
+Value rolls(const PaperRun& run) { return run.onset() ? 1. : 0.; }
 
 /// What rotor and piece together gain in the mass loss.
 struct Gain {
@@ -425,6 +444,18 @@ void add_other_losses_and_contacts(Table& table) {
   table.add("d_t_peak", change(&PaperInputs::mu_high, "contact_damping", peak));
   table.add("d_t_time", change(&PaperInputs::mu_high, "contact_damping", time_to_rolling));
   table.add("d_t_peak_low", change(&PaperInputs::mu_low, "contact_damping", peak));
+  for (const auto& [same, name] : {std::pair(SameIndentation::impact, "impact"),
+                                   std::pair(SameIndentation::rolling, "rolling")}) {
+    const auto add = [&, name = name, same = same](
+                         const char* what, double PaperInputs::*friction,
+                         const std::function<Value(const PaperRun&)>& of) {
+      table.add(std::string("law_") + what + '_' + name, change_by_law(friction, same, of));
+    };
+    add("force", &PaperInputs::mu_high, peak);
+    add("time", &PaperInputs::mu_high, time_to_rolling);
+    add("rolls", &PaperInputs::mu_high, rolls);
+    add("force_low", &PaperInputs::mu_low, peak);
+  }
 }
 
 const std::map<std::string, Formula>& readings() {

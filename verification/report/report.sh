@@ -34,6 +34,8 @@ for study in "${studies[@]}"; do
     cp "$from"/*.svg "$from"/*.csv "$to"
   fi
 done
+mkdir -p "$out/contact-laws"
+cp verification/paper/contact-laws.svg reference-data/contact-laws.csv "$out/contact-laws"
 (cd "$out" && sha256sum claims.csv map.csv figures/*/*.csv >SHA256SUMS)
 commit=$(git rev-parse HEAD 2>/dev/null || echo unknown)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)

@@ -140,7 +140,8 @@ Json studies_json(const Sources& sources, const Json& names) {
               {"proven", proven_json(sources.reference_data / "proven.csv")}};
   for (const auto& [folder, title] : {std::pair("work-precision", "Run time against error"),
                                       {"stability", "Stability and random rotors"},
-                                      {"maps", "Maps"}})
+                                      {"contact-laws", "Other contact laws"},
+                              {"maps", "Maps"}})
     if (const Json files = study_json(sources, folder); !files.empty())
       all["folders"].push_back({{"title", title}, {"files", files}});
   return all;

@@ -1,0 +1,92 @@
+/// The paper's linear ring, and other rings that give way as far under the same blow or in the same
+/// rolling: whether "it appears acceptable to linearize the contact zone response".
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "model/theory/accident.hpp"
+#include "verification/paper/paper_runs.hpp"
+
+namespace rotor {
+
+struct ContactForm {
+  double exponent;
+  bool hysteresis;  ///< damping as Hunt and Crossley's, not by a linear dashpot
+};
+inline constexpr ContactForm linear_contact{1, false};
+inline constexpr std::array other_contacts = {ContactForm{1, true}, ContactForm{1.25, false},
+                                              ContactForm{1.25, true}, ContactForm{1.5, false},
+                                              ContactForm{1.5, true}};
+
+/// Where another ring is indented as far as the linear one: in the first impact, or in rolling.
+/// These are two choices of its stiffness.
+enum class SameIndentation { impact, rolling };
+
+/// How far a mass that strikes a ring indents it, m, by RK4: to 1e-6 of it.
+inline double deepest_indentation(const Parameters& p, double mass, double velocity) {
+  const ContactLaw<double> law(p);
+  const double h = 1e-2 * std::sqrt(mass / Ring<double>(p).typical_stiffness());
+  const auto rate = [&](double x, double v) { return law.force(x, v) / mass; };
+  double x = 0, v = velocity;
+  while (v > 0) {
+    const double a1 = rate(x, v), v2 = v + h / 2 * a1, a2 = rate(x + h / 2 * v, v2),
+                 v3 = v + h / 2 * a2, a3 = rate(x + h / 2 * v2, v3), v4 = v + h * a3,
+                 a4 = rate(x + h * v3, v4);
+    x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+  }
+  return x - v * v / rate(x, v) / 2;
+}
+
+/// Hunt and Crossley's alpha, s/m, with that restitution at a velocity:
+/// alpha v (1 + e) = ln((1 + alpha v)/(1 - e alpha v)).
+inline double hysteresis_for(double restitution, double velocity) {
+  double low = 0, high = 1 / restitution;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double s = (low + high) / 2;
+    const bool is_below = s * (1 + restitution) > std::log1p(s) - std::log1p(-restitution * s);
+    (is_below ? low : high) = s;
+  }
+  return low / velocity;
+}
+
+/// The numbers of another ring. Its dashpot is the linear ring's, or its hysteresis gives the same
+/// restitution in the first impact. Empty if the rotor does not roll in the linear ring.
+inline std::optional<std::map<std::string, double>> numbers_of(const ContactForm& form,
+                                                               SameIndentation same,
+                                                               PaperRuns& runs) {
+  const PaperRun& linear = runs.high();
+  const std::size_t touch_downs = linear.touch_downs_before_rolling();
+  if (touch_downs == 0 || !linear.at_peak()) return std::nullopt;
+  Parameters p = linear.scenario().parameters;
+  const Ring<double> ring(p);
+  const auto [k_t, d_t] = ring.law.linear("the linear ring");
+  const double mass = MassLoss<double>(p).after.mass;
+  const double velocity =
+      ring.rim_point(linear.touch_down_before_rolling(touch_downs - 1)->motion()).normal_velocity;
+  const double swing = swing_after_blow(d_t / (2 * std::sqrt(k_t * mass)));
+  p.contact_exponent = form.exponent;
+  if (form.hysteresis) {
+    p.contact_damping = 0;
+    p.contact_hysteresis = hysteresis_for(swing * swing, velocity);
+  }
+  if (same == SameIndentation::impact) {
+    p.reference_indentation = velocity / std::sqrt(k_t / mass) * swing;
+    for (int n = 0; n < 8; ++n)  // each divides the error by ten or more
+      p.contact_stiffness *= std::pow(
+          deepest_indentation(p, mass, velocity) / p.reference_indentation, p.contact_exponent + 1);
+  } else {
+    p.reference_indentation = ring.rim_point(linear.at_peak()->motion()).indentation;
+  }
+  return {{{"contact_stiffness", p.contact_stiffness},
+           {"contact_damping", p.contact_damping},
+           {"contact_exponent", p.contact_exponent},
+           {"reference_indentation", p.reference_indentation},
+           {"contact_hysteresis", p.contact_hysteresis}}};
+}
+
+}  // namespace rotor
