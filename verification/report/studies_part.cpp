@@ -141,7 +141,7 @@ Json studies_json(const Sources& sources, const Json& names) {
   for (const auto& [folder, title] : {std::pair("work-precision", "Run time against error"),
                                       {"stability", "Stability and random rotors"},
                                       {"contact-laws", "Other contact laws"},
-                              {"maps", "Maps"}})
+                                      {"maps", "Maps"}})
     if (const Json files = study_json(sources, folder); !files.empty())
       all["folders"].push_back({{"title", title}, {"files", files}});
   return all;
