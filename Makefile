@@ -41,7 +41,8 @@ $(foreach char,; " \ [ ] * ? < > | & ' ` ^ $(hash),$(if $(findstring $(char),$(C
 # Misspelt options are reported before anything is built.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
-$(call one_of,EQUATIONS,published consistent)
+$(call one_of,EQUATIONS,published consistent corrected)
+override EQUATIONS := $(EQUATIONS:corrected=consistent)
 NUMBERS := $(FIGURES:fig%=%)
 $(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be among: $(NUMBERS)))
 whole = $(if $(shell n=$(call quote,$($(1))); [[ $$n =~ ^(0|[1-9][0-9]{0,8})$$ && $$n -ge $(2) ]] && echo yes),,$(error \
@@ -105,44 +106,50 @@ endef
         laws contact-laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
         sanitize portable deps-prove prove deps-validate validate clean
 
-help: ## list all targets
-	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | \
-	  awk -F '\t' '{ printf "  make %-14s %s\n", $$1, $$2 }'
-	@echo "  make figNN          redraw one figure: $(FIGURES)"
-	@echo "Options: FORMAT=svg|pdf|png, EQUATIONS=published|consistent, FIG=\"3 4\" (for make figures),"
-	@echo "         SEED=7, HAND=50, COUNT=100, UNDER=\"model figures\" (for make mutants: which changes, how many, and where)"
-	@echo "         POINTS=40 (for make maps: points along each axis, 400 by default)"
-	@echo "         CASES=\"mu 0.3\" (for make validate: only accidents with this in their names)"
-	@echo "         RUNS=100 (for make stress: runs, drawn with SEED, to 3, 6, 9 and 12 digits)"
+help: ## start: list all targets
+	@sed -n 's/^\([a-z0-9-]*\):.*## \([a-z]*\): \(.*\)/\2\t\1\t\3/p' Makefile | awk -F '\t' '\
+	  { lines[$$1] = lines[$$1] sprintf("  %-15s %s\n", $$2, $$3) } \
+	  END { print "make TARGET\n\nFirst:\n" lines["start"] "\nThe paper, its figures and claims:\n" lines["paper"] \
+	    "  figNN           redraw one figure: NN from $(firstword $(NUMBERS)) to $(lastword $(NUMBERS))\n" \
+	    "\nCompute again what is in reference-data:\n" lines["data"] "\nWork on the code:\n" lines["code"] }'
+	@echo "What these need beyond make deps: make deps-NAME, NAME being one of"
+	@echo "  $(sort $(patsubst deps-%:,%,$(shell grep -o '^deps-[a-z]*:' Makefile)))"
+	@echo
+	@echo "Options:"
+	@echo "  FORMAT=svg|pdf|png, EQUATIONS=published|corrected, FIG=\"3 4\"     for figures"
+	@echo "  POINTS=40 along each axis (default 400)                         for maps"
+	@echo "  CASES=\"mu 0.3\": accidents with this in their names             for validate"
+	@echo "  RUNS=100, drawn with SEED=7, to 3, 6, 9 and 12 digits           for stress"
+	@echo "  SEED=7 HAND=50 COUNT=100 UNDER=\"model figures\": which changes  for mutants"
 
-deps: ## install the Debian packages that are missing
+deps: ## start: install the Debian packages that are missing
 	$(call install,$(PACKAGES))
-deps-bench: deps ## install the library that the benchmark compares with (optional)
+deps-bench: deps
 	$(call install,$(BENCH_PACKAGES))
-deps-lint: deps ## install what make lint needs (optional)
+deps-lint: deps
 	$(call install,$(LINT_PACKAGES))
-deps-mutants: deps ## install what make mutants needs (optional)
+deps-mutants: deps
 	$(call install,$(MUTANTS_PACKAGES))
-deps-clang: deps ## install clang, for make verify CXX=clang++ (optional)
+deps-clang: deps
 	$(call install,$(CLANG_PACKAGES))
-deps-portable: deps ## install what make portable needs (optional)
+deps-portable: deps
 	$(call install,$(PORTABLE_PACKAGES))
 
-deps-report: deps ## install what make check-report needs (optional)
+deps-report: deps
 	$(call install,$(REPORT_PACKAGES))
 	@mkdir -p $(BUILD)/check-report && cp verification/report/package*.json $(BUILD)/check-report
 	@cd $(BUILD)/check-report && npm ci --ignore-scripts --no-audit --no-fund
 
-deps-prove: deps ## install what make prove needs (optional)
+deps-prove: deps
 	$(call install,$(PROVE_PACKAGES))
 
-deps-validate: deps ## install what make validate needs (optional)
+deps-validate: deps
 	$(call install,$(VALIDATE_PACKAGES))
 
-deps-mpi: deps ## install what make mpi needs (optional)
+deps-mpi: deps
 	$(call install,$(MPI_PACKAGES))
 
-deps-explore: deps ## install what make explore needs (optional)
+deps-explore: deps
 	$(call install,$(EXPLORE_PACKAGES))
 
 # On a system without dpkg, CMake and gnuplot report what is missing.
@@ -169,12 +176,13 @@ endef
 
 program: need-deps
 	$(call build-target,rotor)
-build: program ## build the program, build/rotor, and build/rotor-digits, which it needs for --digits
+build: program ## start: build build/rotor, and build/rotor-digits for --digits
 	$(call build-target,rotor-digits)
 $(ROTOR): program
 
-figures: pictures ## redraw Figs. 2-17 into build/figures
-	@[ "$(FORMAT)$(FIG)" != svg ] || [ ! -e $(BUILD)/report/index.html ] || verification/report/report.sh $(BUILD)
+figures: pictures ## start: redraw Figs. 2-17 into build/figures
+	@[ "$(FORMAT)$(FIG)" != svg ] || [ ! -e $(BUILD)/report/index.html ] || \
+	  [ -z "$$(find $(OUT) -maxdepth 1 -name 'fig*.svg' -newer $(BUILD)/report/index.html)" ] || verification/report/report.sh $(BUILD)
 pictures: $(ASKED:%=$(OUT)/%.$(FORMAT))
 $(FIGURES): %: $(OUT)/%.$(FORMAT)
 
@@ -195,7 +203,7 @@ DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
 $(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
 	@figures/draw.sh $@ "data = '$<'; equations = '$(EQUATIONS)'; \
 	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" figures/paper/$*.gp
-$(OUT)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
+$(OUT)/fig13.$(FORMAT) $(OUT)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
 figures/paper/%.gp:
 	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))
 
@@ -203,7 +211,7 @@ figures/paper/%.gp:
 MAPS         := $(filter-out rounding,$(patsubst figures/maps/%.toml,%,$(wildcard figures/maps/*.toml)))
 MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
 MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
-maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## draw the four reasons for the accident as maps, into build/maps (minutes)
+maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## paper: draw the four reasons for the accident as maps (minutes)
 .SECONDARY: $(foreach map,$(MAPS) rounding,$(foreach end,.toml .csv -theory.csv -tolerance.txt,$(MAP_OUT)/$(map)$(end)))
 map-theory: build
 	$(call build-target,map-theory)
@@ -229,70 +237,70 @@ $(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv $(MAP_OUT
 $(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv $(MAP_OUT)/rounding-tolerance.txt figures/maps/rounding.gp figures/paper/style.gp
 	@figures/draw.sh $@ "data = '$<'; note = '$(word 2,$^)'" figures/maps/rounding.gp
 
-verify: build ## build, run all tests, and compare the published numbers with ours
+verify: build ## start: run all tests, and give the verdict on each claim
 	$(call build-target,all)
 	@verification/verify.sh $(BUILD)
 
-claim: build ## print all that is known about one claim of the paper: make claim ID=speed; without ID, the claims
+claim: build ## paper: print all that is known about one claim: make claim ID=speed; or list them
 	$(call build-target,report-numbers)
 	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
 
 # Each set of equations is drawn by its own make.
-report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## make the reviewer's page, build/report/index.html: one file that needs no network
+report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## start: make the page, build/report/index.html: one file, no network
 	$(call build-target,report-page report-numbers)
 	@for set in published consistent; do \
 	  $(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=$$set; done
 	@verification/report/report.sh $(BUILD)
-check-report: report ## check the page in a browser, its links and its spelling
+check-report: report ## code: check the page in a browser, its links and its spelling
 	@verification/report/check.sh $(BUILD)
-site: verify report ## collect page, pictures, data and maps for a static host, and as an archive
+site: verify report ## paper: collect page, pictures, data and maps for a static host
 	@verification/report/site.sh $(BUILD)
 
-approve: build ## rewrite verification/approved and the marked numbers in Markdown; read the change before you commit it
+approve: build ## code: rewrite approved texts and marked numbers; read the change
 	$(call build-target,verification)
 	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
 
-lint: need-deps ## check the code's format, and look for mistakes with clang-tidy
+lint: need-deps ## code: check the format, and look for mistakes with clang-tidy
 	@verification/lint.sh $(BUILD)
 
-sanitize: need-deps ## run the tests with address and undefined-behaviour sanitizers
+sanitize: need-deps ## code: run the tests with sanitizers
 	@cmake --preset sanitize -B $(BUILD)/sanitize >$(BUILD)/sanitize.log 2>&1 || { cat $(BUILD)/sanitize.log >&2; exit 1; }
 	@cmake --build $(BUILD)/sanitize --target verification
 	@verification/tests.sh $(BUILD)/sanitize
 
-mpi: build ## build build/mpi/rotor, which mpirun runs on many machines, and compare it with threads
+mpi: build ## code: build build/mpi/rotor, which mpirun runs on many machines
 	$(call build-target,rotor-mpi,mpi,$(MPI_PACKAGES))
 	@verification/program/mpi.sh $(BUILD)/mpi/rotor
 
 engine: need-deps
 	@figures/explore/build.sh $(BUILD)
-explore: engine report ## make the page with the engine in it, compiled for the browser: drag on its map to rerun the accident
+explore: engine report ## paper: make the page with the engine: drag to rerun the accident
 
-check-explore: explore ## operate that page in a browser and compare it with the program (needs make deps-report)
+check-explore: explore ## code: operate the page with the engine, compared with the program
 	@node verification/program/explore.mjs $(BUILD)/report/index.html $(ROTOR) $(BUILD)/check-report "$$(command -v chromium)"
 
-portable: build ## build for another processor, and compare results to the last bit
+portable: build ## code: build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)
 
-mutants: need-deps ## break the program on purpose in many ways: the tests must notice every listed fault (minutes)
+mutants: need-deps ## code: break the program in ways that tests must notice (minutes)
 	@$(call quote,$(PYTHON)) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call quote,$(UNDER))
 
-reference: build ## recompute high-precision.csv and random-runs.csv in quadruple precision (minutes)
+reference: build ## data: high-precision.csv and random-runs.csv (minutes)
 	$(call build-target,reference digits-reference)
 	@$(BUILD)/digits-reference reference-data/random-runs.csv
 	@$(BUILD)/reference reference-data/high-precision.csv
 
-ensembles: build ## recompute reference-data/ensembles.csv: every claim over the rounding of the inputs (minutes); one with ID=speed
+ensembles: build ## data: ensembles.csv: claims over the rounding of inputs (minutes), or one ID
 	$(call build-target,ensembles)
 	@$(BUILD)/ensembles reference-data $(if $(ID),1000 $(call quote,$(ID)),10000)
 
-prove: need-deps ## prove the accident's numbers by ball arithmetic: reference-data/proven.csv (minutes)
+prove: need-deps ## data: proven.csv: the accident by ball arithmetic (minutes)
 	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))
 	@$(BUILD)/prover-tests --gtest_brief=1
 	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
 # With CASES nothing outside build is written.
-validate: build ## compare the accidents with an independent code: reference-data/independent.csv, and a picture (minutes)
+validate: build ## data: independent.csv: accidents by an independent code (minutes)
 	$(if $(and $(shell command -v dpkg-query),$(call missing,$(VALIDATE_PACKAGES))),$(error Missing packages: $(call missing,$(VALIDATE_PACKAGES)) (make deps-validate installs them)))
 	$(call build-target,validate)
 	@mkdir -p $(BUILD)/validation
@@ -302,31 +310,31 @@ validate: build ## compare the accidents with an independent code: reference-dat
 	@figures/draw.sh $(if $(CASES),$(BUILD)/validation,verification/validation)/validation.svg \
 	  "folder = '$(BUILD)/validation'" verification/validation/validation.gp
 
-reasons: build ## retry the reasons for the accident on 1000 rotors: reference-data/reasons-tried.csv
+reasons: build ## data: reasons-tried.csv: reasons for the accident on 1000 rotors
 	$(call build-target,reasons)
 	@$(BUILD)/reasons reference-data 1000
 
-contact-laws: build ## compare other contact laws with the paper's: reference-data/contact-laws.csv, and a picture (minutes)
+contact-laws: build ## data: contact-laws.csv: other laws of the ring, with a picture (minutes)
 	$(call build-target,contact-laws)
 	@$(BUILD)/contact-laws reference-data 100
 	@verification/paper/contact_laws.sh $(ROTOR) $(BUILD)/contact-laws-traces
 
-laws: build ## test the laws of model/theory on 10,000 random rotors: reference-data/laws.csv, and a picture
+laws: build ## data: laws.csv: the closed forms on 10,000 rotors, with a picture
 	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --out $(BUILD)/laws/laws.csv
 	@$(ROTOR) sweep verification/paper/region.toml --out $(BUILD)/laws/region.csv
 	@verification/paper/laws.sh $(BUILD)/laws/laws.csv $(BUILD)/laws/region.csv > $(BUILD)/laws/quantiles.csv
 	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
-bench-programs: build ## build the programs of make bench, stress and reference
+bench-programs: build ## code: build the programs of make bench, stress and reference
 	$(call build-target,benchmark random-rotors stable-steps reference digits-reference,bench,$(BENCH_PACKAGES))
-bench: bench-programs ## measure run time against error of every method, with pictures, into build/bench
+bench: bench-programs ## code: measure run time against error of each method, with pictures
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
 	@for scene in 1 2 3 4 5 6 7; do \
 	  figures/draw.sh $(BUILD)/bench/work-precision-$$scene.$(FORMAT) \
 	    "data = '$(BUILD)/bench/work-precision.csv'; scene = $$scene" verification/benchmark/work-precision.gp; done
 
-stress: build ## test a hundred thousand random rotors, stability and guaranteed digits, with pictures (minutes)
+stress: build ## code: test 100,000 random rotors, with pictures (minutes)
 	$(call build-target,random-rotors stable-steps digits-reference)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 100000 $(BUILD)/stress-results
 	@verification/robustness/differential.sh 10000 $(BUILD)/stress-results/differential $(ROTOR) outcome $(ROTOR) end
@@ -335,5 +343,5 @@ stress: build ## test a hundred thousand random rotors, stability and guaranteed
 	  verification/robustness/stress.gp
 	@$(BUILD)/digits-reference stress $(RUNS) $(SEED) $(BUILD)/stress-results
 
-clean: ## remove the folder build
+clean: ## start: remove the folder build
 	rm -rf $(BUILD)

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz";
 
+/// What pages and figures call the consistent equations.
+constexpr std::string_view corrected = "corrected";
+
 constexpr std::array alternatives = {
     InputQuantity{{"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, 0},
                   "stator_radius"},
@@ -31,7 +34,9 @@ std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
 
 void state_lost_mass(Parameters& p, double lost_mass) {
   if (!(p.eccentricity > 0))
-    throw InputError("lost_mass: a rotor without eccentricity has no unbalance to increase");
+    throw InputError(
+        "lost_mass: a rotor without eccentricity has no unbalance to increase; state an "
+        "eccentricity above 0 m");
   if (!(lost_mass < p.mass))
     throw InputError("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass);
   p.lost_mass = lost_mass;
@@ -198,8 +203,12 @@ std::span<const NamedInput> named_inputs() {
   constexpr Scenario standard{};
   static constexpr std::array all = {
       NamedInput{"equations", name_of(standard.equations),
-                 "published (as printed: twice, whole) or consistent (once, balanced)",
-                 [](Spec& s, Text name) { s.equations = parse_name<Equations>(name); }},
+                 "published (as printed: twice, whole) or corrected, also called consistent (once, "
+                 "balanced)",
+                 [](Spec& s, Text name) {
+                   s.equations =
+                       name == corrected ? Equations::consistent : parse_name<Equations>(name);
+                 }},
       NamedInput{"velocity_jump", name_of(standard.equations.velocity_jump),
                  "once or twice: how often the mass loss adds Delta_vy to the velocity of C",
                  [](Spec& s, Text name) { s.velocity_jump = parse_name<VelocityJump>(name); }},

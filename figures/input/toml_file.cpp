@@ -54,6 +54,11 @@ bool vanishes(std::string_view decimals) {
          std::string_view::npos;
 }
 
+bool is_input(std::string_view key) {
+  return find_input_quantity(key) || find_named_input(key) || key == "no_mass_loss" ||
+         key == "digits";
+}
+
 }  // namespace
 
 TomlFile::TomlFile(std::filesystem::path file)
@@ -63,6 +68,10 @@ TomlFile::TomlFile(std::filesystem::path file)
   try {
     root_ = toml::parse(content_, file_.string());
   } catch (const toml::parse_error& error) {
+    if (file_.extension() == ".csv")
+      throw InputError(
+          "{}: holds results, not a scene or a sweep; rotor plot draws those of a sweep",
+          file_.string());
     throw InputError("{}:{}: {}", file_.string(), error.source().begin.line,
                      one_line(error.description()));
   }
@@ -77,9 +86,9 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
   for (const auto& [key, node] : table)
     if (!contains(allowed, key.str()))
       fail(node, key.str(), "unknown key{}{}",
-           &table != &root_ && contains(keys_of_root_, key.str())
-               ? ", which belongs above the first [table]"
-               : "",
+           &table == &root_ ? is_input(key.str()) ? ", which belongs below [parameters]" : ""
+           : contains(keys_of_root_, key.str()) ? ", which belongs above the first [table]"
+                                                : "",
            choices(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}));
 }
 

@@ -29,15 +29,16 @@ struct FigureOptions : CommonOptions {
 
 struct PlotOptions : CommonOptions {
   std::string file;  ///< a scene, a sweep, or a sweep's results
-  std::string out;   ///< the file's name with .svg, if empty
+  std::string out;   ///< if empty, the file's name, what is drawn if it is stated, and .svg
   std::optional<double> from_s, until_s;
   bool spectrum = false;
   std::string column;  ///< of a sweep; empty: the largest normal force
 };
 
 struct SweepOptions {
-  std::string file, out;
-  int jobs = 0;  ///< threads; 0: as many as there are cores
+  std::string file;
+  std::string out;  ///< the file's name with .csv, if empty
+  int jobs = 0;     ///< threads; 0: as many as there are cores
   bool dry_run = false;
 };
 
@@ -49,6 +50,7 @@ struct CaseOptions : CommonOptions {
 };
 
 struct RunOptions : CaseOptions {
+  bool all = false;           ///< print every result as text
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
@@ -98,6 +100,10 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes);
 
 /// Each name and value on its own line, or as JSON.
 void print_summary(const Json& run, bool as_json, std::FILE* to);
+
+/// What a person asks first: the outcome as a sentence, the remarks, and some results in ms, mm and
+/// kN.
+void print_brief(const Json& run, std::FILE* to);
 
 /// Several runs: one row each with the most important values, or all values as JSON.
 void print_summaries(const Json& runs, bool as_json, std::FILE* to);

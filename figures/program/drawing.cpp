@@ -82,8 +82,7 @@ std::string numbered(std::string_view text) {
 
 Drawing::Drawing(const std::string& file, const std::string& out)
     : name_(fs::path(file).stem().string()),
-      out_(checked(
-          out.empty() ? fs::path(file).filename().replace_extension(".svg") : fs::path(out), file)),
+      out_(checked(out, file)),
       picture_(fs::path("picture").replace_extension(out_.extension()).string()),
       folder_(new_folder()) {}
 

@@ -16,7 +16,7 @@ std::string numbered(std::string_view text);
 /// written.
 class Drawing {
  public:
-  /// The picture of a scene or sweep file; if `out` is empty, named like the file with .svg.
+  /// The picture of a scene or sweep file.
   Drawing(const std::string& file, const std::string& out);
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;

@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <set>
+#include <sstream>
 
 #include "figures/program/commands.hpp"
 #include "figures/results/laws.hpp"
@@ -16,6 +18,72 @@
 
 namespace rotor {
 namespace {
+
+/// Help whose lines fit a terminal of 80 columns.
+class Help : public CLI::Formatter {
+ public:
+  Help() {
+    column_width(29);
+    label("TEXT", "NAME");
+    label("INT", "N");
+    label("FLOAT", "N");
+  }
+
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    std::string meaning = make_option_desc(option);
+    const auto add = [&](std::string_view word, const std::set<CLI::Option*>& others) {
+      std::vector<std::string> names;
+      for (const CLI::Option* other : others) names.push_back(other->get_name());
+      if (!names.empty()) meaning += fmt::format("; {} {}", word, fmt::join(names, ", "));
+    };
+    add("needs", option->get_needs());
+    add("excludes", option->get_excludes());
+    if (const std::string standard = option->get_default_str(); !standard.empty())
+      meaning += fmt::format(" [{}]", standard);
+    std::string name = make_option_name(option, is_positional);
+    if (option->get_type_size() != 0 && !is_positional)
+      name += ' ' + get_label(option->get_type_name());
+    return entry(name, meaning);
+  }
+
+  std::string make_footer(const CLI::App* command) const override {
+    std::istringstream lines(command->get_footer());
+    std::string footer;
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t meaning = line.rfind("  ");  // after a key
+      footer += line.size() < 80 || meaning == std::string::npos
+                    ? line + '\n'
+                    : wrapped(line.substr(0, meaning + 1), line.substr(meaning + 2));
+    }
+    return footer;
+  }
+
+  std::string make_subcommand(const CLI::App* command) const override {
+    return entry(command->get_name(), command->get_description());
+  }
+
+ private:
+  std::string entry(const std::string& name, const std::string& meaning) const {
+    const std::string left = "  " + name;
+    return left.size() < get_column_width()
+               ? wrapped(fmt::format("{:<{}}", left, get_column_width() - 1), meaning)
+               : left + '\n' + wrapped(std::string(get_column_width() - 1, ' '), meaning);
+  }
+
+  /// The text with words after it, and lines below its end.
+  static std::string wrapped(std::string text, const std::string& meaning) {
+    constexpr std::size_t most = 79;
+    const std::size_t indent = text.size();
+    std::istringstream words(meaning);
+    std::size_t used = indent;
+    for (std::string word; words >> word; used += 1 + word.size(), text += ' ' + word)
+      if (used + 1 + word.size() > most) {
+        text += '\n' + std::string(indent, ' ');
+        used = indent;
+      }
+    return text + '\n';
+  }
+};
 
 /// Checks that a function can parse a text without an InputError.
 template <class Parse>
@@ -46,6 +114,7 @@ CLI::Validator whole_number() {
 CLI::Option* add_name(CLI::App& command, const char* option, std::string& into, const char* meaning,
                       const char* what = "a file") {
   return command.add_option(option, into, meaning)
+      ->type_name(what == std::string_view("a file") ? "FILE" : "NAME")
       ->check({[what](const std::string& text) -> std::string {
                  return text.empty() ? fmt::format("must name {}", what) : "";
                },
@@ -74,7 +143,7 @@ void add_options(CLI::App& command, CommonOptions& options) {
 }
 
 constexpr const char* precedence =
-    "What a [[run]] of a scene states takes precedence over these options.";
+    "What a [[run]] of a scene states takes precedence over these options.\n";
 
 void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = ROTOR_SCENES;
@@ -84,7 +153,10 @@ void add_options(CLI::App& command, FigureOptions& options) {
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->default_str("the paper's");
   add_options(command, static_cast<CommonOptions&>(options));
-  command.footer(precedence);
+  command.footer(std::string(precedence) +
+                 "\nExamples:\n"
+                 "  rotor figure --out data\n"
+                 "  rotor figure 8 13 --equations corrected");
 }
 
 void add_options(CLI::App& command, PlotOptions& options) {
@@ -92,7 +164,8 @@ void add_options(CLI::App& command, PlotOptions& options) {
            "scene or sweep file (TOML), or the results of a sweep (CSV)")
       ->required();
   add_name(command, "--out", options.out,
-           "picture: .svg, .pdf or .png (default: the file's name with .svg)");
+           "picture: .svg, .pdf or .png (default: the file's name, with -spectrum or the column if "
+           "one is stated, and .svg)");
   add_seconds(command, "--from", options.from_s,
               "start of what is drawn (default: the scene's window, or shortly before the first "
               "mass loss)");
@@ -106,7 +179,10 @@ void add_options(CLI::App& command, PlotOptions& options) {
            "result of a sweep to draw beside the outcome (default: the largest normal force)",
            "a column");
   add_options(command, static_cast<CommonOptions&>(options));
-  command.footer(precedence);
+  command.footer(std::string(precedence) +
+                 "\nExamples:\n"
+                 "  rotor plot my-rotor.toml --until 0.05\n"
+                 "  rotor plot friction.csv --column rolling_onset_speed_Hz");
 }
 
 void add_options(CLI::App& command, SweepOptions& options) {
@@ -114,15 +190,28 @@ void add_options(CLI::App& command, SweepOptions& options) {
            "sweep file (TOML): parameters, and the quantities that vary")
       ->required();
   auto* out = add_name(command, "--out", options.out,
-                       "write the results, one row per point, to this CSV file");
+                       "results, one row per point (default: the file's name with .csv)");
   command.add_option("--jobs", options.jobs, "threads (default: one per core)")
       ->transform(whole_number())
-      ->check(CLI::Range(1, 4096));
+      ->check(CLI::Range(1, 4096).description(""));
   command
       .add_flag("--dry-run", options.dry_run,
                 "print the number of points, and about how long they take")
       ->excludes(out);
+  command.footer(
+      "Examples:\n"
+      "  rotor sweep friction.toml --dry-run\n"
+      "  rotor sweep friction.toml --out results.csv");
 }
+
+/// Headings of the quantities in the help, each from the quantity on that it names.
+constexpr std::array<std::pair<std::string_view, const char*>, 4> headings = {
+    {{"mass", "Rotor"},
+     {"contact_stiffness", "Contact and ring"},
+     {"unbalance_factor", "Mass loss"},
+     {"start_speed_hz", "Run and method"}}};
+constexpr const char* const of_loss = headings[2].second;
+constexpr const char* const of_run = headings[3].second;
 
 void add_options(CLI::App& command, CaseOptions& options) {
   auto* scene = add_name(command, "scene,--scene", options.scene,
@@ -130,7 +219,10 @@ void add_options(CLI::App& command, CaseOptions& options) {
   add_name(command, "--run", options.run_name, "the [[run]] of the scene to run (default: all)",
            "a run")
       ->needs(scene);
+  std::string heading;
   for (const auto& [quantity, instead_of] : input_quantities()) {
+    for (const auto& [first, its] : headings)
+      if (first == quantity.name) heading = its;
     std::string meaning(quantity.meaning);
     if (!quantity.symbol.empty()) meaning += fmt::format(", {}", quantity.symbol);
     if (!instead_of.empty()) meaning += ", instead of " + option_of(instead_of);
@@ -140,7 +232,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
           state_number(options.numbers, of, text);
         },
         meaning);
-    added->type_name(quantity.unit.empty() ? "number" : std::string(quantity.unit));
+    added->type_name(quantity.unit.empty() ? "N" : std::string(quantity.unit))->group(heading);
     if (quantity.name == "until")
       added->default_str("0.25 s after the mass loss");
     else if (quantity.name == "mass_loss_time")
@@ -148,9 +240,13 @@ void add_options(CLI::App& command, CaseOptions& options) {
     else if (quantity.in)
       added->default_str(fmt::format("{}", quantity.of(Scenario{})));
   }
-  command.add_flag_callback(
-      "--no-mass-loss", [&options] { options.numbers.loses_mass = false; }, "no mass is lost");
+  command
+      .add_flag_callback(
+          "--no-mass-loss", [&options] { options.numbers.loses_mass = false; }, "no mass is lost")
+      ->group(of_loss);
+  command.option_defaults()->group(of_run);
   add_options(command, static_cast<CommonOptions&>(options));
+  command.option_defaults()->group("Output");
   command.add_flag("--json", options.json, "print the results as JSON");
 }
 
@@ -162,7 +258,9 @@ void add_options(CLI::App& command, RunOptions& options) {
           [&options](const std::string& text) { options.stop_on = parse_name<StopOn>(text); },
           "end the run early: outcome (once an event decides it), rolling (at the first maximum of "
           "the force in rolling) or rest (after a second below 0.1 Hz)")
-      ->check(parsed_by(parse_name<StopOn>));
+      ->check(parsed_by(parse_name<StopOn>))
+      ->group(of_run);
+  command.add_flag("--all", options.all, "print every result, not only those asked for first");
   auto* trace =
       add_name(command, "--trace", options.trace,
                "write the motion within the window to this CSV file; - is standard output");
@@ -206,6 +304,10 @@ void add_options(CLI::App& command, RunOptions& options) {
                    "and until the end");
   command.add_flag("--keep-partial", options.keep_partial,
                    "when interrupted, write what has been computed, marked as cut short");
+  command.footer(
+      "Examples:\n"
+      "  rotor run --friction 0.15 --equations corrected\n"
+      "  rotor run --mass-loss-speed-hz 75 --trace motion.csv --columns time_s,rho_m");
 }
 
 /// A command that fills in its options and then runs.
@@ -270,10 +372,15 @@ int main(int argc, char** argv) {
   note_interruptions();
   CLI::App app(
       "Simulates an overcritical rotor that loses mass and rubs: the paper's figures, or your own "
-      "case.");
+      "case.",
+      "rotor");
   app.set_version_flag("--version", "rotor " ROTOR_VERSION);
   app.require_subcommand(1);
-  app.get_formatter()->column_width(36);
+  app.formatter(std::make_shared<Help>());
+  app.footer(
+      "rotor COMMAND --help lists the options of a command.\n\nExamples:\n"
+      "  rotor run --friction 0.15 --equations corrected\n"
+      "  rotor plot figures/paper/fig08.toml");
   FigureOptions figure;
   PlotOptions plot_options;
   RunOptions run;
@@ -287,8 +394,15 @@ int main(int argc, char** argv) {
               estimate_rotor);
   app.get_subcommand("estimate")
       ->footer("Results; numbers in brackets are the equations of model/theory/README.md:\n" +
-               meanings_of_laws());
+               meanings_of_laws() +
+               "\nExamples:\n"
+               "  rotor estimate --mass-loss-speed-hz 75 --equations corrected\n"
+               "  rotor estimate my-rotor.toml");
   add_command(app, "sweep", "Run many rotors, varying some quantities", sweep, run_sweep);
+  if (argc == 1) {
+    fmt::print("{}", app.help());
+    return 1;
+  }
   int status = 0;
   try {
     app.parse(argc, argv);

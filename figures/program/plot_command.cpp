@@ -37,7 +37,12 @@ bool is_sweep(const std::filesystem::path& file) {
 
 }  // namespace
 
-void plot(const PlotOptions& options) {
+void plot(const PlotOptions& stated) {
+  PlotOptions options = stated;
+  if (options.out.empty())  // another one for each kind of picture
+    options.out = fmt::format("{}{}{}{}.svg", std::filesystem::path(options.file).stem().string(),
+                              options.spectrum ? "-spectrum" : "",
+                              options.column.empty() ? "" : "-", options.column);
   if (is_sweep(options.file)) return plot_sweep(options);
   if (!options.column.empty()) throw InputError("--column: needs a sweep; this is a scene");
   Scene scene = read_scene(options.file, {options.equations_and_method, {}});

@@ -231,6 +231,9 @@ void run_rotor(const RunOptions& options) {
   const Scene scene = requested_scene(options, run_ups);
   if (options.estimate_error || has_run_with_digits(scene)) require_certified();
   const bool one_of_many = scene.runs.size() > 1;
+  // Digits and errors were asked of every result.
+  const bool all = options.all || options.estimate_error || has_run_with_digits(scene),
+             is_brief = !one_of_many && !all && !options.json;
   auto runs = Json::array();
   std::vector<std::string> messages, failures;
   for (const SceneRun& run : scene.runs) {
@@ -249,7 +252,7 @@ void run_rotor(const RunOptions& options) {
       continue;
     }
     for (const Remark& remark : report.remarks)  // a table does not show them
-      if (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json))
+      if (!is_brief && (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json)))
         messages.push_back(of_run(remark.sentence));
     if (!report.short_of_digits.empty()) failures.push_back(of_run(report.short_of_digits));
     Json row;
@@ -269,7 +272,7 @@ void run_rotor(const RunOptions& options) {
   if (one_of_many)
     print_summaries(runs, options.json, to);
   else if (!runs.empty())
-    print_summary(runs.front(), options.json, to);
+    is_brief ? print_brief(runs.front(), to) : print_summary(runs.front(), options.json, to);
   for (const std::string& message : messages) print_message("rotor: " + message);
   if (!runs.empty()) say_what_is_assumed(scene.runs);
   for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);

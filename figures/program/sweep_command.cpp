@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <thread>
@@ -70,7 +71,8 @@ class Writer {
  public:
   Writer(const Sweep& sweep, const std::string& out)
       : points_(sweep.points()),
-        journal_(out, sweep_head(sweep), points_),
+        head_(sweep_head(sweep)),
+        journal_(out, head_, points_),
         written_(journal_.rows()) {
     if (journal_.dropped() > 0)
       print_message(
@@ -112,12 +114,18 @@ class Writer {
                       written_.load(), points_, journal_.path().string()));
     if (reason) std::rethrow_exception(reason);
     long remarked = 0, refused = 0;  // from the last two fields of their rows
+    std::map<std::string, long> outcomes;
+    const long column = column_of_outcome();
     journal_.finish([&](std::string_view row) {
       if (!row.ends_with(','))
         ++refused;
       else if (!row.ends_with(",,"))
         ++remarked;
+      if (column >= 0) ++outcomes[field(row, column)];
     });
+    for (const auto& [outcome, count] : outcomes)
+      if (!outcome.empty())
+        counts_ += fmt::format("{}{} {}", counts_.empty() ? "" : ", ", count, outcome);
     if (remarked + refused > 0)
       print_message(
           fmt::format("rotor: of {} points {} exceed a limit (column remarks), and {} have no "
@@ -125,8 +133,30 @@ class Writer {
                       points_, remarked, refused));
   }
 
+  /// How many points have which outcome; a refused one has none.
+  const std::string& counts() const { return counts_; }
+
  private:
+  /// Fields before the outcome are numbers or names, without quotes.
+  static std::string field(std::string_view row, long column) {
+    for (; column > 0; --column) row.remove_prefix(row.find(',') + 1);
+    return std::string(row.substr(0, row.find(',')));
+  }
+
+  /// -1 if the results that were selected do not include it.
+  long column_of_outcome() const {
+    std::string_view names = head_;
+    names.remove_suffix(1);
+    names.remove_prefix(names.rfind('\n') + 1);
+    const std::string all = fmt::format(",{},", names);
+    const std::size_t at = all.find(",outcome,");
+    return at == std::string::npos
+               ? -1
+               : std::count(all.begin(), all.begin() + static_cast<long>(at), ',');
+  }
+
   long points_;
+  std::string head_, counts_;
   Journal journal_;
   std::atomic<long> written_;
 };
@@ -138,7 +168,6 @@ std::function<Work()> workers(const Sweep& sweep) {
 }
 
 void require_sense(const SweepOptions& options, const Ranks& ranks) {
-  if (options.out.empty()) throw InputError("--out is required, or --dry-run");
   std::error_code error;  // reported as it is opened
   const fs::file_status status = fs::status(options.out, error);
   if (options.out == "-" || (fs::exists(status) && !fs::is_regular_file(status)))
@@ -163,6 +192,8 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   ranks.broadcast(true);
   const int threads = ranks.count() > 1 ? 1 : options.jobs > 0 ? options.jobs : cores();
   writer->run(threads, workers(sweep), ranks);
+  if (!writer->counts().empty())
+    print_message(fmt::format("rotor: {} points: {}", sweep.points(), writer->counts()));
   say_what_is_assumed(sweep);
   fmt::print("{}\n", one_line(options.out));
 }
@@ -188,7 +219,9 @@ void run_sweep(const SweepOptions& options) {
   if (options.dry_run) {
     if (ranks.is_first()) estimate(*sweep, options.jobs > 0 ? options.jobs : cores());
   } else if (ranks.is_first()) {
-    lead(options, *sweep, ranks);
+    SweepOptions its = options;
+    if (its.out.empty()) its.out = fs::path(its.file).filename().replace_extension(".csv");
+    lead(its, *sweep, ranks);
   } else if (ranks.broadcast(true)) {
     work_for_first(workers(*sweep)());
   }

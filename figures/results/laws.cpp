@@ -71,6 +71,13 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
 }
 
 Prediction prediction_of(const Scenario& scenario) {
+  const Parameters& p = scenario.parameters;
+  const double critical_damping = 2 * std::sqrt(p.support_stiffness * p.mass);
+  if (!(p.support_damping < critical_damping))
+    throw std::domain_error(
+        fmt::format("support_stiffness k = {} N/m, support_damping d = {} N s/m: the supports must "
+                    "be able to vibrate, with k > 0 and a damping ratio d / (2 sqrt(k m)) below 1",
+                    p.support_stiffness, p.support_damping));
   const double speed = speed_at_loss(scenario);
   const Accident law(scenario.parameters, scenario.equations, speed);
   const double friction = scenario.parameters.friction;

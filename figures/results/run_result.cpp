@@ -235,10 +235,12 @@ std::vector<Remark> remarks(const RunResult& result) {
   const Parameters& p = result.scenario.parameters;
   std::vector<Remark> all;
   if (summary.lost_mass_kg == 0.)
-    all.push_back({fmt::format("no mass is lost: unbalance_factor = {} times eccentricity = {} m "
-                               "does not change the unbalance",
-                               p.unbalance_factor, p.eccentricity),
-                   Of::missed_goal});
+    all.push_back(
+        {fmt::format("no mass is lost: unbalance_factor = {} times eccentricity = {} m "
+                     "does not change the unbalance; state an eccentricity above 0 m and a factor "
+                     "above 1, or a lost mass",
+                     p.unbalance_factor, p.eccentricity),
+         Of::missed_goal});
   else if (p.loses_mass && !summary.mass_loss_reached)
     all.push_back({fmt::format("the mass loss at {} s was not reached; the run ends at {:.6g} s",
                                p.mass_loss_time, summary.final_time_s),

@@ -38,6 +38,22 @@ std::string cells(const Stored& stored) {
                      cell(s.high), cell(stored.holds));
 }
 
+/// The text with words after it in lines of at most 100 characters.
+std::string wrapped(std::string text, const std::string& meaning) {
+  constexpr std::size_t most = 100;
+  const std::size_t indent = text.size();
+  std::size_t used = indent;
+  std::istringstream words(meaning);
+  for (std::string word; words >> word; used += 1 + word.size(), text += word + ' ')
+    if (used + word.size() > most) {
+      text.back() = '\n';
+      text += std::string(indent, ' ');
+      used = indent;
+    }
+  text.back() = '\n';
+  return text;
+}
+
 }  // namespace
 
 namespace {
@@ -296,20 +312,29 @@ std::vector<int> figures_without_claim(const std::vector<Number>& numbers) {
 }
 
 std::string claims_table(const std::vector<Number>& numbers) {
-  std::string table =
-      fmt::format("  {:<16}{:>8}{:>8}  {:<16}{:>12}{:>12} {:<7} {}\n", "as printed", "off (a)",
-                  "off (b)", "corrected", "printed", "converged", "", "claim");
-  for (const Number& n : numbers) {
-    const Verdict as_printed = verdict_of(n, 0);
-    const auto converged = n.readings[n.decides[0]].in[0].converged;
-    table += fmt::format("  {:<16}{:>8.3g}{:>8.3g}  {:<16}{:>12}{:>12} {:<7} {}{}\n",
-                         as_printed.says, as_printed.off_a, as_printed.off_b, verdict_of(n, 1).says,
-                         n.printed.empty() ? n.rule : n.printed,
-                         converged ? fmt::format("{:.5g}", *converged) : "-", n.unit, n.says,
-                         n.reason.empty() ? "" : " (" + n.reason + ')');
+  std::string table;
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    std::map<std::string, int> counts;
+    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set)) ++counts[verdict];
+    table += fmt::format("{:<22}", set == 0 ? "equations as printed" : "corrected equations");
+    for (const std::string& verdict : from_best)
+      table += fmt::format("{:>5} {}", counts[verdict], verdict);
+    table += '\n';
   }
+  table += fmt::format("\n{:<16}{:<16}{:<13}{:<11}{}\n", "as printed", "corrected", "printed",
+                       "converged", "claim");
+  for (auto verdict = from_best.rbegin(); verdict != from_best.rend(); ++verdict)
+    for (const Number& n : numbers) {
+      if (verdict_of(n, 0).says != *verdict) continue;
+      const auto converged = n.readings[n.decides[0]].in[0].converged;
+      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10} ", *verdict, verdict_of(n, 1).says,
+                                   n.printed.empty() ? n.rule : n.printed,
+                                   converged ? fmt::format("{:.5g}", *converged) : "-"),
+                       fmt::format("{}{}: {}{}", n.claim, n.unit.empty() ? "" : ", " + n.unit,
+                                   n.says, n.reason.empty() ? "" : " (" + n.reason + ')'));
+    }
   return table +
-         fmt::format("nothing is claimed about Figs. {}, which does not count as a success.\n",
+         fmt::format("Nothing is claimed about Figs. {}, which does not count as a success.\n",
                      fmt::join(figures_without_claim(numbers), ", "));
 }
 

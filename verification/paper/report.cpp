@@ -21,9 +21,9 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
                             const std::filesystem::path& out) {
   const auto draws = static_cast<double>(numbers.front().readings.front().in[0].b.spread.draws);
   fmt::print(
-      "\nThe claims of the paper's text, by the rules of reference-data/policy.md, over {} draws "
-      "of "
-      "each population (standard error of a share: {:.1f} % at most)\n{}",
+      "\nThe claims of the paper's text, by the rules of reference-data/policy.md, over {} draws\n"
+      "of each population (standard error of a share: {:.1f} % at most). make claim ID=... prints\n"
+      "all that is known about one of them.\n\n{}",
       draws, 50 / std::sqrt(draws), claims_table(numbers));
   files.write(out / "claims.csv", to_csv(numbers));
   bool as_expected = true;

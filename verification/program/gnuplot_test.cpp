@@ -137,7 +137,11 @@ TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
     const bool is_scene = parameters.find("axis") == std::string::npos;
     for (const char* option : {is_scene ? "--spectrum" : "", is_scene ? "" : "--column outcome"}) {
       const auto [status, output] = rotor(std::string("plot s.toml ") + option + " 2>messages");
-      EXPECT_EQ(output, "s.svg\n") << parameters << option;
+      EXPECT_EQ(output, std::string(*option == '\0' ? "s"
+                                    : is_scene      ? "s-spectrum"
+                                                    : "s-outcome") +
+                            ".svg\n")
+          << parameters << option;
       EXPECT_EQ(content("messages").find("gnuplot"), std::string::npos) << content("messages");
       EXPECT_EQ(content("messages").find("arning"), std::string::npos) << content("messages");
     }

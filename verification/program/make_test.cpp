@@ -1,4 +1,6 @@
 /// Failed targets must not pass as made.
+#include <chrono>
+
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -39,6 +41,18 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
     EXPECT_EQ(make_figure("</svg>").status, 0) << removed;
     EXPECT_TRUE(fs::exists(folder_ / removed));
   }
+  // The page is written again only if a picture is newer.
+  fs::create_directories(folder_ / "build/report");
+  fs::create_directories(folder_ / "verification/report");
+  write("build/report/index.html", "");
+  program("verification/report/report.sh", "echo page >> pages; touch build/report/index.html\n");
+  fs::last_write_time(
+      folder_ / "build/report/index.html",
+      fs::last_write_time(folder_ / "build/figures/fig18.svg") - std::chrono::hours(1));
+  for (int n = 0; n < 2; ++n)
+    EXPECT_EQ(shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor figures").status,
+              0);
+  EXPECT_EQ(content("pages"), "page\n");
   fs::remove(folder_ / "build/figures/fig18.svg");
   const auto [status, output] = make_figure("");
   EXPECT_NE(status, 0);

@@ -116,6 +116,7 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
   }
   EXPECT_EQ(summary(start + "--velocity-jump once --gravity-moment balanced"),
             summary(start + "--equations consistent"));
+  EXPECT_EQ(summary(start + "--equations corrected"), summary(start + "--equations consistent"));
   for (const bool no : {false, true}) {
     write("c.toml", fmt::format("[parameters]\nstart_speed_hz = 30\nuntil = 0.02\n"
                                 "no_mass_loss = {}\n[[run]]\nname = \"c\"\nno_mass_loss = {}\n",

@@ -94,7 +94,9 @@ TEST_F(Plot, DrawsAForceOfZeroWhereNothingTouches) {
         "0.1\n[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.2\npoints = 3\n");
   for (const char* column : {"peak_force_to_rolling_N", "peak_normal_force_N"}) {
     ASSERT_EQ(rotor(std::string("plot s.toml --column ") + column).status, 0);
-    EXPECT_EQ(content("s.svg").find("no point has this result"), std::string::npos) << column;
+    EXPECT_EQ(content(std::string("s-") + column + ".svg").find("no point has this result"),
+              std::string::npos)
+        << column;
   }
 }
 
