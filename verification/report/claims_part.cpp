@@ -37,7 +37,7 @@ std::string shown(const std::optional<double>& value, const Number& number) {
   return text + ' ' + number.unit;
 }
 
-/// What the paper states: a number, or a word.
+/// What the paper states: a number or a word.
 std::string printed(const Number& number) {
   if (is_statement(number)) return shown(std::stod(number.printed), number);
   return number.printed.empty() ? number.rule : number.printed + ' ' + number.unit;
@@ -53,7 +53,7 @@ std::string rule_of(const Number& number) {
       : number.printed.empty() && number.rule != "few"
           ? fmt::format("at most {:g} {}", allowed.greatest(), number.unit)
           : fmt::format("{:.6g} to {:.6g} {}", allowed.least(), allowed.greatest(), number.unit);
-  return fmt::format("rule {}: {}{}", number.rule, limits, judged);
+  return fmt::format("{}: {}{}", number.rule, limits, judged);
 }
 
 /// The range of population (b).
@@ -65,15 +65,17 @@ std::string range_of(const Stored& stored) {
 }
 
 /// The position of a value along a strip, in percent of its width: the allowed interval is the
-/// middle quarter, and values beyond an end are drawn at it.
+/// middle quarter; beyond it the scale is logarithmic, up to a thousand times the allowance.
+constexpr double most_times = 1e3;
 double place(const Allowed& allowed, double value) {
-  const double off = (value - allowed.middle) / allowed.half;
-  return std::round(500 + 125 * std::clamp(off, -3.9, 3.9)) / 10;
+  const double off = (value - allowed.middle) / allowed.half, times = std::abs(off);
+  const double decades = std::log10(std::clamp(times, 1., most_times));
+  return std::round(500 + std::copysign(125 * (std::min(times, 1.) + decades), off)) / 10;
 }
 Json mark(const Allowed& allowed, const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) return {};
   return {{"at", fmt::format("{}", place(allowed, *value))},
-          {"is_beyond", allowed.off(*value) > 3.9}};
+          {"is_beyond", allowed.off(*value) > most_times}};
 }
 Json bar(const Allowed& allowed, const Stored& stored) {
   if (!std::isfinite(stored.spread.low)) return {};
@@ -97,11 +99,12 @@ Json number_json(const Number& number) {
               {"says", words_of(number)},
               {"place", number.place},
               {"printed", printed(number)},
+              {"rule", rule_of(number)},
+              {"is_word", number.printed.empty()},
               {"least", allowed.least()},
               {"greatest", allowed.greatest()},
               {"here", shown(here, number)},
               {"corrected_value", shown(corrected.converged, number)},
-              {"rule", rule_of(number)},
               {"reason", number.reason}};
   if (has_strip && is_drawn)
     all["ranges"] = {{"as_printed", range_of(reading.b)}, {"corrected", range_of(corrected.b)}};

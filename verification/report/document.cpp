@@ -19,18 +19,48 @@ std::vector<const Json*> all_of(const Json& claims) {
   return all;
 }
 
-/// Claims by their verdict in the equations as printed, the worst first.
-Json groups_json(const Json& claims) {
+/// Why a refuted claim fails: an error in the equations, a word or a number.
+std::string cause_of(const Json& claim) {
+  if (claim.at("corrected").at("says") == "reproduced") return "equations";
+  return claim.at("worst").at("is_word").get<bool>() ? "words" : "numbers";
+}
+
+/// Claims by their verdict in the equations as printed, the worst first; refuted ones by cause.
+Json groups_json(const Json& claims, const Json& causes) {
   Json groups = Json::array();
   for (const std::string verdict : {"refuted", "within rounding", "reproduced"}) {
-    Json group = {{"verdict", verdict}, {"is_open", verdict != "reproduced"}};
-    for (const Json& claim : claims)
-      if (claim.at("as_printed").at("says") == verdict) group["claims"].push_back(claim);
-    group["count"] = group["claims"].size();
+    Json group = {{"verdict", verdict}, {"is_open", verdict == "refuted"}};
+    std::map<std::string, Json> parts;
+    std::size_t count = 0;
+    for (const Json& claim : claims) {
+      if (claim.at("as_printed").at("says") != verdict) continue;
+      ++count;
+      const std::string cause = verdict == "refuted" ? cause_of(claim) : "";
+      Json& part = parts.try_emplace(cause, Json{{"title", causes.value(cause, "")}}).first->second;
+      part["claims"].push_back(claim);
+    }
+    for (const auto& [cause, part] : parts) group["parts"].push_back(part);
+    group["count"] = count;
     group["mark"] = verdict == "within rounding" ? "rounding" : verdict;
     groups.push_back(group);
   }
   return groups;
+}
+
+/// Adds the settings of the run that shows a claim: of its figure, the one that it names, or the
+/// first.
+void add_run(Json& claim, const Json& figures) {
+  Json& opens = claim["opens"];
+  if (opens.is_null()) return;
+  opens["moment"] = nullptr;
+  for (const Json& figure : figures)
+    if (figure.at("name") == opens["name"])
+      for (const Json& run : figure.at("runs")) {
+        const auto name = run.at("name").get<std::string>();
+        const bool is_named = !name.empty() && claim.dump().find(name) != std::string::npos;
+        if (run.at("is_moment").get<bool>() && (opens["moment"].is_null() || is_named))
+          opens["moment"] = run.at("moment");
+      }
 }
 
 Json register_json(const std::filesystem::path& assumptions) {
@@ -95,9 +125,11 @@ Json read_json(const std::filesystem::path& file) {
 
 Json document(const Sources& sources) {
   const std::vector<Number> judged = judged_numbers(sources.reference_data);
-  const Json claims = claims_json(judged);
+  Json claims = claims_json(judged);
   const Json values = values_json(judged);
   const Json words = with_numbers(read_json(sources.texts), values);
+  const Json figures = figures_json(sources, claims);
+  for (Json& claim : claims) add_run(claim, figures);
   Json names;
   for (const Number& number : judged) names[number.id] = number.says;
   Json all = {{"title", words.at("title")},
@@ -107,9 +139,9 @@ Json document(const Sources& sources) {
               {"turned", turned_json(judged)},
               {"words", words},
               {"values", values},
-              {"figures", figures_json(sources, claims)},
+              {"figures", figures},
               {"forces", forces_json(values)},
-              {"groups", groups_json(claims)},
+              {"groups", groups_json(claims, words.at("causes"))},
               {"tests", tests_json(sources)},
               {"studies", studies_json(sources, names)},
               {"assumptions", register_json(sources.reference_data / "assumptions.csv")},

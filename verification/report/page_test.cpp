@@ -118,6 +118,7 @@ TEST(ClaimRows, HaveEachNumberInItsColumn) {
                       {"worst",
                        {{"says", "says"},
                         {"printed", "1.5 s"},
+                        {"rule", "1.4 to 1.6"},
                         {"here", "2.5 s"},
                         {"corrected_value", "3.5 s"},
                         {"strip", strip}}}};
@@ -125,9 +126,30 @@ TEST(ClaimRows, HaveEachNumberInItsColumn) {
       render(content_of(room / "claim_rows.mustache.html"), {}, {{"claims", {claim}}});
   for (const char* part :
        {"<tr id=\"claim-F_in\">", "<td data-label=\"paper\">1.5\u00a0s</td>",
+        "<td data-label=\"our rule\">1.4 to 1.6</td>",
         "<td data-label=\"here\">2.5\u00a0s</td>", "<td data-label=\"corrected\">3.5\u00a0s</td>",
         "class=\"here\" style=\"left:50%\"", "class=\"corrected\" style=\"left:60%\""})
     EXPECT_NE(rows.find(part), std::string::npos) << part << rows;
+}
+
+// So a share of 0.005 % and one of 108 % do not look alike.
+TEST(ClaimRows, PlaceMarksByTheLogarithmOfTheTimesTheAllowance) {
+  for (const auto& [times, at] : {std::pair(0., "50"),
+                                  {-0.5, "43.8"},
+                                  {1., "62.5"},
+                                  {10., "75"},
+                                  {100., "87.5"},
+                                  {1e8, "100"}}) {
+    Number number;
+    number.claim = number.id = "c";
+    number.rule = "minor";
+    number.readings = {{"r"}};
+    const Allowed allowed = number.allowed();
+    number.readings[0].in[0].converged = allowed.middle + times * allowed.half;
+    const Json here = claims_json({number})[0]["worst"]["strip"]["here"];
+    EXPECT_EQ(here["at"], at);
+    EXPECT_EQ(here["is_beyond"], times > 1e3);
+  }
 }
 
 TEST(MarksOfAFigure, CountItsClaimsInEachSetOfEquations) {

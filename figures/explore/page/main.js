@@ -41,7 +41,12 @@ const rotor = new RotorView(at("rotor"), at("rotor-state"));
 const orbit = new Orbit(at("orbit"));
 const plots = new Plots(at("plots"), {
   onTime: (to_s) => { play(false); goTo(to_s); keepView(); },
-  onPart: (from_s, until_s) => { orbit.showPart(from_s, until_s); keepView(); },
+  onPart: (from_s, until_s) => {
+    const [from, until] = accident(), near = 1e-6;
+    plots.zoomed = until_s - from_s < Math.min(until, picture.until_s) - Math.max(from, picture.from_s) - near;
+    orbit.showPart(from_s, until_s);
+    keepView();
+  },
 });
 const sureness = has_engine && new Sureness(at("sureness"), (draws) => plots.showBehind(draws.map((drawn) =>
   ({ picture: drawn, later_s: drawn.mass_loss_s && picture.mass_loss_s ? drawn.mass_loss_s - picture.mass_loss_s : 0 }))));
@@ -102,7 +107,7 @@ function goTo(to_s) {
   time_s = Math.min(picture.until_s, Math.max(picture.from_s, to_s));
   plots.markNow(time_s);
   for (const seen of [rotor, orbit]) seen.goTo(time_s);
-  const now = story.findLastIndex((moment) => moment.time_s <= time_s + 1e-9);
+  const now = story.findLastIndex((moment) => moment.time_s <= time_s + 1e-6); // an address is rounded
   [...at("story").children].forEach((item, n) => item.firstElementChild.setAttribute("aria-current", n === now ? "step" : "false"));
   const slider = at("plots");
   slider.setAttribute("aria-valuenow", (1e3 * (time_s - (picture.mass_loss_s ?? 0))).toFixed(2));
@@ -143,6 +148,22 @@ function turn(option, text, insteadOf) {
   if (text !== null && option === "mass-loss-time") delete others["mass-loss-speed-hz"];
   use(text === null ? others : { ...others, [option]: text });
 }
+
+function bringIntoView() {
+  const is_calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  at("accident").scrollIntoView({ behavior: is_calm ? "auto" : "smooth" });
+  at("play").focus({ preventScroll: true });
+}
+document.addEventListener("click", (event) => {
+  const link = event.target.closest("a.moment");
+  if (!link) return;
+  event.preventDefault(); // the address may be that of the run which is shown
+  history.pushState(null, "", link.hash);
+  [options, view] = settingsIn(link.hash);
+  showFrame();
+  refresh();
+  bringIntoView();
+});
 
 let keeping = 0;
 function keepView() {
@@ -185,7 +206,10 @@ const pins = runs.filter(({ options: of }) => !of.equations).map(({ options: of,
   label: summary.inputs.friction === 0.3 ? `${summary.speed_at_mass_loss_Hz.toFixed(0)} Hz` : `μ = ${summary.inputs.friction}`,
   speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction, options: of }));
 const map = new OutcomeMap(at("map"), { maps, pins,
-  onPick: (of) => use(inSet(of, setOf(options) ?? "published")),
+  onPick: (of) => {
+    use(inSet(of, setOf(options) ?? "published"));
+    bringIntoView();
+  },
   onDrag: engine && ((speed_Hz, friction) => {
     const { "mass-loss-time": time, "mass-loss-speed-hz": speed, "no-mass-loss": none, from, until, ...others } = options;
     use({ ...others, friction: friction.toFixed(3), "mass-loss-speed-hz": speed_Hz.toFixed(1) });
@@ -279,6 +303,18 @@ at("map-key").replaceChildren(...Object.entries(outcomes).filter(([letter]) => c
   item.textContent = name;
   return item;
 }));
+// A phone shows the names of figures first; a link opens whatever its target is in.
+if (matchMedia("(max-width: 48rem)").matches) for (const card of document.querySelectorAll(".card")) card.open = false;
+function openTarget() {
+  const target = at(location.hash.slice(1));
+  const card = target?.querySelector(".card");
+  if (card) card.open = true;
+  for (let part = target?.closest("details"); part; part = part.parentElement.closest("details")) part.open = true;
+  if (card || target?.closest("details")) target.scrollIntoView();
+}
+window.addEventListener("hashchange", openTarget);
+openTarget();
+
 onColoursChanged(() => {
   for (const seen of [plots, orbit, rotor, map]) seen.paint();
 });

@@ -62,6 +62,8 @@ export class Plots {
     const [from, until] = this.#part;
     this.showPart(about_s + factor * (from - about_s), about_s + factor * (until - about_s));
   }
+  /// Whether it shows other than the part that a run is first shown with.
+  zoomed = false;
   get part() {
     return this.#part;
   }
@@ -143,7 +145,7 @@ export class Plots {
       ctx.fillRect(x - 0.5, y, 1, 4);
       ctx.fillText(text, x, y + 16);
     }
-    ctx.fillText(loss_s === null ? "time, ms" : "time after the loss, ms", left + this.#width / 2, y + 31, width);
+    ctx.fillText((loss_s === null ? "time, ms" : "time after the loss, ms") + (this.zoomed ? " (zoomed)" : ""), left + this.#width / 2, y + 31, width);
   }
 
   #paintPanel(ctx, panel, columns, y, height) {
@@ -154,13 +156,10 @@ export class Plots {
     const ghosts = panel.stacked ? [] : this.#ghosts.map(({ picture, later_s }) =>
       ({ times: picture.motion.time_s, later_s, values: panel.curves[0].of(picture) }));
     const stack = panel.stacked ? stacked(columns) : columns;
-    let greatest = 0, least = Infinity;
+    let greatest = 0, least = 0;
     const meet = (value) => { greatest = Math.max(greatest, value); least = Math.min(least, value); };
-    for (let row = first; row <= last; ++row) meet(stack.at(-1)[row]);
-    for (const ghost of ghosts) ghost.times.forEach((time, i) =>
-      time - ghost.later_s >= from && time - ghost.later_s <= until && meet(ghost.values[i]));
-    if (panel.events || panel.stacked || least < greatest / 2) least = 0;
-    if (panel.unit === "Hz" && greatest - least < 0.02 * greatest) least -= 0.01 * greatest;
+    for (const value of stack.at(-1)) meet(value); // of the whole run: a zoom in time does not change the scale
+    for (const { values } of ghosts) values.forEach(meet);
     greatest += 0.06 * (greatest - least) || 1;
     const place = (value) => y + height * (1 - (value - least) / (greatest - least));
 

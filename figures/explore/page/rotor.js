@@ -53,7 +53,7 @@ export class RotorView {
     paintTurn(ctx, centre, 0.42 * radius, 1, "spin", `spin ${now.speed_Hz.toFixed(0)} Hz`, "text");
     const whirl_Hz = whirlAt(motion, this.#time_s);
     if (touches && Math.abs(whirl_Hz) > 1)
-      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl ${Math.abs(whirl_Hz).toFixed(0)} Hz`, "second",
+      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl now ${Math.abs(whirl_Hz).toFixed(0)} Hz`, "second",
         Math.atan2(centre[1], centre[0]));
     if (touches) paintForce(ctx, now, ring, summary.peak_normal_force_N);
     ctx.fillStyle = colour("quiet");

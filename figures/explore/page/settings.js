@@ -27,6 +27,7 @@ export function settingsIn(hash) {
     .split("/")
     .map((part) => Object.fromEntries([...new URLSearchParams(part)].filter(
       ([option, text]) => /^[a-z-]+$/.test(option) && /^[\w.+-]*$/.test(text))));
+  if (options.equations === "corrected") options.equations = "consistent"; // as the program has it
   const view = Object.entries(view_of).map(([name, of]) => [name, of(texts[name])]).filter(([, value]) => value !== undefined);
   return [options, Object.fromEntries(view)];
 }
