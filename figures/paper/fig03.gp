@@ -5,27 +5,28 @@ set title caption(3, "Radial component F_n of the impact force", \
     1e6*number("mu = 0.3 by rk4", "step_rub")))
 set multiplot layout 3,1 margins 0.115,0.97,0.11,0.87 spacing 0,0.035
 set xrange [29.1:29.35]
-set yrange [-500:0]
+set yrange [-600:0]
 set ytics -400,200,0
 set ylabel "F_n, kN"
 set format x ""
 force(name) = of_run(name, "normal_force_N")/1e3
 runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
+array tint[3] = [1, 2, 4]                          # green is too near the grey beneath it
 do for [i = 1:3] {
   name = word(runs, i)
   stats data using (force(name)) name "F" nooutput
-  set label 1 "{/:Bold ".friction(name)."}" at graph 0.985,0.62 right boxed front
-  set label 2 sprintf("largest |F_n|: %.1f kN", -F_min) at graph 0.985,0.42 right boxed front
-  if (i == 1) { set label 3 "paper: 400–450 kN in rolling, largest 455 kN" at graph 0.985,0.22 right \
+  set label 1 "{/:Bold ".friction(name)."}" at graph 0.985,0.64 right boxed front
+  set label 2 sprintf("largest |F_n|: %.1f kN", -F_min) at graph 0.985,0.48 right boxed front
+  if (i == 1) { set label 3 "paper: 400–450 kN in rolling, largest 455 kN" at graph 0.985,first -455 right offset 0,0.6 \
                   textcolor rgb grey boxed front
                 set arrow 1 from graph 0,first -455 to graph 1,first -455 nohead linestyle published }
   else { unset label 3; unset arrow 1 }
-  eval mark_law(name, "graph 0.2,0.68")
+  eval mark_law(name, sprintf("graph 0.02,first %g offset 0,-0.7", -law_kN(name)))
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
   fixed = name." by rk4"
   its_run = name
   plot data using (of_run(fixed, "time_s")):(force(fixed)) \
   with lines linestyle fixed_steps linewidth beneath notitle, \
-    data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle @digitised
+    data using (of_run(name, "time_s")):(force(name)) with lines linetype tint[i] notitle @digitised
 }

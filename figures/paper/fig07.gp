@@ -21,5 +21,5 @@ set label sprintf("rolling\nfrom %.4f s", rolling_min) at rolling_min,4.4 right 
 set label "paper: ρ ≈ 3.5 mm" at graph 0.985,first 3.5 right offset 0,0.7 textcolor rgb grey boxed front
 set arrow from graph 0,first 3.5 to graph 1,first 3.5 nohead linestyle published
 plot data using "time_s":(column("q1_m")*1e3) with lines linetype 1 title "q_1", \
-     data using "time_s":(column("rho_m")*1e3) with lines linetype 2 linewidth 1.8 title "ρ" \
+     data using "time_s":(column("rho_m")*1e3) with lines linetype 3 linewidth 1.8 title "ρ" \
   @digitised

@@ -10,7 +10,9 @@ set xrange [1:4]
 set yrange [0:3.3]
 set xlabel "t, s"
 set ylabel "ρ, mm"
-set key at graph 0.97,0.68
+eval mark_instant("t_1", t_1)
+set label "a" at 2.47,2.15 textcolor rgb vermilion
+set label "b" at 1.85,1.1 right textcolor rgb blue
 set arrow from graph 0,first clearance_of("a") to graph 1,first clearance_of("a") nohead linestyle clearance
 rho(name) = of_run(name, "rho_m")*1e3
 stats data using (rho("a")) name "a" nooutput
@@ -21,6 +23,6 @@ set label sprintf("largest ρ: a %.2f mm, b %.2f mm: %s; paper: no contact", a_m
 set label sprintf("speed at the mass loss: %.1f Hz; paper: %g Hz, which is reached at %.2f s", loss_Hz, paper_Hz, \
   crossing) \
   at graph 0.97,0.75 right boxed front
-plot data using (of_run("a", "time_s")):(rho("a")) with lines linetype 2 title "a", \
-     data using (of_run("b", "time_s")):(rho("b")) with lines linetype 1 linewidth 1.8 title "b" \
+plot data using (of_run("a", "time_s")):(rho("a")) with lines linetype 2 notitle, \
+     data using (of_run("b", "time_s")):(rho("b")) with lines linetype 1 linewidth 1.8 notitle \
   @digitised

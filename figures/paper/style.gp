@@ -65,7 +65,7 @@ set style textbox opaque noborder margins 0.4,0.4
 
 # "Fig. N" and its subject, with the parameters on a second line.
 if (!exists("equations")) equations = "published"
-of_set = equations eq "published" ? "" : "; {/*0.85:Bold ".equations." equations}"
+of_set = equations eq "published" ? "" : "; {/*0.85:Bold corrected equations}"
 caption(number, what, parameters) = \
   sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s}%s", number, what, parameters, of_set)
 
@@ -114,6 +114,16 @@ coordinate(run, c, t) = sprintf("stats data using (follow(of_run('%s', 'time_s')
 place_at(run, t, later) = coordinate(run, "y_a_m", t)."y_1 = crossing; ".coordinate(run, "x_a_m", t)."x_1 = crossing; ". \
   coordinate(run, "y_a_m", t + later)."y_2 = crossing; ".coordinate(run, "x_a_m", t + later)."x_2 = crossing"
 set style arrow 5 head filled size screen 0.022,18,90 fixed linecolor rgb black linewidth 1
+
+# The share, in percent, of the draws of a population (policy.md) for which a number of the claims holds: eval
+# share_of("rolls_75", "b") sets rolls_75_b_max.
+share_of(number, population) = sprintf("stats reference_data.'/ensembles.csv' using (strcol('equations') eq equations && \
+  strcol('number') eq '%s' && strcol('population') eq '%s' ? 100*column('holds') : NaN) name '%s_%s' nooutput", \
+  number, population, number, population)
+
+# An instant on the axis of times: eval mark_instant("t_1", t_1).
+mark_instant(name, t) = sprintf("set arrow from %.17g,graph 0 to %.17g,graph 1 nohead linestyle reading; ".\
+  "set label '%s' at %.17g,graph 0.12 right offset -0.5,0 textcolor rgb grey front", t, t, name, t)
 
 # Parts of captions.
 greek(name) = name[1:3] eq "mu " ? "μ ".name[4:] : name    # of a run
