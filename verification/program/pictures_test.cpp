@@ -1,5 +1,5 @@
 /// The drawn figures: the curves in the SVG are the data's, and the numbers in it the engine's.
-/// Their texts are in verification/approved.
+/// `make approve` copies them into the gallery, figures/paper/README.md.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -10,6 +10,7 @@
 #include "model/run/simulation.hpp"
 #include "model/scenario/observer.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/gallery.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/paper_figures.hpp"
 #include "verification/support/svg_picture.hpp"
@@ -84,12 +85,37 @@ class Pictures : public CommandLine,
     return std::abs(bottom->second - top->second - height) < 0.5;
   }
 
+  /// The picture in the gallery has the same texts, and curves that extend as far.
+  void expect_preview(const DrawnPicture& picture) const {
+    if (equations() != Equations::published && !is_changed_by_corrections(figure().number)) return;
+    const fs::path file = fs::path(ROTOR_SCENES) / preview_of(figure().number, equations());
+    if (std::getenv("ROTOR_APPROVE"))
+      fs::copy_file(folder_ / "a.svg", file, fs::copy_options::overwrite_existing);
+    std::ifstream stream(file, std::ios::binary);
+    const DrawnPicture preview(std::string(std::istreambuf_iterator<char>(stream), {}));
+    const std::string hint = file.string() + "\nIf this is as it should be: make approve";
+    EXPECT_EQ(preview.texts, picture.texts) << hint;
+    ASSERT_TRUE(picture.side_by_side || picture.curves.empty() ||
+                preview.curves.size() == picture.curves.size())
+        << hint;
+    for (std::size_t n = 0; n < picture.curves.size(); ++n)
+      for (const auto& member : {&Points::value_type::first, &Points::value_type::second}) {
+        const auto ends = [&](const DrawnPicture& of) {
+          const auto [low, high] = std::ranges::minmax(of.curves[n].points, {}, member);
+          return std::pair(low.*member, high.*member);
+        };
+        EXPECT_NEAR(ends(preview).first, ends(picture).first, 0.5) << hint;
+        EXPECT_NEAR(ends(preview).second, ends(picture).second, 0.5) << hint;
+      }
+  }
+
   void expect_points(const std::string& table, const Points& places) const;
   std::vector<std::string> numbers() const;
 };
 
 TEST_P(Pictures, HaveTheCurvesOfEachRunAndItsNumbers) {
   const DrawnPicture picture = drawn();
+  expect_preview(picture);
   EXPECT_TRUE(picture.clipped.empty() || equations() != Equations::published);
   const auto all = candidates();
   std::set<std::string> seen;
@@ -220,7 +246,7 @@ std::vector<std::string> Pictures::numbers() const {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Pictures,
+INSTANTIATE_TEST_SUITE_P(Approved, Pictures,
                          testing::Combine(testing::ValuesIn(paper_figures()),
                                           testing::Values(Equations::published,
                                                           Equations::consistent)),

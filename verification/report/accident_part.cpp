@@ -74,8 +74,8 @@ std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& fra
   if (rolling == end) throw std::runtime_error("the accident does not end in rolling");
   const auto sliding =
       std::find_if_not(std::make_reverse_iterator(rolling), frames.rend(), touches).base();
-  return {{"Quiet running", *begin},
-          {"The piece has left", *loss},
+  return {{"Before the loss", *begin},
+          {"A piece leaves", *loss},
           {"First impact", strongest(first, free)},
           {"Sliding along the ring", *(sliding + (rolling - sliding) * 3 / 4)},
           {"Slip ends", *rolling},
@@ -90,6 +90,7 @@ Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
     still["left"] = 244 * all.size();  // in a row
     still["after_loss_ms"] =
         std::round(1e6 * (frame.time_s - p.mass_loss_time)) / 1e3 + 0;  // no -0
+    still["after_loss"] = fmt::format("{:.2f}", still["after_loss_ms"].get<double>());
     still["force_kN"] = fmt::format("{:.0f}", -frame.normal_N / 1e3);
     still["speed_Hz"] = fmt::format("{:.1f}", frame.speed_Hz);
     all.push_back(still);
@@ -102,7 +103,8 @@ Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
 Json accident_json() {
   Observer nobody;
   const Picture picture = Explorer({}).run({{"from", "29.095"}, {"until", "29.14"}}, nobody, 1e-6);
-  return {{"stills", stills_json(frames_of(picture), Parameters{})}};
+  return {{"stills", stills_json(frames_of(picture), Parameters{})},
+          {"enlarged", fmt::format("{:g}", enlarged)}};
 }
 
 }  // namespace rotor

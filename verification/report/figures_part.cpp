@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
-#include <set>
 
 #include "figures/runs/scene.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/report/document.hpp"
+#include "verification/support/gallery.hpp"
 
 namespace rotor {
 namespace {
-
-/// The figures that the corrected equations change.
-const std::set<int> in_both_sets = {3, 4, 5, 6, 7, 12, 13, 14, 15, 16};
 
 std::string replaced(const std::string& text, const char* pattern, const std::string& by) {
   return std::regex_replace(text, std::regex(pattern), by);
@@ -133,7 +130,7 @@ Json figures_json(const Sources& sources, const Json& claims) {
           its_claims.push_back({{"claim", claim.at("claim")}, {"says", claim.at("says")}});
         }
     Json pictures = Json::array({picture_json(sources, number, "published")});
-    if (in_both_sets.contains(number))
+    if (is_changed_by_corrections(number))
       pictures.push_back(picture_json(sources, number, "consistent"));
     const auto curves = read_curves(sources.report / "figures" / "published" / (name + ".csv"));
     const Json digitised = digitised_json(sources.reference_data, number, curves);
