@@ -184,7 +184,7 @@ std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
   std::vector<std::string> all;
   for (const Quantity& quantity : quantities()) {
     const std::string_view name = quantity.name;
-    if (name == "mass_loss_time") break;  // from here on they are of the run
+    if (name == "mass_loss_time") break;                      // from here on they are of the run
     if (quantity.of(Scenario{}) == quantity.least) continue;  // the paper leaves that out
     const bool matters = name == "unbalance_factor" ? stated.loses_mass.value_or(true)
                          : name == "motor_off_hz"   ? number(stated, "torque") != 0.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "figures/data/csv.hpp"
+#include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/follow.hpp"
@@ -17,7 +18,8 @@ TEST(StressedRotors, AreFollowedToTheEndAndKeepTheBalanceOfTheirEnergy) {
     Scenario scenario{.equations = parse_name<Equations>(row["equations"]), .tolerance = 1e-9};
     for (const Quantity& quantity : quantities()) {
       if (quantity.name == "mass_loss_time") break;  // which is past, as all that follows
-      quantity.in(scenario) = std::stod(row[quantity.name]);
+      const std::string name(quantity.name);         // others are the paper's
+      if (contains(row.headings(), name)) quantity.in(scenario) = std::stod(row[name]);
     }
     const BalancedRun run(scenario, mass_lost_at_speed(scenario, number("speed")), 0.01);
     EXPECT_EQ(run.last().time_s, 0.01);

@@ -51,7 +51,8 @@ std::vector<Scenario> scenarios() {
     if (scenario.start_speed_Hz > 0) p.support_stiffness = 5e4;
     if (n % 2 == 0) {
       const Quantity& other = quantities()[static_cast<std::size_t>(n / 2) % quantities().size()];
-      if (other.name != "until") other.in(scenario) *= 0.99;
+      if (other.name != "until" && other.allows(0.99 * other.of(scenario)))
+        other.in(scenario) *= 0.99;
     }
     all.push_back(scenario);
   }

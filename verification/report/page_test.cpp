@@ -126,9 +126,9 @@ TEST(ClaimRows, HaveEachNumberInItsColumn) {
       render(content_of(room / "claim_rows.mustache.html"), {}, {{"claims", {claim}}});
   for (const char* part :
        {"<tr id=\"claim-F_in\">", "<td data-label=\"paper\">1.5\u00a0s</td>",
-        "<td data-label=\"our rule\">1.4 to 1.6</td>",
-        "<td data-label=\"here\">2.5\u00a0s</td>", "<td data-label=\"corrected\">3.5\u00a0s</td>",
-        "class=\"here\" style=\"left:50%\"", "class=\"corrected\" style=\"left:60%\""})
+        "<td data-label=\"our rule\">1.4 to 1.6</td>", "<td data-label=\"here\">2.5\u00a0s</td>",
+        "<td data-label=\"corrected\">3.5\u00a0s</td>", "class=\"here\" style=\"left:50%\"",
+        "class=\"corrected\" style=\"left:60%\""})
     EXPECT_NE(rows.find(part), std::string::npos) << part << rows;
 }
 
