@@ -69,7 +69,7 @@ struct RunOptions : CaseOptions {
 void write_figures(const FigureOptions& options);
 
 /// `rotor plot` draws a scene or a sweep.
-void plot(const PlotOptions& options);
+void plot(const PlotOptions& stated);
 void plot_sweep(const PlotOptions& options);
 /// Spectra of displacement and force in the stator's frame, over the scene's window: a picture, or
 /// the numbers if the output file is a CSV file.
