@@ -12,7 +12,8 @@ do for [n = 1:3] {
 }
 loss = 29.1
 do for [i = 1:2] {
-  if (i == 1) { unset key; set xrange [4.5:4.95]; set yrange [0:*] } else { set key top left font small samplen 1.5; set xrange [4:52]; set yrange [0:*] }
+  if (i == 1) { set key top left font small samplen 1.5; set xrange [4.2:4.9] } else { unset key; set xrange [4:52] }
+  set yrange [0:*]
   set xlabel (i == 1 ? "time after the mass loss, ms: first impact" : "time after the mass loss, ms") offset 0,0.4
   name(n, damping) = folder."/".(n == 1 && damping eq "dashpot" ? "" : word(same, i))."-".word(names, n)."-".damping.".csv"
   plot for [n = 1:3] for [damping in "dashpot hysteresis"] name(n, damping) \
