@@ -73,6 +73,7 @@ manifest:
        {std::tuple("report", "build/report/claims.csv", "the verdict on each claim"),
         {"ensembles", "reference-data/ensembles.csv", "claims over the rounding of the inputs"},
         {"laws", "reference-data/laws.csv", "closed forms on random rotors"},
+        {"contact-laws", "reference-data/contact-laws.csv", "other laws of the ring"},
         {"reasons", "reference-data/reasons-tried.csv", "the text's reasons on random rotors"},
         {"prove", "reference-data/proven.csv", "bounds by ball arithmetic"},
         {"validate", "reference-data/independent.csv", "the accidents by an independent code"},
