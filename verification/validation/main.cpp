@@ -28,12 +28,12 @@ fix none all property/global kt peratomtypepair 1 0
 fix d_t all property/global gamman{abs} peratomtypepair 1 {d_t}
 fix viscosity all property/global gammat{abs} peratomtypepair 1 {viscosity}
 fix mu all property/global coefficientFriction peratomtypepair 1 {mu}
-pair_style gran model {model} limitForce on
+pair_style gran model {model}{absolute} limitForce on
 pair_coeff * *
 timestep {step}
 fix body all rigid single force * on on off torque * off off on
 fix ring disk wall/gran model {model} &
-  primitive type 1 zcylinder {r_a} 0 0 store_force yes limitForce on
+  primitive type 1 zcylinder {r_a} 0 0 store_force yes{absolute} limitForce on
 fix springs disk spring tether {k} 0 0 0 0
 fix dampers disk viscous {d}
 fix weight all gravity {g} vector 1 0 0
@@ -88,12 +88,12 @@ std::vector<Finding> by_liggghts(const ComparedAccident& accident, int divisor,
       input, arg("size", 4 * r), arg("spheres", spheres(accident)), arg("k_t", k_t),
       arg("d_t", p.contact_damping), arg("mu", std::abs(p.friction)),
       arg("model", is_hertz ? "hertz/stiffness tangential no_history"
-                            : "hooke/stiffness tangential no_history absolute_damping on"),
-      arg("abs", is_hertz ? "" : "_abs"), arg("viscosity", is_hertz ? braking / root : braking),
-      arg("step", step_s), arg("r_a", p.stator_radius), arg("k", p.support_stiffness),
-      arg("d", p.support_damping), arg("g", p.gravity),
-      arg("weight", accident.given_from.body.mass * p.gravity), arg("every", 25 * divisor),
-      arg("steps", std::lround(accident.until_s / step_s)));
+                            : "hooke/stiffness tangential no_history"),
+      arg("absolute", is_hertz ? "" : " absolute_damping on"), arg("abs", is_hertz ? "" : "_abs"),
+      arg("viscosity", is_hertz ? braking / root : braking), arg("step", step_s),
+      arg("r_a", p.stator_radius), arg("k", p.support_stiffness), arg("d", p.support_damping),
+      arg("g", p.gravity), arg("weight", accident.given_from.body.mass * p.gravity),
+      arg("every", 25 * divisor), arg("steps", std::lround(accident.until_s / step_s)));
   if (std::system(
           fmt::format("cd {} && liggghts -in liggghts.in >liggghts.log 2>&1", folder).c_str()) != 0)
     throw std::runtime_error(
