@@ -2,6 +2,8 @@
 /// which README.md beside this file derives.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,7 +40,12 @@ class MassLossResponse {
     decay_ = p.support_damping / (2 * loss.after.mass);
     const double stiffness = supports.springs.linear_stiffness("the response to the mass loss");
     const double square = stiffness / loss.after.mass - decay_ * decay_;
-    if (!(square > 0)) throw std::domain_error("the supports must be able to vibrate");
+    if (!(square > 0))
+      throw std::domain_error(fmt::format(
+          "support_stiffness k = {} N/m, support_damping d = {} N s/m: the supports must be able "
+          "to "
+          "vibrate after the mass loss, with k > 0 and a damping ratio d / (2 sqrt(k m)) below 1",
+          stiffness, p.support_damping));
     frequency_ = std::sqrt(square);
     const Complex free = z - steady_, free_rate = rate - i * speed * steady_;
     a_ = (free_rate + (decay_ + i * frequency_) * free) / (2. * i * frequency_);
