@@ -198,9 +198,10 @@ $(OUT)/.data: $(ROTOR) $(SCENES)
 $(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data
 	$(if $(wildcard $@),,$(compute_data))
 
+STYLE := figures/paper/style.gp figures/paper/settings.awk
 # Points read off a printed figure, if there are any, are drawn into ours.
 DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
-$(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp figures/paper/style.gp $(DIGITISED)
+$(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp $(STYLE) $(DIGITISED)
 	@figures/draw.sh $@ "data = '$<'; equations = '$(EQUATIONS)'; \
 	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" figures/paper/$*.gp
 $(OUT)/fig13.$(FORMAT) $(OUT)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
@@ -229,12 +230,12 @@ $(MAP_OUT)/%-tolerance.txt: figures/maps/%.toml figures/maps/tolerance.sh $(ROTO
 	@mkdir -p $(@D); figures/maps/tolerance.sh $(ROTOR) $< $(@D) > $@
 $(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
 	@awk -f figures/maps/shares.awk $< > $@
-MAP_STYLE := figures/maps/map.gp figures/paper/style.gp
+MAP_STYLE := figures/maps/map.gp $(STYLE)
 $(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv $(MAP_OUT)/%-tolerance.txt figures/maps/%.gp $(MAP_STYLE)
 	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; note = '$(word 3,$^)'; shows = 'outcome'" figures/maps/$*.gp figures/maps/map.gp
 $(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv $(MAP_OUT)/%-tolerance.txt figures/maps/%.gp $(MAP_STYLE)
 	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; note = '$(word 3,$^)'; shows = 'force'" figures/maps/$*.gp figures/maps/map.gp
-$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv $(MAP_OUT)/rounding-tolerance.txt figures/maps/rounding.gp figures/paper/style.gp
+$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv $(MAP_OUT)/rounding-tolerance.txt figures/maps/rounding.gp $(STYLE)
 	@figures/draw.sh $@ "data = '$<'; note = '$(word 2,$^)'" figures/maps/rounding.gp
 
 verify: build ## start: run all tests, and give the verdict on each claim

@@ -21,9 +21,9 @@ array name[classes] = ["no contact", "freed after contact", "bouncing after 0.5 
 kN(force) = force eq "" ? NaN : real(force)/1e3
 
 # gnuplot reads numbers much faster than a table with all its names.
-nth(name) = int(system(sprintf("sed -n '/^[^#]/{p;q}' '%s' | tr , '\\n' | grep -nx %s | cut -d: -f1", data, name)))
+nth(name) = value("column_".name)
 result = nth(shows eq "outcome" ? "outcome" : "peak_force_to_rolling_N")
-panel = (int(system(sprintf("grep -vc '^#' '%s'", data))) - 1)/(2*rows)
+panel = points_of_sweep/(2*rows)
 rows_of(p) = sprintf("< awk -F, -v OFS=, '!/^#/ && n++ > %d { print $%d, $%d, $%d } n > %d { exit }' '%s'", \
   p*panel, result, nth(abscissa), nth(ordinate), (p + 1)*panel, data)
 first_of(p) = sprintf("< awk '!/^#/ && (!n++ || n > %d) { print } n > %d { exit }' '%s'", 1 + p*panel, 1 + p*panel, data)

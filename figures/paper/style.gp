@@ -87,19 +87,19 @@ digitised = points eq "" ? "" : ', for [file in points] file using \
   (read_off("x")):(read_off("y")):(read_off("x_error")):(read_off("y_error")) \
   with xyerrorbars linestyle 17 title file eq word(points, 1) ? "printed" : ""'
 
-# The method and the numbers of a run, from the provenance above the data.
-said(run, what) = system(sprintf("sed -n 's/^# %s: %s.*/\\1/p' '%s'", run, what, data))
-number(run, name) = read(said(run, ".* ".name." = \\([-+.e0-9]*\\)"))
-read(text) = strstrt(text, "e") == 0 ? real(text) : \
-  real(text[:strstrt(text, "e") - 1])*10.0**int(text[strstrt(text, "e") + 1:])    # gnuplot refuses 5e-06
+# What settings.awk reads above the data; of the i-th run, and of the run with a name.
+if (exists("data")) { load sprintf("< awk -f '%s/../figures/paper/settings.awk' '%s'", reference_data, data) }
+of(what, i) = value(sprintf("%s%d", what, i))
+its_place(run) = (sum [i = 1:known_runs] (of("run", i) eq run)*i)
+number(run, name) = of(name, its_place(run))
 # The largest force in rolling by the closed form, kN, if that predicts rolling, and its label:
 friction_above(run, name) = number(run, "friction") > number(run, name)
-law_kN(run) = said(run, ".*\\(law_peak_force_N\\)") eq "" ? 0 : friction_above(run, "law_whirl_friction") && \
+law_kN(run) = !exists(sprintf("law_peak_force_N%d", its_place(run))) ? 0 : friction_above(run, "law_whirl_friction") && \
   friction_above(run, "law_forward_friction") ? 1e-3*number(run, "law_peak_force_N") : 0
 mark_law(run, place) = law_kN(run) > 0 ? sprintf("set arrow 9 from graph 0,first %g to graph 1,first %g nohead linestyle law; ".\
   "set label 9 'closed form of rolling: %.0f kN' at %s textcolor rgb '#7a0177'", \
   -law_kN(run), -law_kN(run), law_kN(run), place) : "unset arrow 9; unset label 9"
-by_method(run) = said(run, ".*method \\([a-z0-9]*\\)") eq "rk4" ? "published method" : "event method"
+by_method(run) = number(run, "method") eq "rk4" ? "published method" : "event method"
 power_of_ten(x) = sprintf("%g×10^{%d}", x/10**floor(log10(x)), floor(log10(x)))
 
 # y where x passes a value, interpolated between two rows: stats data using (follow(x, y, value)).
@@ -129,7 +129,7 @@ mark_instant(name, t) = sprintf("set arrow from %.17g,graph 0 to %.17g,graph 1 n
 greek(name) = name[1:3] eq "mu " ? "μ ".name[4:] : name    # of a run
 friction(run) = sprintf("μ = %g", number(run, "friction"))
 stiffness(run) = sprintf("k_t = %s N/m", power_of_ten(number(run, "contact_stiffness")))
-loss(run) = said(run, ".*\\(no mass loss\\)") eq "" ? \
+loss(run) = number(run, "loses_mass") ? \
   sprintf("mass loss at t_1 = %g s", number(run, "mass_loss_time")) : "no mass loss"
 clearance_of(run) = 1e3*(number(run, "stator_radius") - number(run, "rotor_radius"))    # mm
 dotted(run) = sprintf("dotted: clearance r_a − r = %g mm", clearance_of(run))

@@ -2,7 +2,6 @@
 #   heading, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
 # Each run has a data file in gnuplot's folder: amplitudes by frequency, which is negative for backward whirl.
 
-of(what, i) = value(sprintf("%s%d", what, i))
 data(i) = sprintf("run%d.csv", i)
 resolution(i) = 3.8/(of("until_s", i) - of("from_s", i))    # of the flat-top window: where its power is halved
 said_of(i) = sprintf("%g s to %g s, resolution %.2g Hz: mean f = %.1f Hz%s%s", of("from_s", i), of("until_s", i), resolution(i), \

@@ -28,6 +28,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   program("build/rotor", "mkdir -p build/figures/new; echo data > build/figures/new/fig18.csv\n");
   write("figures/paper/fig18.gp", "");
   write("figures/paper/style.gp", "");
+  write("figures/paper/settings.awk", "");
   const auto make_figure = [&](const std::string& end, const std::string& format = "svg") {
     program("bin/gnuplot", "echo '<svg>" + end + "' > build/figures/fig18." + format + ".part\n");
     return shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18 FORMAT=" +
