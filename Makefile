@@ -274,11 +274,11 @@ mpi: build ## code: build build/mpi/rotor, which mpirun runs on many machines
 	@verification/program/mpi.sh $(BUILD)/mpi/rotor
 
 engine: need-deps
-	@figures/explore/build.sh $(BUILD)
+	@verification/report/engine/build.sh $(BUILD)
 explore: engine report ## paper: make the page with the engine: drag to rerun the accident
 
 check-explore: explore ## code: operate the page with the engine, compared with the program
-	@node verification/program/explore.mjs $(BUILD)/report/index.html $(ROTOR) $(BUILD)/check-report "$$(command -v chromium)"
+	@node verification/report/check_engine.mjs $(BUILD)/report/index.html $(ROTOR) $(BUILD)/check-report "$$(command -v chromium)"
 
 portable: build ## code: build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)

@@ -26,7 +26,7 @@ const std::vector<std::vector<std::string>> floors = {
     {"figures/runs"},
     {"figures/results"},
     {"figures/sweep"},
-    {"figures/explore", "figures/maps", "figures/program", "verification/support"},
+    {"figures/maps", "figures/program", "verification/support"},
     {"verification/approved", "verification/benchmark", "verification/equations",
      "verification/numerics", "verification/paper", "verification/program",
      "verification/robustness", "verification/validation"},

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "figures/explore/explorer.hpp"
+#include "verification/report/engine/explorer.hpp"
 #include "model/mechanics/contact.hpp"
 #include "verification/report/document.hpp"
 

@@ -7,13 +7,13 @@ page=$build/report/index.html
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 failed=0
 if [ -n "$browser" ] && [ -d "$build/check-report/node_modules/playwright-core" ]; then
-  node verification/report/check.js "$page" "$browser" || failed=1
+  node verification/report/check_page.js "$page" "$browser" || failed=1
 else
   echo "check-report: Chromium or playwright-core is missing: make deps-report installs both" >&2
   failed=1
 fi
 
-tests=$(ROTOR=$build/rotor node --test verification/program/pages.test.mjs) || { echo "$tests" >&2; failed=1; }
+tests=$(ROTOR=$build/rotor node --test verification/report/script.test.mjs) || { echo "$tests" >&2; failed=1; }
 
 # The data next to the page belong to the equations named by their folder.
 for set in published consistent; do

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "figures/data/csv.hpp"
-#include "figures/explore/explorer.hpp"
+#include "verification/report/engine/explorer.hpp"
 #include "model/theory/accident.hpp"
 #include "verification/report/document.hpp"
 

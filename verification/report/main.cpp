@@ -45,7 +45,7 @@ int main(const Arguments& arguments) {
         "needs the folders of the sources, of what was built and of the page, the commit and its "
         "date, and this-machine or archive");
   const fs::path root = arguments[0], build = arguments[1], out = arguments[2],
-                 room = root / "verification/report", explore = root / "figures/explore";
+                 room = root / "verification/report";
   Json page = document({.texts = room / "texts.json",
                         .scenes = root / "figures/paper",
                         .reference_data = root / "reference-data",
@@ -56,12 +56,12 @@ int main(const Arguments& arguments) {
                         .of_this_machine = arguments[5] == "this-machine"});
   std::set<fs::path> seen;
   Json shown = page;
-  shown["style"] = content_of(room / "page.css") + content_of(explore / "page/style.css");
-  shown["script"] = bundled(explore / "page/main.js", seen);
+  shown["style"] = content_of(room / "page.css") + content_of(room / "instrument.css");
+  shown["script"] = bundled(room / "script/main.js", seen);
   shown["printed_inputs"] = content_of(root / "reference-data/printed-inputs.csv");
-  shown["engine"] = engine_json(build, explore / "page", out / "engine.wasm.gz.base64");
+  shown["engine"] = engine_json(build, room / "script", out / "engine.wasm.gz.base64");
   Json instrument = instrument_json(out);
-  instrument["knobs"] = read_json(explore / "knobs.json");
+  instrument["knobs"] = read_json(room / "knobs.json");
   shown["instrument"] = instrument.dump();
   shown["model"] = content_of(root / "figures/paper/preview/model.svg");
   const Json stills = accident_json();

@@ -34,7 +34,7 @@ ROOT = HERE.parent.parent
 WORK = ROOT / 'build' / 'mutants'
 TREE, BUILD = WORK / 'tree', WORK / 'build'
 WORKERS = os.cpu_count() or 1
-NOT_MET = {'figures/explore/main.cpp', 'figures/sweep/ranks.cpp'}  # run only in a browser, or under mpirun
+NOT_MET = {'verification/report/engine/main.cpp', 'figures/sweep/ranks.cpp'}  # run only in a browser, or under mpirun
 RANDOM_ROTORS = 'RandomRotors.KeepTheirBalances'  # make verify runs it in addition to the tests
 MORE = 1.5  # times as many mechanical changes are tried as are asked for: some do not compile
 
@@ -361,7 +361,7 @@ def main():
         return 0
     hand = random.Random(options.seed).sample(hand, min(options.hand, len(hand)))
     WORK.mkdir(parents=True, exist_ok=True)
-    folders = options.under.split() or ['model', 'figures']
+    folders = options.under.split() or ['model', 'figures', 'verification/report/engine']
     changes = build(hand, sample(options.seed, round(MORE * options.count), folders), options.count)
     print(f'built with {len(changes)} changes after {time.monotonic() - start:.0f} s', flush=True)
     limits = {resource.RLIMIT_AS: 4 << 30, resource.RLIMIT_FSIZE: 1 << 30, resource.RLIMIT_CORE: 0}

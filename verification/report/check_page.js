@@ -1,4 +1,4 @@
-// Checks the reviewer's page in headless Chromium: `node check.js PAGE CHROMIUM`. Prints one line per
+// Checks the reviewer's page in headless Chromium: `node check_page.js PAGE CHROMIUM`. Prints one line per
 // fault. Needs playwright-core and axe-core.
 "use strict";
 const fs = require("fs");

@@ -1,4 +1,4 @@
-#include "figures/explore/explorer.hpp"
+#include "verification/report/engine/explorer.hpp"
 
 #include <fmt/format.h>
 

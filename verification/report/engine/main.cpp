@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "figures/explore/explorer.hpp"
+#include "verification/report/engine/explorer.hpp"
 
 namespace rotor {
 namespace {

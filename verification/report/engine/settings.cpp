@@ -1,4 +1,4 @@
-#include "figures/explore/settings.hpp"
+#include "verification/report/engine/settings.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { outcomes } from "../../figures/explore/page/outcome.js";
+import { outcomes } from "./script/outcome.js";
 
 const [page_file, rotor, npm, executablePath] = process.argv.slice(2).map((name) => path.resolve(name));
 const require = createRequire(path.join(npm, "package.json"));

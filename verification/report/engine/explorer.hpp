@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/explore/settings.hpp"
+#include "verification/report/engine/settings.hpp"
 #include "figures/record/columns.hpp"
 #include "figures/results/json.hpp"
 #include "figures/runs/run_ups.hpp"

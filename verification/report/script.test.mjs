@@ -7,14 +7,14 @@ import os from "node:os";
 import path from "node:path";
 import test from "node:test";
 
-import { panels, ticks } from "../../figures/explore/page/curves.js";
-import { inMilliseconds, inRotorAxes, inWords, stateAt, whirlAt } from "../../figures/explore/page/motion.js";
-import { numbersOf, outcomes, sentence, textsOf } from "../../figures/explore/page/outcome.js";
-import { stacked } from "../../figures/explore/page/plots.js";
-import { column, Recorded } from "../../figures/explore/page/recorded.js";
-import { forceTip } from "../../figures/explore/page/rotor.js";
-import { addressOf, commandOf, inSet, placeIn, setOf, settingsIn } from "../../figures/explore/page/settings.js";
-import { bandsOf, storyOf } from "../../figures/explore/page/story.js";
+import { panels, ticks } from "./script/curves.js";
+import { inMilliseconds, inRotorAxes, inWords, stateAt, whirlAt } from "./script/motion.js";
+import { numbersOf, outcomes, sentence, textsOf } from "./script/outcome.js";
+import { stacked } from "./script/plots.js";
+import { column, Recorded } from "./script/recorded.js";
+import { forceTip } from "./script/rotor.js";
+import { addressOf, commandOf, inSet, placeIn, setOf, settingsIn } from "./script/settings.js";
+import { bandsOf, storyOf } from "./script/story.js";
 
 const summary = {
   outcome: "no_contact", touch_downs: 7, mass_loss_reached: true, first_contact_s: 29.1046, rolling_onset_s: 29.1277, rolling_onset_speed_Hz: 45.148,

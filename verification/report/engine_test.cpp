@@ -5,7 +5,7 @@
 #include <regex>
 #include <set>
 
-#include "figures/explore/explorer.hpp"
+#include "verification/report/engine/explorer.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -157,7 +157,7 @@ TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
 TEST_F(Explore, ReadsNothingOfARunThatThereIsNot) {
   const Picture picture = explorer_.run({{"friction", "0.2"}}, null_observer_);
   const Json& motion = picture.metadata["motion"];
-  for (const auto& entry : fs::directory_iterator(ROTOR_SOURCES "/figures/explore/page")) {
+  for (const auto& entry : fs::directory_iterator(ROTOR_SOURCES "/verification/report/script")) {
     std::ifstream stream(entry.path());
     const std::string script{std::istreambuf_iterator<char>(stream), {}};
     const std::regex read(R"(\b(motion|summary|s)\.(?!js)(\w+))");
