@@ -56,30 +56,20 @@ constexpr std::array table = {
              return std::atan2(at.y(), at.x());
            }},
     Column{"motor_power_W", "power of the motor",
-           [](InstantView& v) {
-             return v.at().motor_on ? v.supports().torque * v.motion().speed : 0;
-           }},
-    Column{
-        "support_damping_power_W", "power of the supports' dampers, negative",
-        [](InstantView& v) { return -v.supports().damping * v.motion().velocity.squaredNorm(); }},
+           [](InstantView& v) { return v.supports().motor_power(v.motion(), v.at().motor_on); }},
+    Column{"support_damping_power_W", "power of the supports' dampers, negative",
+           [](InstantView& v) { return v.supports().damping_power(v.motion()); }},
     Column{"friction_power_W", "power of F_tau at the rim, negative",
            [](InstantView& v) {
              return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0;
            }},
     Column{"contact_damping_power_W",
            "power of the contact's damper, negative; also while the ring springs back",
-           [](InstantView& v) {
-             const bool is_clear = v.at().contact == ContactState::free;  // K may be undefined
-             return is_clear ? 0 : v.ring().damping_power(v.rim_point(), v.at().contact);
-           }},
+           [](InstantView& v) { return v.ring().damping_power(v.rim_point(), v.at().contact); }},
     Column{"support_energy_J", "potential energy of the supports' springs",
            [](InstantView& v) { return v.supports().springs.energy(v.motion().displacement); }},
     Column{"contact_energy_J", "potential energy of the indented ring",
-           [](InstantView& v) {
-             const bool indented = v.at().contact != ContactState::free;
-             const double depth = indented ? v.rim_point().indentation : 0;
-             return v.ring().law.energy(depth);
-           }},
+           [](InstantView& v) { return v.ring().energy(v.rim_point(), v.at().contact); }},
     Column{"contact_state", "0 free, 1 sliding, 2 rolling, 3 free with the ring still indented",
            [](InstantView& v) { return static_cast<double>(v.at().contact); }},
 };

@@ -112,6 +112,11 @@ struct Ring {
     return k.indentation / (k.normal_velocity > 0 ? 2 * k.normal_velocity : -3 * k.normal_velocity);
   }
 
+  /// Energy of the ring's spring, J.
+  S energy(const RimPoint<S>& k, ContactState contact) const {
+    return contact == ContactState::free ? S(0) : law.energy(k.indentation);
+  }
+
   /// Power of the damper, W, while the rim presses it and while the ring's spring pushes it back.
   S damping_power(const RimPoint<S>& k, ContactState contact) const {
     switch (contact) {

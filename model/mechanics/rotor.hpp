@@ -111,6 +111,14 @@ struct Supports {
                        gravity_moment(body, motion) + (motor_on ? torque : S(0))};  // Eq. (4)
   }
 
+  /// Power of the motor, and of the dampers, W.
+  S motor_power(const Motion<S>& motion, bool motor_on) const {
+    return motor_on ? S(torque * motion.speed) : S(0);
+  }
+  S damping_power(const Motion<S>& motion) const {
+    return -damping * motion.velocity.squaredNorm();
+  }
+
   /// Moment of gravity about O_a. Q_1 and Q_2 leave gravity out because the springs carry it at
   /// equilibrium; as printed, Q_3 nevertheless keeps the moment of the whole weight. The springs'
   /// preload balances all of it but the part due to the eccentricity.

@@ -9,17 +9,13 @@ namespace {
 Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<double>& ring,
                                   const Instant& at) {
   const Motion<double> m = at.motion();
-  double contact_damping = 0, contact_friction = 0;
-  if (at.contact != ContactState::free) {
-    const RimPoint<double> k = ring.rim_point(m);
-    contact_damping = ring.damping_power(k, at.contact);
-    if (at.contact == ContactState::sliding)
-      contact_friction =
-          k.slip_velocity * ring.sliding_friction(ring.elastic_force(k), at.direction);
-  }
-  return {at.motor_on ? supports.torque * m.speed : 0,
-          supports.gravity_moment(at.body, m) * m.speed,
-          -supports.damping * m.velocity.squaredNorm(), contact_damping, contact_friction};
+  const RimPoint<double> k = ring.rim_point(m);
+  const double friction =
+      at.contact == ContactState::sliding
+          ? k.slip_velocity * ring.sliding_friction(ring.elastic_force(k), at.direction)
+          : 0;
+  return {supports.motor_power(m, at.motor_on), supports.gravity_moment(at.body, m) * m.speed,
+          supports.damping_power(m), ring.damping_power(k, at.contact), friction};
 }
 
 }  // namespace
@@ -58,10 +54,9 @@ void EnergyObserver::on_instant(const Instant& at) {
 
 void EnergyObserver::take_stock(const Instant& at) {
   const Motion<double> m = at.motion();
-  const double indentation = at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
   balance_.kinetic = kinetic_energy(at.body, m);
   balance_.support_springs = supports_.springs.energy(m.displacement);
-  balance_.contact_spring = ring_.law.energy(indentation);
+  balance_.contact_spring = ring_.energy(ring_.rim_point(m), at.contact);
 }
 
 }  // namespace rotor

@@ -21,7 +21,7 @@ class NextMaximum {
   /// Fixed steps show no maxima: there, the force falls after it has risen.
   void on_instant(const BasicInstant<S>& at) {
     if (!has_fixed_steps_ || !is_awaited()) return;
-    const S force = -ring_.normal_force(ring_.rim_point(at.motion()));
+    const S force = at.contact_force(ring_, at.motion());
     found_ = rises_ && force < *last_force_;
     rises_ = last_force_ && (rises_ || force > *last_force_);
     last_force_ = force;

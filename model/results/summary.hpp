@@ -306,7 +306,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
     const Vector<S> bearings = supports_.bearing_force(motion.displacement, motion.velocity);
     summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, S(bearings.norm()));
     if (!at.touches()) return;
-    const S force = -ring_.touching_force(ring_.rim_point(motion));
+    const S force = at.contact_force(ring_, motion);
     if (!at.mass_lost) keep_greatest(summary_.peak_normal_force_before_loss_N, force);
     if (!in_rolling_.is_found()) keep_greatest(summary_.peak_force_to_rolling_N, force);
     if (force > summary_.peak_normal_force_N.value_or(S(0))) {
@@ -330,7 +330,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
       in_rolling_.await();
       summary_.rolling_onset_s = at.time_s;
       summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
-      summary_.rolling_onset_force_N = -ring_.touching_force(ring_.rim_point(motion));
+      summary_.rolling_onset_force_N = at.contact_force(ring_, motion);
     }
     if (begins || (at.event == Event::mass_loss && at.contact != ContactState::free)) {
       const BasicProgress<S> here{at.time_s, motion.speed, RotatingFrame<S>::angle(at.state)};

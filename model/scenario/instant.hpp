@@ -28,6 +28,10 @@ struct BasicInstant {
   bool touches() const {
     return contact == ContactState::sliding || contact == ContactState::rolling;
   }
+  /// |F_n| in its motion, N.
+  S contact_force(const Ring<S>& ring, const Motion<S>& its_motion) const {
+    return touches() ? S(-ring.touching_force(ring.rim_point(its_motion))) : S(0);
+  }
 };
 
 using Instant = BasicInstant<double>;

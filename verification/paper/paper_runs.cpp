@@ -78,7 +78,7 @@ class PaperWatch : public Observer {
  private:
   void note_force(const Instant& at) {
     if (!at.touches()) return;
-    const double force = -ring_.normal_force(ring_.rim_point(at.motion()));
+    const double force = at.contact_force(ring_, at.motion());
     if (force <= greatest_) return;
     greatest_ = force;
     run_.peak_ = at;
