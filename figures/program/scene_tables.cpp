@@ -11,13 +11,6 @@ namespace {
 /// Limit for all curves together: more rows make a black picture of hundreds of megabytes.
 constexpr long most_rows = 2'000'000;
 
-[[noreturn]] void fail_as_too_long() {
-  throw InputError(
-      "more than {} rows are too many to draw; a shorter window has fewer, and rotor run --trace "
-      "writes any number",
-      most_rows);
-}
-
 }  // namespace
 
 SceneTables compute_tables(const std::map<int, Scene>& scenes) {
@@ -35,17 +28,22 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
             scene.file.string());
       const Scenario& scenario = run.scenario;
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
-      requests.push_back({scenario,
-                          recorders.emplace_back(scene.window, scene.columns, scenario, sampling,
-                                                 [&](auto row) {
-                                                   if (++rows > most_rows) fail_as_too_long();
-                                                   table.add(row);
-                                                 }),
-                          scene.file.string() + ": " + run.name});
+      const auto add_row = [&table, &rows](auto row) {
+        if (++rows > most_rows)
+          throw InputError(
+              "more than {} rows are too many to draw; a shorter window has fewer, and rotor run "
+              "--trace writes any number",
+              most_rows);
+        table.add(row);
+      };
+      requests.push_back(
+          {scenario,
+           &recorders.emplace_back(scene.window, scene.columns, scenario, sampling, add_row),
+           scene.file.string() + ": " + run.name});
     }
   }
   Interruptible interruptible;
-  tables.cost = produce(requests, &interruptible);
+  tables.cost = produce(std::move(requests), interruptible);
   if (is_interrupted()) throw Interrupted();
   for (auto& [number, own] : tables.of)
     for (NamedTable& table : own) {

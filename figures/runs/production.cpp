@@ -1,6 +1,7 @@
 #include "figures/runs/production.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <stdexcept>
 #include <tuple>
@@ -8,66 +9,45 @@
 namespace rotor {
 namespace {
 
-/// A run, and all its observers.
-struct Branch {
-  Scenario scenario;
-  ObserverGroup observers;
-  std::string name;
-};
-using Branches = std::vector<Branch>;
+using Requests = std::vector<Request>;
 
-bool differ_in_their_end_alone(Scenario a, const Scenario& b) {
-  if (a.run_up_end() != b.run_up_end()) return false;
-  a.until = b.until;
-  return a == b;
+bool differ_in_their_end_alone(const Scenario& a, const Scenario& b) {
+  Scenario with_that_end = a;
+  with_that_end.until = b.until;
+  return a.run_up_end() == b.run_up_end() && with_that_end == b;
 }
 
-/// In the order in which they leave their run-up, then in the order of their ends.
-Branches branches(const std::vector<Request>& requests, Observer* monitor) {
-  Branches all;
-  for (const Request& request : requests) {
-    auto branch = std::find_if(all.begin(), all.end(), [&](const Branch& other) {
-      return other.scenario == request.scenario;
-    });
-    if (branch == all.end()) {
-      branch = all.emplace(all.end(), Branch{request.scenario, {}, request.name});
-      if (monitor) branch->observers.add(*monitor);
-    }
-    branch->observers.add(request.observer);
-  }
-  const auto order = [](const Branch& of) {
-    return std::tuple(of.scenario.run_up_end(), of.scenario.until);
-  };
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const Branch& a, const Branch& b) { return order(a) < order(b); });
-  return all;
+bool share_their_run_up(const Scenario& a, const Scenario& b) {
+  return run_up_part(a) == run_up_part(b);
 }
 
-/// Removes from the branches those that equal the first one.
-template <class Alike>
-Branches take(Branches& all, const Alike& alike) {
+/// Removes the first request, and those whose scenarios are like its own.
+Requests take(Requests& all, bool (*are_alike)(const Scenario&, const Scenario&)) {
   const Scenario first = all.front().scenario;
-  const auto others = std::stable_partition(
-      all.begin(), all.end(), [&](const Branch& branch) { return alike(first, branch.scenario); });
-  Branches taken(std::move_iterator(all.begin()), std::move_iterator(others));
+  const auto others = std::stable_partition(all.begin(), all.end(), [&](const Request& request) {
+    return are_alike(first, request.scenario);
+  });
+  Requests taken(std::move_iterator(all.begin()), std::move_iterator(others));
   all.erase(all.begin(), others);
   return taken;
 }
 
-/// Branches of one run-up.
-void produce(Branches branches, ProductionCost& cost) {
-  Simulation trunk(run_up_part(branches.front().scenario));
-  for (Branch& branch : branches) branch.observers.on_instant(trunk.instant());
+/// Runs of one run-up.
+void produce(Requests requests, Observer& monitor, ProductionCost& cost) {
+  Simulation trunk(run_up_part(requests.front().scenario));
+  for (const Request& request : requests) request.observer->on_instant(trunk.instant());
   ++cost.run_ups;
-  while (!branches.empty()) {
-    const Branch first = branches.front();
+  while (!requests.empty()) {
+    const Request first = requests.front();
     try {
-      ObserverGroup all;
-      for (const Branch& branch : branches) all.add(branch.observers);
+      ObserverGroup all = {&monitor};
+      for (const Request& request : requests) all.add(*request.observer);
       trunk.run_up(first.scenario.run_up_end(), all);
-      Branches group = take(branches, differ_in_their_end_alone);
+      std::deque<ObserverGroup> observers;
       std::vector<RunEnding> endings;
-      for (Branch& branch : group) endings.push_back({branch.scenario.until, branch.observers});
+      for (const Request& request : take(requests, differ_in_their_end_alone))
+        endings.push_back({request.scenario.until,
+                           observers.emplace_back(ObserverGroup{&monitor, request.observer})});
       cost.counters += trunk.with(first.scenario).finish(endings);
       ++cost.runs;
     } catch (const std::runtime_error& error) {
@@ -80,12 +60,15 @@ void produce(Branches branches, ProductionCost& cost) {
 
 }  // namespace
 
-ProductionCost produce(const std::vector<Request>& requests, Observer* monitor) {
+ProductionCost produce(Requests requests, Observer& monitor) {
+  // In the order in which they leave their run-up, then in the order of their ends.
+  const auto order = [](const Request& of) {
+    return std::tuple(of.scenario.run_up_end(), of.scenario.until);
+  };
+  std::stable_sort(requests.begin(), requests.end(),
+                   [&](const Request& a, const Request& b) { return order(a) < order(b); });
   ProductionCost cost;
-  for (Branches all = branches(requests, monitor); !all.empty();)
-    produce(take(all, [](const Scenario& a,
-                         const Scenario& b) { return run_up_part(a) == run_up_part(b); }),
-            cost);
+  while (!requests.empty()) produce(take(requests, share_their_run_up), monitor, cost);
   return cost;
 }
 

@@ -1,5 +1,4 @@
-/// Runs what several scenes need, and nothing twice: equal runs become one, and runs that differ
-/// only later share their beginning.
+/// Runs what several scenes need, and no step twice: runs share what they have in common.
 #pragma once
 
 #include <string>
@@ -12,7 +11,7 @@ namespace rotor {
 /// A run and its observer.
 struct Request {
   Scenario scenario;
-  Observer& observer;
+  Observer* observer;
   std::string name{};  ///< precedes its error messages
 };
 
@@ -23,7 +22,7 @@ struct ProductionCost {
 };
 
 /// Runs all requests. Every observer sees the same, to the bit, as in a separate run. Throws as
-/// `run` does. A monitor, if there is one, watches all runs; if it stops one, all stop.
-ProductionCost produce(const std::vector<Request>& requests, Observer* monitor = nullptr);
+/// `run` does. The monitor watches all runs; if it stops one, all stop.
+ProductionCost produce(std::vector<Request> requests, Observer& monitor);
 
 }  // namespace rotor

@@ -130,8 +130,9 @@ TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
   std::vector<Log> logs;
   for (std::size_t n = 0; n < all.size(); ++n) logs.emplace_back(n % 3 == 0);
   std::vector<Request> requests;
-  for (std::size_t n = 0; n < all.size(); ++n) requests.push_back({all[n], logs[n]});
-  const ProductionCost cost = produce(requests);
+  for (std::size_t n = 0; n < all.size(); ++n) requests.push_back({all[n], &logs[n]});
+  Observer null_observer;
+  const ProductionCost cost = produce(requests, null_observer);
   EXPECT_LT(cost.run_ups, 40);  // of 48
   for (std::size_t n = 0; n < all.size(); ++n) {
     Log alone(n % 3 == 0);
