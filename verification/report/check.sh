@@ -7,7 +7,7 @@ page=$build/report/index.html
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 failed=0
 if [ -n "$browser" ] && [ -d "$build/check-report/node_modules/playwright-core" ]; then
-  node verification/report/check_page.js "$page" "$browser" || failed=1
+  node verification/report/check_page.mjs "$page" "$browser" || failed=1
 else
   echo "check-report: Chromium or playwright-core is missing: make deps-report installs both" >&2
   failed=1
@@ -28,7 +28,7 @@ if ! command -v hunspell >/dev/null; then
 fi
 # Words outside code and pictures, checked against English and technical terms.
 misspelt() { hunspell -l -d en_GB -p verification/report/words.txt | sort -u | tr '\n' ' '; }
-of_page=$(perl -0pe 's/<(style|script|svg|pre|code|sub)\b.*?<\/\1>//gs; s/&shy;//g; s/<[^>]*>/ /g; s/&\w+;/ /g; s/\bEqs?\.//g; s/\S*\d\S*//g' "$page" | misspelt)
+of_page=$(perl -0pe 's/<(style|script|svg|math|pre|code|sub)\b.*?<\/\1>//gs; s/&shy;//g; s/<[^>]*>/ /g; s/&\w+;/ /g; s/\bEqs?\.//g; s/\S*\d\S*//g' "$page" | misspelt)
 of_readme=$(perl -0pe 's/```.*?```//gs; s/`[^`]*`//g; s/^    .*//gm; s/\]\([^)]*\)//g; s/\bEqs?\.//g; s/\S*[\d_]\S*//g' README.md | misspelt)
 [ -z "$of_page" ] || { echo "check-report: not in the dictionary, on the page: $of_page" >&2; failed=1; }
 [ -z "$of_readme" ] || { echo "check-report: not in the dictionary, in README.md: $of_readme" >&2; failed=1; }

@@ -36,8 +36,10 @@ Json groups_json(const Json& claims, const Json& causes) {
       if (claim.at("as_printed").at("says") != verdict) continue;
       ++count;
       const std::string cause = verdict == "refuted" ? cause_of(claim) : "";
-      Json& part = parts.try_emplace(cause, Json{{"title", causes.value(cause, "")}}).first->second;
+      Json& part = parts.try_emplace(cause, causes.value(cause, Json{{"title", ""}})).first->second;
+      part["name"] = cause;
       part["claims"].push_back(claim);
+      part["count"] = part["claims"].size();
     }
     for (const auto& [cause, part] : parts) group["parts"].push_back(part);
     group["count"] = count;

@@ -74,7 +74,7 @@ Json quantised(const Table& all, const Json& names, double until_s) {
 
 /// A number of rows of a table, and its last row.
 Table thinned(const Table& table) {
-  constexpr std::size_t kept = 2000;
+  constexpr std::size_t kept = 1000;
   Table some(table.columns());
   const std::size_t every = table.rows() / kept + 1;
   for (std::size_t row = 0; row < table.rows(); ++row)

@@ -56,7 +56,7 @@ int main(const Arguments& arguments) {
                         .of_this_machine = arguments[5] == "this-machine"});
   std::set<fs::path> seen;
   Json shown = page;
-  shown["style"] = content_of(room / "page.css") + content_of(room / "instrument.css");
+  shown["style"] = content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
   shown["printed_inputs"] = content_of(root / "reference-data/printed-inputs.csv");
   shown["engine"] = engine_json(build, room / "script", out / "engine.wasm.gz.base64");

@@ -7,7 +7,7 @@ import os from "node:os";
 import path from "node:path";
 import test from "node:test";
 
-import { panels, ticks } from "./script/curves.js";
+import { panels, stepPanels, ticks } from "./script/curves.js";
 import { inMilliseconds, inRotorAxes, inWords, stateAt, whirlAt } from "./script/motion.js";
 import { numbersOf, outcomes, sentence, textsOf } from "./script/outcome.js";
 import { stacked } from "./script/plots.js";
@@ -26,7 +26,7 @@ const summary = {
 test("numbers are in their units", () => {
   assert.deepEqual(numbersOf(summary).map(([, text]) => text), ["no contact", "7", "29.1046 s", "29.1277 s", "45.15 Hz",
     "454.8 kN", "29.1279 s", "3.567 mm", "-595.6 Hz", "149.99 Hz", "23.04 Hz"]);
-  assert.equal(new Map(numbersOf({ ...summary, whirl_frequency_Hz: null })).get("whirl in rolling"), "–");
+  assert.equal(new Map(numbersOf({ ...summary, whirl_frequency_Hz: null })).get("whirl, mean of rolling"), "–");
   const words = sentence(summary);
   for (const part of ["7 times", "29.1046 s", "454.8 kN", "29.1277 s, 23.1 ms after", "Remark: the ring is round."])
     assert.ok(words.includes(part), words);
@@ -61,6 +61,16 @@ test("curves are in the units of their axes, losses positive, and areas are stac
     "normal force, kN": [0, 2, 0], "speed, Hz": [150, 149, 148], "motion, kJ": [5, 4, 3], "supports, kJ": [1, 2.5, 4],
     "ring, kJ": [0, 1, 0], "ring's damper, kJ": [0, 1, 2], "lost to friction, kJ": [0, 2, 4],
   });
+  const whirling = { summary, motion: { time_s: [], x_a_m: [], y_a_m: [], speed_Hz: [45] } };
+  for (let n = 0; n < 40; ++n) { // 770 turns a second, against the rotation
+    const angle = -2 * Math.PI * 770 * n * 1e-5;
+    whirling.motion.time_s.push(n * 1e-5);
+    whirling.motion.x_a_m.push(3.5e-3 * Math.cos(angle));
+    whirling.motion.y_a_m.push(3.5e-3 * Math.sin(angle));
+  }
+  const [rim, centre] = stepPanels.velocity.curves.map((curve) => curve.of(whirling));
+  assert.ok(Math.abs(rim[0] - 2 * Math.PI * 45 * 0.06) < 1e-9 && Math.abs(centre[20] - 2 * Math.PI * 770 * 3.5e-3) < 0.05, `${rim[0]}, ${centre[20]}`);
+  assert.ok(Math.abs(stepPanels.distance.curves[0].of(whirling)[7] - 3.5) < 1e-9 && Math.abs(stepPanels.distance.level(whirling).value - 3) < 1e-9);
   assert.deepEqual(stacked([[1, 2], [10, 20], [100, 200]]), [[1, 2], [11, 22], [111, 222]]);
 });
 

@@ -31,15 +31,6 @@ std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending
   return found;
 }
 
-/// A study with its tables and pictures in a folder below that of the page, if they have been made.
-Json study_json(const Sources& sources, const std::string& folder) {
-  Json files = Json::array();
-  for (const auto& file : files_of(sources.report / folder, ""))
-    files.push_back(
-        {{"file", folder + '/' + file.filename().string()}, {"name", file.filename().string()}});
-  return files;
-}
-
 /// Suite and name of a test, without its parameters.
 std::string name_of(const Json& test) {
   const auto suite = test.at("classname").get<std::string>(),
@@ -138,12 +129,13 @@ Json studies_json(const Sources& sources, const Json& names) {
               {"decades", decades},
               {"reasons", reasons_json(sources.reference_data)},
               {"proven", proven_json(sources.reference_data / "proven.csv")}};
-  for (const auto& [folder, title] : {std::pair("work-precision", "Run time against error"),
-                                      {"stability", "Stability and random rotors"},
-                                      {"contact-laws", "Other contact laws"},
-                                      {"maps", "Maps"}})
-    if (const Json files = study_json(sources, folder); !files.empty())
-      all["folders"].push_back({{"title", title}, {"files", files}});
+  for (const auto& [title, folder, picture] :
+       {std::tuple("Run time against error", "work-precision", "work-precision-2.svg"),
+        {"Where the paper's method is stable", "stability", "stability.svg"},
+        {"The accident in rings of other contact laws", "contact-laws", "contact-laws.svg"},
+        {"The outcome over speed and friction", "maps", "speed-friction-outcome.svg"}})
+    if (const auto file = fs::path(folder) / picture; fs::exists(sources.report / file))
+      all["pictures"].push_back({{"title", title}, {"folder", folder}, {"file", file.string()}});
   return all;
 }
 

@@ -1,4 +1,5 @@
 // The curves over time and their units.
+import { whirlAt } from "./motion.js";
 
 const scaled = (column, factor) => column.map((value) => factor * value);
 const lost = (picture, cause) => scaled(gained(picture, cause), -1);
@@ -24,6 +25,25 @@ export const panels = [
     ],
   },
 ];
+
+/// Single panels, each beside a step of the accident.
+export const stepPanels = {
+  force: { ...panels[0], share: 1 },
+  speed: { ...panels[1], share: 1 },
+  distance: {
+    title: "distance of O from the axis", unit: "mm", share: 1,
+    level: ({ summary: { inputs } }) => ({ value: 1e3 * (inputs.stator_radius - inputs.rotor_radius), text: "clearance" }),
+    curves: [{ label: "distance", colour: "first", of: ({ motion }) => motion.x_a_m.map((x, row) => 1e3 * Math.hypot(x, motion.y_a_m[row])) }],
+  },
+  velocity: {
+    title: "velocity: rim, and O backwards", unit: "m/s", share: 1,
+    curves: [
+      { label: "rim", colour: "second", of: ({ motion, summary: { inputs } }) => scaled(motion.speed_Hz, 2 * Math.PI * inputs.rotor_radius) },
+      { label: "O", colour: "first", of: ({ motion }) => motion.time_s.map((time_s, row) =>
+        -2 * Math.PI * whirlAt(motion, time_s) * Math.hypot(motion.x_a_m[row], motion.y_a_m[row])) },
+    ],
+  },
+};
 
 const sum = (one, other) => one.map((value, i) => value + other[i]);
 

@@ -10,6 +10,7 @@ import { Plots } from "./plots.js";
 import { Recorded } from "./recorded.js";
 import { RotorView } from "./rotor.js";
 import { addressOf, commandOf, corrections, inSet, placeIn, setOf, settingsIn } from "./settings.js";
+import { showSteps } from "./steps.js";
 import { storyOf } from "./story.js";
 import { Sureness } from "./sureness.js";
 
@@ -151,7 +152,7 @@ function turn(option, text, insteadOf) {
 
 function bringIntoView() {
   const is_calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  at("accident").scrollIntoView({ behavior: is_calm ? "auto" : "smooth" });
+  at("try").scrollIntoView({ behavior: is_calm ? "auto" : "smooth" });
   at("play").focus({ preventScroll: true });
 }
 document.addEventListener("click", (event) => {
@@ -303,8 +304,14 @@ at("map-key").replaceChildren(...Object.entries(outcomes).filter(([letter]) => c
   item.textContent = name;
   return item;
 }));
-// A phone shows the names of figures first; a link opens whatever its target is in.
-if (matchMedia("(max-width: 48rem)").matches) for (const card of document.querySelectorAll(".card")) card.open = false;
+// A phone shows counts of claims and names of figures first; what a reader opens survives a reload, and a
+// link opens whatever its target is in.
+const is_phone = matchMedia("(max-width: 48rem)").matches;
+document.querySelectorAll(".card, .group").forEach((folded, n) => {
+  const kept = sessionStorage.getItem(n);
+  folded.open = kept ? kept === "open" : folded.open && !is_phone;
+  folded.firstElementChild.addEventListener("click", () => sessionStorage.setItem(n, folded.open ? "closed" : "open"));
+});
 function openTarget() {
   const target = at(location.hash.slice(1));
   const card = target?.querySelector(".card");
@@ -318,5 +325,6 @@ openTarget();
 onColoursChanged(() => {
   for (const seen of [plots, orbit, rotor, map]) seen.paint();
 });
+showSteps(recorded);
 showFrame();
 refresh();

@@ -39,7 +39,7 @@ const rows = [
   ["largest normal force", (s) => s.peak_normal_force_N, inKilonewton],
   ["when", (s) => s.peak_time_s, inSeconds],
   ["largest displacement", (s) => s.max_displacement_m, (rho) => `${(1e3 * rho).toFixed(3)} mm`],
-  ["whirl in rolling", (s) => s.whirl_frequency_Hz, (f) => `${f.toFixed(1)} Hz`],
+  ["whirl, mean of rolling", (s) => s.whirl_frequency_Hz, (f) => `${f.toFixed(1)} Hz`],
   ["speed at the loss", (s) => s.speed_at_mass_loss_Hz, (f) => `${f.toFixed(2)} Hz`],
   ["speed at the end", (s) => s.final_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
 ];

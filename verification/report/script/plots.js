@@ -18,11 +18,15 @@ export class Plots {
   #still = document.createElement("canvas"); // everything except the time marker
   #hear;
 
-  /// `onTime(s)` is called with the time pointed at, `onPart(from, until)` with the part shown.
-  constructor(canvas, { onTime, onPart }) {
+  panels = panels; // shown
+
+  /// `onTime(s)` is called with the time pointed at, `onPart(from, until)` with the part shown. Without
+  /// onTime the canvas is only a picture, whose axes fit the part shown.
+  constructor(canvas, { onTime, onPart = () => {} }) {
     this.#canvas = canvas;
     this.#hear = { onTime, onPart };
     new ResizeObserver(() => this.paint()).observe(canvas);
+    if (!onTime) return;
     const timeAt = ({ offsetX }) => this.#part[0] + ((offsetX - left) / this.#width) * (this.#part[1] - this.#part[0]);
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
@@ -41,7 +45,7 @@ export class Plots {
 
   show(picture, part, time_s) {
     this.#picture = picture;
-    this.#columns = panels.map(({ curves }) => curves.map((curve) => curve.of(picture)));
+    this.#columns = this.panels.map(({ curves }) => curves.map((curve) => curve.of(picture)));
     this.#time_s = time_s;
     this.showPart(...part);
   }
@@ -98,11 +102,11 @@ export class Plots {
     const ctx = this.#still.getContext("2d");
     ctx.scale(devicePixelRatio, devicePixelRatio);
     ctx.font = "12px system-ui, sans-serif";
-    const between = panels.map((panel) => (panel.stacked && this.#width < narrow ? 40 : 24));
+    const between = this.panels.map((panel) => (panel.stacked && this.#width < narrow ? 40 : 24));
     const room = height - top - bottom - between.reduce((one, other) => one + other);
     let y = top;
     this.#paintBands(ctx, height);
-    panels.forEach((panel, i) => {
+    this.panels.forEach((panel, i) => {
       y += between[i];
       this.#paintPanel(ctx, panel, this.#columns[i], y, panel.share * room);
       y += panel.share * room;
@@ -158,8 +162,12 @@ export class Plots {
     const stack = panel.stacked ? stacked(columns) : columns;
     let greatest = 0, least = 0;
     const meet = (value) => { greatest = Math.max(greatest, value); least = Math.min(least, value); };
-    for (const value of stack.at(-1)) meet(value); // of the whole run: a zoom in time does not change the scale
+    // Of the whole run: a zoom in time does not change the scale.
+    for (const values of panel.stacked ? [stack.at(-1)] : stack)
+      (this.#hear.onTime ? values : values.slice(first, last + 1)).forEach(meet);
     for (const { values } of ghosts) values.forEach(meet);
+    const level = panel.level?.(this.#picture);
+    if (level) meet(level.value);
     greatest += 0.06 * (greatest - least) || 1;
     const place = (value) => y + height * (1 - (value - least) / (greatest - least));
 
@@ -204,6 +212,23 @@ export class Plots {
       }
       ctx.stroke();
     });
+    if (level) {
+      ctx.strokeStyle = ctx.fillStyle = colour("text");
+      ctx.setLineDash([4, 3]);
+      ctx.beginPath();
+      ctx.moveTo(left, place(level.value));
+      ctx.lineTo(left + this.#width, place(level.value));
+      ctx.stroke();
+      ctx.setLineDash([]);
+      ctx.textAlign = "left";
+      ctx.fillText(level.text, left + 5, place(level.value) + 14);
+    }
+    if (panel.curves.length > 1 && !panel.stacked) // names at the beginnings of curves
+      panel.curves.forEach(({ label, colour: name }, i) => {
+        ctx.fillStyle = colour(name);
+        ctx.textAlign = "left";
+        ctx.fillText(label, left + 5, place(stack[i][first]) + (stack[i][first] > stack[1 - i][first] ? 15 : -6));
+      });
     ctx.restore();
     this.#paintHead(ctx, panel, y - 7);
   }

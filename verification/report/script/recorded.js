@@ -25,6 +25,8 @@ export class Recorded {
   /// The answer of the engine to these options, or null.
   answer(options) {
     const run = this.#runs.get(keyOf(options));
-    return run ? { ...run, motion: columns(run.motion), works: columns(run.works) } : null;
+    if (!run) return null;
+    run.answer ??= { ...run, motion: columns(run.motion), works: columns(run.works) };
+    return run.answer;
   }
 }

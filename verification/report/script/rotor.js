@@ -33,7 +33,7 @@ export class RotorView {
     const { motion, mass_loss_s: loss_s, summary } = this.#picture;
     const now = stateAt(motion, this.#time_s);
     this.#words.textContent = inWords(now, loss_s);
-    if (this.#canvas.hidden) return;
+    if (this.#canvas.clientWidth === 0) return;
     const { ctx, width, height } = cleared(this.#canvas);
     ctx.translate(width / 2, height / 2);
     const ring = 0.39 * Math.min(width, height), radius = ring * (1 - gap);
@@ -53,7 +53,7 @@ export class RotorView {
     paintTurn(ctx, centre, 0.42 * radius, 1, "spin", `spin ${now.speed_Hz.toFixed(0)} Hz`, "text");
     const whirl_Hz = whirlAt(motion, this.#time_s);
     if (touches && Math.abs(whirl_Hz) > 1)
-      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl now ${Math.abs(whirl_Hz).toFixed(0)} Hz`, "second",
+      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl ${width < 350 ? "" : "now "}${Math.abs(whirl_Hz).toFixed(0)} Hz`, "second",
         Math.atan2(centre[1], centre[0]));
     if (touches) paintForce(ctx, now, ring, summary.peak_normal_force_N);
     ctx.fillStyle = colour("quiet");
@@ -137,11 +137,17 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
   arrow(ctx, points, name === "spin" ? 8 : 12);
   ctx.textAlign = "center";
   ctx.font = "600 13px system-ui, sans-serif";
-  if (name === "spin") ctx.fillText(text, x, y + (y > 0 ? -1.5 : 1.7) * radius); // away from the contact
+  if (name === "spin") { // away from the contact, and readable on the trail
+    const place = [text, x, y + (y > 0 ? -1.75 : 1.9) * radius];
+    ctx.strokeStyle = colour("rotor");
+    ctx.lineWidth = 5;
+    ctx.strokeText(...place);
+    ctx.fillText(...place);
+  }
   else {
-    const [right, down] = points[12], edge = ctx.canvas.clientWidth / 2; // in the corner beside the arrow
+    const [right, down] = points[12], { clientWidth: wide, clientHeight: high } = ctx.canvas; // in the corner beside the arrow
     ctx.textAlign = right > 0 ? "right" : "left";
-    ctx.fillText(text, right > 0 ? edge : -edge, down > 0 ? edge - 24 : 14 - edge);
+    ctx.fillText(text, (right > 0 ? wide : -wide) / 2, down > 0 ? high / 2 - 24 : 14 - high / 2);
   }
   ctx.font = "12px system-ui, sans-serif";
 }

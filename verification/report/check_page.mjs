@@ -1,15 +1,15 @@
-// Checks the reviewer's page in headless Chromium: `node check_page.js PAGE CHROMIUM`. Prints one line per
+// Checks the reviewer's page in headless Chromium: `node check_page.mjs PAGE CHROMIUM`. Prints one line per
 // fault. Needs playwright-core and axe-core.
-"use strict";
-const fs = require("fs");
-const path = require("path");
-const { createRequire } = require("module");
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+
 const [page_file, chromium_path] = process.argv.slice(2);
 const installed = createRequire(path.resolve(path.dirname(page_file), "../check-report/package.json"));
 const { chromium } = installed("playwright-core");
 const axe = fs.readFileSync(installed.resolve("axe-core/axe.min.js"), "utf8");
 
-const most_bytes = 3.5e6, most_px = { 1440: 14e3, 360: 14e3 };
+const most_bytes = 3.4e6, most_px = { 1440: 14e3, 360: 14e3 };
 const pictures = fs.readdirSync("figures/paper").filter((file) => /^fig\d+\.toml$/.test(file)).length;
 const faults = [];
 const expect = (holds, fault) => { if (!holds) faults.push(fault); };
@@ -48,10 +48,43 @@ const ms_of = async (page) => Number((await state(page)).match(/^[−\d.]+/)[0].
 const shown = (page, hash) => page.waitForFunction((to) => document.body.dataset.shows === to, hash, { timeout: 20e3 })
   .catch(() => faults.push(`${hash} is not shown`));
 
-// The first screen holds the whole story; the time follows mouse, keys, sentences and the clock.
+// Five steps, each with its formula and one control, which changes the words beside it; the picture stays
+// beside the text, and on a phone each step has its own above its text.
+async function check_steps(page, is_phone) {
+  const steps = await page.$$(".step");
+  expect(steps.length === 5, `${steps.length} steps instead of 5`);
+  for (const step of steps) {
+    await step.scrollIntoViewIfNeeded();
+    const id = await step.getAttribute("id"), control = await step.$("input"), says = () => step.$eval("output", (output) => output.textContent);
+    expect(await (await step.$("math")).isVisible() && (await step.$$("input")).length === 1, `${id} has no formula, or not one control`);
+    await control.press("Home");
+    const first = await says();
+    await control.fill(await control.evaluate(({ max }) => String(Math.round(max / 2))));
+    expect((await says()) !== first && (await control.getAttribute("aria-valuetext")) === (await says()), `the control of ${id} changes nothing`);
+    const [picture, text] = await Promise.all([(await (is_phone ? step : page).$(is_phone ? ".stage" : "#stage")).boundingBox(), (await step.$("p")).boundingBox()]);
+    const is_placed = is_phone ? picture?.y + picture?.height <= text.y : picture?.y >= 0 && picture.y + picture.height <= page.viewportSize().height && picture.x + picture.width <= text.x;
+    expect(is_placed, `the picture is not ${is_phone ? "above" : "beside"} the text of ${id}: ${JSON.stringify([picture, text])}`);
+  }
+  expect(await page.isVisible("#roll-answer p"), "a guess does not show the answer");
+}
+
+// Without scripts, and on paper: the strip of the accident, text and formulas, and no control.
+async function check_unscripted(browser) {
+  for (const javaScriptEnabled of [false, true]) {
+    const context = await browser.newContext({ viewport: desktop, javaScriptEnabled }), page = await context.newPage();
+    await page.goto("file://" + path.resolve(page_file));
+    if (javaScriptEnabled) await page.emulateMedia({ media: "print" });
+    expect(await page.isVisible(".stills svg") && !(await page.isVisible(".control, .stage, #try")), `scripts ${javaScriptEnabled}: the strip is not shown alone`);
+    for (const part of await page.$$(".step math, .step p.note")) expect(await part.isVisible(), "a formula or note is hidden without scripts");
+    await context.close();
+  }
+}
+
+// One screen holds the whole story; the time follows mouse, keys, sentences and the clock.
 async function check_time(page) {
+  await page.$eval("#try", (part) => part.scrollIntoView());
   const below = await page.$eval("#story", (list) => list.getBoundingClientRect().bottom);
-  expect(below <= page.viewportSize().height, `the story ends at ${below} px, below the first screen`);
+  expect(below <= page.viewportSize().height, `the story ends at ${below} px, below the screen`);
   expect((await page.$$("#story li")).length === 6, "the story does not have six sentences");
   for (const button of await page.$$("#story button")) {
     const before = await state(page);
@@ -184,6 +217,8 @@ const looks = [
   await shown(page, "#");
   const links = await check_links(page);
   await check_pictures(page);
+  await check_steps(page, false);
+  await check_unscripted(browser);
   const scrubs_ms = await check_time(page);
   await check_pins(page);
   await check_links_to_runs(page);
@@ -208,6 +243,11 @@ const looks = [
     expect(width <= viewport.width, `${name}: scrolls sideways, ${width} px wide, with all details open`);
     expect(!(height > most_px[viewport.width]), `${name}: ${height} px high`);
     await check_axe(page, name);
+    if (name !== "phone") continue;
+    await check_steps(page, true);
+    await page.click("#fig05 summary");
+    await page.reload();
+    expect(await page.isVisible("#fig05 figure svg") && !(await page.isVisible("#fig06 figure svg")), "a card that was opened is not the only one after a reload");
   }
   await browser.close();
   for (const fault of faults) console.error("check-report: " + fault);
