@@ -97,9 +97,12 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
   return is_near ? fmt::format("; did you mean {}?", *nearest) : "";
 }
 
-std::string choices(std::string_view mistyped, const std::vector<std::string>& names) {
-  const std::string meant = suggestion(mistyped, names);
-  return meant.empty() ? fmt::format("; there are: {}", fmt::join(names, ", ")) : meant;
+std::string choices(std::string_view mistyped, const std::vector<std::string>& names,
+                    std::string_view many) {
+  constexpr std::size_t most = 12;
+  if (const std::string meant = suggestion(mistyped, names); !meant.empty()) return meant;
+  return names.size() > most ? fmt::format("; {}", many)
+                             : fmt::format("; there are: {}", fmt::join(names, ", "));
 }
 
 std::string duration(double seconds) {

@@ -27,8 +27,10 @@ std::string unless_number(const std::string& text);
 
 /// "; did you mean NAME?" if one of the names was probably meant; otherwise empty.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
-/// The same, but otherwise "; there are: " and all names.
-std::string choices(std::string_view mistyped, const std::vector<std::string>& names);
+/// The same, but otherwise "; there are: " and all names, or "; " and what lists them if they are
+/// many.
+std::string choices(std::string_view mistyped, const std::vector<std::string>& names,
+                    std::string_view many);
 
 /// Whether a value is among others.
 template <class Values, class Value>

@@ -115,6 +115,16 @@ const InputQuantity* find_input_quantity(std::string_view name) {
   return nullptr;
 }
 
+const std::vector<std::string>& varied_inputs() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const InputQuantity& input : input_quantities()) names.emplace_back(input.quantity.name);
+    for (const NamedInput& input : named_inputs()) names.emplace_back(input.name);
+    return names;
+  }();
+  return all;
+}
+
 std::string_view name_of_symbol(std::string_view text) {
   for (const InputQuantity& input : input_quantities())
     if (input.quantity.symbol == text && !text.empty()) return input.quantity.name;

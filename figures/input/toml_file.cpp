@@ -54,9 +54,11 @@ bool vanishes(std::string_view decimals) {
          std::string_view::npos;
 }
 
-bool is_input(std::string_view key) {
-  return find_input_quantity(key) || find_named_input(key) || key == "no_mass_loss" ||
-         key == "digits";
+/// The keys of inputs.
+TomlFile::Keys input_keys() {
+  TomlFile::Keys keys = {"no_mass_loss", "digits"};
+  keys.insert(keys.end(), varied_inputs().begin(), varied_inputs().end());
+  return keys;
 }
 
 }  // namespace
@@ -86,10 +88,11 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
   for (const auto& [key, node] : table)
     if (!contains(allowed, key.str()))
       fail(node, key.str(), "unknown key{}{}",
-           &table == &root_ ? is_input(key.str()) ? ", which belongs below [parameters]" : ""
+           &table == &root_
+               ? contains(input_keys(), key.str()) ? ", which belongs below [parameters]" : ""
            : contains(keys_of_root_, key.str()) ? ", which belongs above the first [table]"
                                                 : "",
-           choices(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}));
+           choices(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}, list_of_inputs));
 }
 
 std::optional<double> TomlFile::number(const toml::node& node, std::string_view key) const {
@@ -135,12 +138,10 @@ std::vector<const toml::table*> TomlFile::tables(const toml::table& in,
   return all;
 }
 
-ScenarioSpec stated_in(const TomlFile& file, const toml::table& table, TomlFile::Keys other_keys) {
-  TomlFile::Keys allowed = std::move(other_keys);
-  for (const InputQuantity& s : input_quantities()) allowed.push_back(s.quantity.name);
-  allowed.push_back("no_mass_loss");
-  allowed.push_back("digits");
-  for (const NamedInput& input : named_inputs()) allowed.push_back(input.name);
+ScenarioSpec stated_in(const TomlFile& file, const toml::table& table,
+                       const TomlFile::Keys& other_keys) {
+  TomlFile::Keys allowed = input_keys();
+  allowed.insert(allowed.end(), other_keys.begin(), other_keys.end());
   file.expect_keys(table, allowed);
 
   ScenarioSpec stated;

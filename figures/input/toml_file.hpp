@@ -87,6 +87,7 @@ class TomlFile {
 
 /// What a table states of a scenario, beside `other_keys`. Throws InputError with file, line and
 /// key.
-ScenarioSpec stated_in(const TomlFile& file, const toml::table& table, TomlFile::Keys other_keys);
+ScenarioSpec stated_in(const TomlFile& file, const toml::table& table,
+                       const TomlFile::Keys& other_keys);
 
 }  // namespace rotor

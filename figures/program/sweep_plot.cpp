@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <map>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
@@ -156,7 +157,7 @@ struct DrawnResult {
 };
 
 DrawnResult drawn_result(const std::string& stated, const Sweep& sweep) {
-  const std::vector<std::string> all = sweep.columns.empty() ? result_columns() : sweep.columns;
+  const std::vector<std::string>& all = result_columns(sweep);
   const auto has = [&](const std::string& name) { return contains(all, name); };
   const auto number = std::find_if(all.begin(), all.end(), is_number);
   const std::string key = !stated.empty()       ? stated
@@ -164,7 +165,8 @@ DrawnResult drawn_result(const std::string& stated, const Sweep& sweep) {
                           : number != all.end() ? *number
                                                 : "outcome";
   if (!has(key))
-    throw InputError("--column {}: there is no such result{}", shown(key), choices(key, all));
+    throw InputError("--column {}: there is no such result{}", shown(key),
+                     choices(key, all, "rotor run --json-schema lists them"));
   const bool has_axis = std::any_of(sweep.axes.begin(), sweep.axes.end(),
                                     [&](const Axis& axis) { return is_drawn(axis, sweep); });
   if (key == "outcome" ? !has_axis : !is_number(key))
@@ -175,21 +177,14 @@ DrawnResult drawn_result(const std::string& stated, const Sweep& sweep) {
 
 /// A result's name with the unit in which it is drawn, and that unit in SI units.
 std::pair<std::string, double> label_and_unit(const std::string& key) {
-  struct Unit {
-    std::string_view of_result, drawn;
-    double in_si;
-  };
-  constexpr std::array<Unit, 6> units = {{{"N", "kN", 1e3},
-                                          {"m", "mm", 1e-3},
-                                          {"s", "s", 1},
-                                          {"Hz", "Hz", 1},
-                                          {"J", "J", 1},
-                                          {"kg", "kg", 1}}};
-  const std::size_t at = key.rfind('_');
-  for (const Unit& unit : units)
-    if (at != std::string::npos && key.substr(at + 1) == unit.of_result)
-      return {fmt::format("{}, {}", with_spaces(key.substr(0, at)), unit.drawn), unit.in_si};
-  return {with_spaces(key), 1};
+  static const std::map<std::string, std::pair<const char*, double>> units = {
+      {"N", {"kN", 1e3}}, {"m", {"mm", 1e-3}}, {"s", {"s", 1}},
+      {"Hz", {"Hz", 1}},  {"J", {"J", 1}},     {"kg", {"kg", 1}}};
+  const std::size_t at = std::min(key.rfind('_'), key.size() - 1);
+  const auto unit = units.find(key.substr(at + 1));
+  if (unit == units.end()) return {with_spaces(key), 1};
+  const auto& [drawn, in_si] = unit->second;
+  return {fmt::format("{}, {}", with_spaces(key.substr(0, at)), drawn), in_si};
 }
 
 /// The mean of numbers; NaN if there are none.

@@ -207,7 +207,8 @@ std::vector<const Column*> parse_columns(const std::vector<std::string>& names) 
     if (!column) {
       std::vector<std::string> allowed;
       for (const Column& known : all_columns()) allowed.emplace_back(known.name);
-      throw InputError("there is no column \"{}\"{}", shown(name), choices(name, allowed));
+      throw InputError("there is no column \"{}\"{}", shown(name),
+                       choices(name, allowed, "rotor run --columns help lists them"));
     }
     if (contains(columns, column)) throw InputError("duplicate column \"{}\"", name);
     columns.push_back(column);

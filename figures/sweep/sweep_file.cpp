@@ -72,7 +72,8 @@ class SweepReader : TomlFile {
     for (const toml::node& item : list(root(), "columns")) {
       const auto name = item.value_or<std::string>("");
       if (!contains(allowed, name))
-        fail(item, "columns", "there is no result \"{}\"{}", shown(name), choices(name, allowed));
+        fail(item, "columns", "there is no result \"{}\"{}", shown(name),
+             choices(name, allowed, "rotor run --json-schema and rotor estimate --help list them"));
       add_new(all, name, item, "columns");
     }
     return all;
@@ -82,11 +83,8 @@ class SweepReader : TomlFile {
     const auto name = text(in, "quantity");
     if (!name) fail(in, "quantity", "must be stated: it varies");
     if (find_named_input(*name) || find_input_quantity(*name)) return *name;
-    std::vector<std::string> allowed;
-    for (const NamedInput& input : named_inputs()) allowed.emplace_back(input.name);
-    for (const InputQuantity& input : input_quantities()) allowed.emplace_back(input.quantity.name);
     fail_at(in, "quantity", "there is no quantity \"{}\"{}", shown(*name),
-            choices(name_of_symbol(*name), allowed));
+            choices(name_of_symbol(*name), varied_inputs(), list_of_inputs));
   }
 
   double number(const toml::table& in, std::string_view key, const Quantity& quantity) const {

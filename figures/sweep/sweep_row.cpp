@@ -22,10 +22,6 @@ std::vector<std::string> keys_of(const Json& summary) {
   return keys;
 }
 
-const std::vector<std::string>& columns_of(const Sweep& sweep) {
-  return sweep.columns.empty() ? result_columns() : sweep.columns;
-}
-
 std::string field(const Json& value, int digits) {
   if (value.is_null()) return "";
   if (value.is_object()) {
@@ -59,6 +55,10 @@ const std::vector<std::string>& result_columns() {
   return keys;
 }
 
+const std::vector<std::string>& result_columns(const Sweep& sweep) {
+  return sweep.columns.empty() ? result_columns() : sweep.columns;
+}
+
 const std::vector<std::string>& columns_on_request() {
   static const std::vector<std::string> keys = [] {
     std::vector<std::string> all = result_columns(), more = keys_of(laws(Scenario{}));
@@ -84,7 +84,7 @@ std::string sweep_head(const Sweep& sweep) {
   }
   std::vector<std::string> names = sweep.quantities();
   std::transform(names.begin(), names.end(), names.begin(), column_of);
-  const std::vector<std::string>& columns = columns_of(sweep);
+  const std::vector<std::string>& columns = result_columns(sweep);
   names.insert(names.end(), columns.begin(), columns.end());
   names.emplace_back("remarks");
   names.emplace_back("refusal");
@@ -102,18 +102,18 @@ std::string SweepRows::operator()(long n) {
       const auto found =
           run_to_digits(scenario, *digits, [](double /*time_s*/) { return !is_interrupted(); });
       if (!found || is_interrupted()) throw Interrupted();
-      return row + cells(to_json(*found, scenario, *digits), scenario, columns_of(sweep_)) +
+      return row + cells(to_json(*found, scenario, *digits), scenario, result_columns(sweep_)) +
              limits(result_of(*found, scenario)) + ',' + csv_field(complaint(*found, *digits)) +
              '\n';
     }
     const RunResult result =
         finish(run_ups_.checkpoint_before(scenario, monitor), scenario, sweep_.stop_on, monitor);
     if (result.early.interrupted) throw Interrupted();
-    return row + cells(to_json(result), scenario, columns_of(sweep_)) + limits(result) + ",\n";
+    return row + cells(to_json(result), scenario, result_columns(sweep_)) + limits(result) + ",\n";
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
-    return row + std::string(columns_of(sweep_).size() + 1, ',') +
+    return row + std::string(result_columns(sweep_).size() + 1, ',') +
            csv_field(one_line(error.what())) + '\n';
   }
 }

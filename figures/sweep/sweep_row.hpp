@@ -8,6 +8,8 @@ namespace rotor {
 
 /// The default columns of results: the plain keys of a summary.
 const std::vector<std::string>& result_columns();
+/// Those of this sweep.
+const std::vector<std::string>& result_columns(const Sweep& sweep);
 /// All columns that can be selected: also the closed forms for a point.
 const std::vector<std::string>& columns_on_request();
 
