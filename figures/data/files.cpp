@@ -196,19 +196,18 @@ void OutputFile::fail_by_errno() const {
   fail(std::strerror(errno));
 }
 
-void FileTransaction::require_distinct(const std::vector<fs::path>& files, const fs::path& source) {
-  std::vector<std::string> identities;
-  const std::string of_source = source.empty() ? "" : identity(source);
-  for (const fs::path& file : files) {
-    const std::string its = identity(file);
-    if (!its.empty() && its == of_source)
-      throw std::runtime_error(fmt::format(
-          "{}: cannot be written: the runs are read from this file", shown(file.string())));
-    if (!its.empty() && contains(identities, its))
-      throw std::runtime_error(fmt::format("{}: cannot be written: it is the file of two outputs",
-                                           shown(file.string())));
-    identities.push_back(its);
-  }
+FileTransaction::FileTransaction(const fs::path& source)
+    : source_(source.empty() ? "" : identity(source)) {}
+
+OutputFile& FileTransaction::open(const fs::path& file) {
+  const std::string its = identity(file);
+  const bool is_source = its == source_, is_open = contains(identities_, its);
+  if (!its.empty() && (is_source || is_open))
+    throw std::runtime_error(fmt::format(
+        "{}: cannot be written: {}", shown(file.string()),
+        is_source ? "the runs are read from this file" : "it is the file of two outputs"));
+  identities_.push_back(its);
+  return *files_.emplace_back(std::make_unique<OutputFile>(file));
 }
 
 void FileTransaction::commit() {

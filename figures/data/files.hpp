@@ -65,13 +65,11 @@ bool is_standard_output(const std::filesystem::path& file);
 /// Files that appear together once all have been written.
 class FileTransaction {
  public:
-  /// To be called before any work with the files that will be opened. Throws if two are the same.
-  static void require_distinct(const std::vector<std::filesystem::path>& files,
-                               const std::filesystem::path& source = {});
+  /// The runs may be read from a source, which must not be written.
+  explicit FileTransaction(const std::filesystem::path& source = {});
 
-  OutputFile& open(const std::filesystem::path& file) {
-    return *files_.emplace_back(std::make_unique<OutputFile>(file));
-  }
+  /// Throws, too, if the file is the source or has been opened already.
+  OutputFile& open(const std::filesystem::path& file);
   void write(const std::filesystem::path& file, std::string_view text) { open(file).write(text); }
   void write_to_all(std::string_view text) {
     for (const auto& file : files_) file->write(text);
@@ -80,6 +78,8 @@ class FileTransaction {
 
  private:
   std::vector<std::unique_ptr<OutputFile>> files_;
+  std::string source_;
+  std::vector<std::string> identities_;  ///< of files_
 };
 
 }  // namespace rotor

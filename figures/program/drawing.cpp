@@ -55,8 +55,7 @@ fs::path checked(const fs::path& out, const std::string& source) {
   const fs::path extension = out.extension();
   if (extension != ".svg" && extension != ".pdf" && extension != ".png")
     throw InputError("--out {}: must end in .svg, .pdf or .png", shown(out.string()));
-  FileTransaction::require_distinct({out}, source);
-  FileTransaction().open(out);
+  FileTransaction(source).open(out);
   return out;
 }
 

@@ -85,17 +85,20 @@ class Help : public CLI::Formatter {
   }
 };
 
-/// Checks that a function can parse a text without an InputError.
-template <class Parse>
-CLI::Validator parsed_by(Parse parse) {
-  return {[parse](const std::string& text) -> std::string {
-            try {
-              return parse(text), "";
-            } catch (const InputError& error) {
-              return error.what();
-            }
-          },
-          "", ""};
+/// An option whose text a function takes, or refuses by an InputError.
+template <class Take>
+CLI::Option* add_text(CLI::App& command, const std::string& option, const Take& take,
+                      const std::string& meaning) {
+  return command.add_option_function<std::string>(
+      option,
+      [option, take](const std::string& text) {
+        try {
+          take(text);
+        } catch (const InputError& error) {
+          throw CLI::ValidationError(option, error.what());
+        }
+      },
+      meaning);
 }
 
 /// A whole decimal number; 02, a figure, is not octal.
@@ -128,17 +131,12 @@ CLI::Option* add_seconds(CLI::App& command, const char* option, std::optional<do
 
 void add_options(CLI::App& command, CommonOptions& options) {
   for (const NamedInput& input : named_inputs())
-    command
-        .add_option_function<std::string>(
-            option_of(input.name),
-            [&options, &input](const std::string& name) {
-              input.state(options.equations_and_method, name);
-            },
-            std::string(input.meaning))
-        ->check(parsed_by([&input](const std::string& name) {
-          ScenarioSpec ignored;
-          input.state(ignored, name);
-        }))
+    add_text(
+        command, option_of(input.name),
+        [&options, &input](const std::string& name) {
+          input.state(options.equations_and_method, name);
+        },
+        std::string(input.meaning))
         ->default_str(std::string(input.standard));
 }
 
@@ -252,13 +250,11 @@ void add_options(CLI::App& command, CaseOptions& options) {
 
 void add_options(CLI::App& command, RunOptions& options) {
   add_options(command, static_cast<CaseOptions&>(options));
-  command
-      .add_option_function<std::string>(
-          "--stop-on",
-          [&options](const std::string& text) { options.stop_on = parse_name<StopOn>(text); },
-          "end the run early: outcome (once an event decides it), rolling (at the first maximum of "
-          "the force in rolling) or rest (after a second below 0.1 Hz)")
-      ->check(parsed_by(parse_name<StopOn>))
+  add_text(
+      command, "--stop-on",
+      [&options](const std::string& text) { options.stop_on = parse_name<StopOn>(text); },
+      "end the run early: outcome (once an event decides it), rolling (at the first maximum of "
+      "the force in rolling) or rest (after a second below 0.1 Hz)")
       ->group(of_run);
   command.add_flag("--all", options.all, "print every result, not only those asked for first");
   auto* trace =

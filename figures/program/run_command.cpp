@@ -80,17 +80,14 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
     throw InputError("{}: needs a window that starts at a stated time", option);
   const double length_s = end_of(scene) - scene.window.from_s;
   constexpr double most_rows = 1e9;
-  if (options.every_s) {
-    if (!(*options.every_s > 0 && std::isfinite(*options.every_s) &&
-          length_s / *options.every_s < most_rows))
-      throw InputError("--every {}: must be above 0 s, and large enough for less than {} rows",
-                       *options.every_s, most_rows);
-    return options.every_s;
-  }
   if (!(length_s > 0)) refuse_empty_trace(options);
-  if (*options.rows < 2 || static_cast<double>(*options.rows) > most_rows)
+  if (options.rows && (*options.rows < 2 || static_cast<double>(*options.rows) > most_rows))
     throw InputError("--rows {}: must be from 2 to {}", *options.rows, most_rows);
-  return length_s / static_cast<double>(*options.rows - 1);
+  if (options.rows) return length_s / static_cast<double>(*options.rows - 1);
+  if (!(*options.every_s > 0 && length_s / *options.every_s < most_rows))
+    throw InputError("--every {}: must be above 0 s, and large enough for less than {} rows",
+                     *options.every_s, most_rows);
+  return options.every_s;
 }
 
 /// What is printed about a run.
@@ -151,17 +148,12 @@ void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows
 RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) {
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
-  std::vector<std::filesystem::path> outputs;
-  for (const std::string& file : {options.trace, options.events})
-    if (!file.empty()) outputs.emplace_back(file);
-  FileTransaction::require_distinct(outputs, options.scene);
-
   const std::string of_run =
       " of a run" +
       (options.stop_on ? fmt::format(" that stops on {}", name_of(*options.stop_on)) : "");
 
   // Rows are written as they are computed, so that a long trace needs no memory.
-  FileTransaction files;
+  FileTransaction files(options.scene);
   RunProgress progress(scenario.until);
   ObserverGroup observers = {&progress};
   std::optional<EnergyObserver> energy;
@@ -190,9 +182,10 @@ RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups
   }
 
   // A run that writes files starts at its beginning, so that observers see all of it.
-  RunResult result = finish(
-      outputs.empty() ? run_ups.checkpoint_before(scenario, progress) : RunUpCheckpoint(scenario),
-      scenario, options.stop_on, observers);
+  const bool writes = !options.trace.empty() || !options.events.empty();
+  RunResult result =
+      finish(writes ? RunUpCheckpoint(scenario) : run_ups.checkpoint_before(scenario, progress),
+             scenario, options.stop_on, observers);
   if (result.early.interrupted) {
     files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
                                    result.end.last.time_s, scenario.until));

@@ -94,11 +94,10 @@ void plot_spectrum(const Scene& scene, const PlotOptions& options) {
                       : "on",
                   scene.title.empty() ? "" : ": ", scene.title);
   const std::string head = csv_head(title, described, "run");
-  FileTransaction numbers;  // instead of a drawing
+  FileTransaction numbers(options.file);  // instead of a drawing
   std::optional<Drawing> drawing;
   std::string settings;
   if (const std::filesystem::path out = options.out; out.extension() == ".csv") {
-    FileTransaction::require_distinct({out}, options.file);
     numbers.open(out).write(head);
   } else {
     drawing.emplace(options.file, options.out);

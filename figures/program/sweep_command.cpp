@@ -70,9 +70,9 @@ void estimate(const Sweep& sweep, int jobs) {
 class Writer {
  public:
   Writer(const Sweep& sweep, const std::string& out)
-      : points_(sweep.points()),
-        head_(sweep_head(sweep)),
-        journal_(out, head_, points_),
+      : sweep_(sweep),
+        points_(sweep.points()),
+        journal_(out, sweep_head(sweep), points_),
         written_(journal_.rows()) {
     if (journal_.dropped() > 0)
       print_message(
@@ -115,17 +115,19 @@ class Writer {
     if (reason) std::rethrow_exception(reason);
     long remarked = 0, refused = 0;  // from the last two fields of their rows
     std::map<std::string, long> outcomes;
-    const long column = column_of_outcome();
+    const std::vector<std::string>& columns = result_columns(sweep_);
+    const auto outcome = std::find(columns.begin(), columns.end(), "outcome");
+    const long column = outcome - columns.begin() + static_cast<long>(sweep_.quantities().size());
     journal_.finish([&](std::string_view row) {
       if (!row.ends_with(','))
         ++refused;
       else if (!row.ends_with(",,"))
         ++remarked;
-      if (column >= 0) ++outcomes[field(row, column)];
+      if (outcome != columns.end()) ++outcomes[field(row, column)];
     });
-    for (const auto& [outcome, count] : outcomes)
-      if (!outcome.empty())
-        counts_ += fmt::format("{}{} {}", counts_.empty() ? "" : ", ", count, outcome);
+    for (const auto& [name, count] : outcomes)
+      if (!name.empty())
+        counts_ += fmt::format("{}{} {}", counts_.empty() ? "" : ", ", count, name);
     if (remarked + refused > 0)
       print_message(
           fmt::format("rotor: of {} points {} exceed a limit (column remarks), and {} have no "
@@ -143,20 +145,9 @@ class Writer {
     return std::string(row.substr(0, row.find(',')));
   }
 
-  /// -1 if the results that were selected do not include it.
-  long column_of_outcome() const {
-    std::string_view names = head_;
-    names.remove_suffix(1);
-    names.remove_prefix(names.rfind('\n') + 1);
-    const std::string all = fmt::format(",{},", names);
-    const std::size_t at = all.find(",outcome,");
-    return at == std::string::npos
-               ? -1
-               : std::count(all.begin(), all.begin() + static_cast<long>(at), ',');
-  }
-
+  const Sweep& sweep_;
   long points_;
-  std::string head_, counts_;
+  std::string counts_;
   Journal journal_;
   std::atomic<long> written_;
 };
@@ -182,8 +173,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   std::optional<Writer> writer;
   try {
     require_sense(options, ranks);
-    FileTransaction::require_distinct({options.out}, options.file);
-    FileTransaction().open(options.out);  // errors of the output file are reported before any work
+    FileTransaction(options.file).open(options.out);  // errors are reported before any work
     writer.emplace(sweep, options.out);
   } catch (...) {
     ranks.broadcast(false);

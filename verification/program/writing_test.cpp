@@ -82,7 +82,7 @@ TEST_F(Writing, MixesNoTableWithTheSummary) {
 }
 
 TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
-  fs::create_directory(folder_ / "real");
+  for (const char* folder : {"real", "new"}) fs::create_directory(folder_ / folder);
   fs::create_directory_symlink("real", folder_ / "linked");
   write("t.csv", "precious");
   fs::create_symlink("t.csv", folder_ / "link");
@@ -92,7 +92,7 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
         "--trace t.csv --events link"})
     expect_refusal(long_run + " " + twice, "it is the file of two outputs");
   EXPECT_EQ(content("t.csv"), "precious");
-  for (const char* name : {"linked", "real", "link", "t.csv"}) remove(name);
+  for (const char* name : {"linked", "real", "new", "link", "t.csv"}) remove(name);
 }
 
 TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
