@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figures/input/names.hpp"
-
 namespace rotor {
 namespace {
 
@@ -16,17 +14,6 @@ Json to_json(const NamedEstimate& value) {
 }
 
 }  // namespace
-
-std::string_view name_of(Precision precision) {
-  switch (precision) {
-    case Precision::double_:
-      return "double";
-    case Precision::extended:
-      return "extended";
-    default:
-      return "quadruple";
-  }
-}
 
 std::vector<ShortOfDigits> short_of_digits(const Comparison& comparison, int digits) {
   std::vector<ShortOfDigits> all;

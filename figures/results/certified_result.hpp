@@ -4,14 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "figures/input/names.hpp"
 #include "figures/results/json.hpp"
 #include "figures/results/run_result.hpp"
 #include "model/run/estimates.hpp"
 
 namespace rotor {
 
-/// double, extended or quadruple.
-std::string_view name_of(Precision precision);
+template <>
+inline constexpr auto names_of<Precision> =
+    std::to_array<Named<Precision>>({{"double", Precision::double_},
+                                     {"extended", Precision::extended},
+                                     {"quadruple", Precision::quadruple}});
 
 /// A value with fewer certain digits than were asked for.
 struct ShortOfDigits {

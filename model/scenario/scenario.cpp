@@ -86,15 +86,11 @@ std::string shortest_decimal(double number) { return fmt::format("{}", number); 
 Scenario run_up_part(const Scenario& scenario) {
   const Scenario standard;
   Scenario part = scenario;
-  part.parameters.contact_stiffness = standard.parameters.contact_stiffness;
-  part.parameters.contact_damping = standard.parameters.contact_damping;
-  part.parameters.contact_exponent = standard.parameters.contact_exponent;
-  part.parameters.reference_indentation = standard.parameters.reference_indentation;
-  part.parameters.contact_hysteresis = standard.parameters.contact_hysteresis;
-  part.parameters.friction = standard.parameters.friction;
-  part.parameters.unbalance_factor = standard.parameters.unbalance_factor;
-  part.parameters.lost_mass = standard.parameters.lost_mass;
-  part.parameters.mass_loss_time = standard.parameters.mass_loss_time;
+  using P = Parameters;
+  for (double P::*const later : {&P::contact_stiffness, &P::contact_damping, &P::contact_exponent,
+                                 &P::reference_indentation, &P::contact_hysteresis, &P::friction,
+                                 &P::unbalance_factor, &P::lost_mass, &P::mass_loss_time})
+    part.parameters.*later = standard.parameters.*later;
   part.parameters.loses_mass = standard.parameters.loses_mass;
   part.equations.velocity_jump = standard.equations.velocity_jump;
   part.until = standard.until;
