@@ -39,7 +39,8 @@ class Pictures : public CommandLine,
     return picture;
   }
 
-  /// A possible curve of a run's data: over time, or an orbit, in the axes' units.
+  /// A possible curve of a run's data, or of minus them: over time, or an orbit, in the axes'
+  /// units.
   struct Candidate {
     std::string run, column;
     bool is_orbit;
@@ -55,13 +56,16 @@ class Pictures : public CommandLine,
       for (const Column* its : figure().scene.columns) {
         const std::string column(its->name);
         if (column == "time_s" || column == "y_a_m") continue;
-        const std::string x = column == "x_a_m" ? "y_a_m" : "time_s";
-        Candidate candidate{run.name, column, x == "y_a_m", {}};
+        const std::string abscissa = column == "x_a_m" ? "y_a_m" : "time_s";
+        Candidate candidate{run.name, column, abscissa == "y_a_m", {}};
         for (const CsvRow& row : rows)
           if (row["run"] == run.name)
-            candidate.points.emplace_back(scale(x) * static_cast<double>(row.number(x)),
-                                          scale(column) * static_cast<double>(row.number(column)));
+            candidate.points.emplace_back(
+                scale(abscissa) * static_cast<double>(row.number(abscissa)),
+                scale(column) * static_cast<double>(row.number(column)));
         all.push_back(candidate);
+        for (auto& [x, y] : candidate.points) y = -y;
+        if (!candidate.is_orbit) all.push_back(candidate);
       }
     return all;
   }
