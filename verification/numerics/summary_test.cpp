@@ -95,7 +95,23 @@ TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
   EXPECT_EQ(later.outcome, Outcome::rolling);
 }
 
-// If the rim rolls again, the end is that of the new rolling, and there is none yet.
+// What a rotor does before it loses mass is what it does without a loss.
+TEST(Summary, BeforeTheLossIsThatOfARunThatEndsThere) {
+  Scenario scenario{.until = 10.3, .tolerance = 1e-9};
+  scenario.parameters.support_stiffness = 1.2e5;
+  scenario.parameters.mass_loss_time = 10;
+  const Summary whole = summary_of(scenario);
+  scenario.parameters.loses_mass = false;
+  const Summary before = summary_until(10, scenario);
+  EXPECT_GT(before.touch_downs, 0);
+  EXPECT_LT(before.touch_downs, whole.touch_downs);
+  EXPECT_EQ(whole.touch_downs_before_loss, before.touch_downs);
+  EXPECT_EQ(whole.peak_normal_force_before_loss_N, before.peak_normal_force_N);
+  EXPECT_EQ(whole.max_displacement_before_loss_m, before.max_displacement_m);
+}
+
+// If the rim rolls again, the end is that of the new rolling, and there is none yet. A touch-down
+// after rolling is none on the way to it.
 TEST(Summary, HasTheEndOfTheLastRollingAlone) {
   const Scenario scenario;
   SummaryObserver observer(scenario);
@@ -111,6 +127,9 @@ TEST(Summary, HasTheEndOfTheLastRollingAlone) {
   EXPECT_EQ(show(0.3, ContactState::sliding), 0.2);
   EXPECT_EQ(show(0.4, ContactState::rolling), std::nullopt);
   EXPECT_EQ(show(0.5, ContactState::free), 0.5);
+  EXPECT_EQ(show(0.6, ContactState::sliding), 0.5);
+  EXPECT_EQ(observer.summary().touch_downs, 2);
+  EXPECT_EQ(observer.summary().touch_downs_to_rolling, 1);
 }
 
 }  // namespace
