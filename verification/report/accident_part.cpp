@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "verification/report/engine/explorer.hpp"
 #include "model/mechanics/contact.hpp"
 #include "verification/report/document.hpp"
+#include "verification/report/engine/explorer.hpp"
 
 namespace rotor {
 namespace {

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "figures/data/csv.hpp"
-#include "verification/report/engine/explorer.hpp"
 #include "model/theory/accident.hpp"
 #include "verification/report/document.hpp"
+#include "verification/report/engine/explorer.hpp"
 
 namespace rotor {
 namespace {

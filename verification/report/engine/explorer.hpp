@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "verification/report/engine/settings.hpp"
 #include "figures/record/columns.hpp"
 #include "figures/results/json.hpp"
 #include "figures/runs/run_ups.hpp"
+#include "verification/report/engine/settings.hpp"
 
 namespace rotor {
 
