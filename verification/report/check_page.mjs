@@ -51,6 +51,7 @@ const shown = (page, hash) => page.waitForFunction((to) => document.body.dataset
 // Five steps, each with its formula and one control, which changes the words beside it; the picture stays
 // beside the text, and on a phone each step has its own above its text.
 async function check_steps(page, is_phone) {
+  await page.emulateMedia({ reducedMotion: "reduce" }); // a film is at its end at once
   const steps = await page.$$(".step");
   expect(steps.length === 5, `${steps.length} steps instead of 5`);
   for (const step of steps) {
@@ -58,7 +59,8 @@ async function check_steps(page, is_phone) {
     const id = await step.getAttribute("id"), control = await step.$("input"), says = () => step.$eval("output", (output) => output.textContent);
     expect(await (await step.$("math")).isVisible() && (await step.$$("input")).length === 1, `${id} has no formula, or not one control`);
     await control.press("Home");
-    const first = await says();
+    const first = await says(), shows = await (is_phone ? step : page).$eval(is_phone ? ".now" : "#stage .now", (now) => now.textContent);
+    expect(!shows.startsWith("−"), `the picture of ${id} ends ${shows}`);
     await control.fill(await control.evaluate(({ max }) => String(Math.round(max / 2))));
     expect((await says()) !== first && (await control.getAttribute("aria-valuetext")) === (await says()), `the control of ${id} changes nothing`);
     const [picture, text] = await Promise.all([(await (is_phone ? step : page).$(is_phone ? ".stage" : "#stage")).boundingBox(), (await step.$("p")).boundingBox()]);
@@ -66,6 +68,7 @@ async function check_steps(page, is_phone) {
     expect(is_placed, `the picture is not ${is_phone ? "above" : "beside"} the text of ${id}: ${JSON.stringify([picture, text])}`);
   }
   expect(await page.isVisible("#roll-answer p"), "a guess does not show the answer");
+  await page.emulateMedia({ reducedMotion: "no-preference" });
 }
 
 // Without scripts, and on paper: the strip of the accident, text and formulas, and no control.

@@ -33,7 +33,7 @@ const steps = {
   },
   brake: {
     panel: "speed", cases: [{ friction: "0.08" }, { friction: "0.2" }, {}],
-    part: (run) => [run.summary.first_contact_s - 1e-3, Math.min(run.until_s, run.summary.rolling_onset_s + 2e-3 || Infinity)],
+    part: (run) => [run.summary.first_contact_s - 1e-3, Math.min(run.until_s, (run.summary.rolling_onset_s ?? run.until_s) + 2e-3)],
     says: ({ summary: { inputs, outcome, rolling_onset_s, first_contact_s, touch_downs } }) => `μ = ${inputs.friction}: ${touch_downs} touch-downs; the rotor ${outcomes[outcome]}` +
       (rolling_onset_s === null ? "." : `, ${(1e3 * (rolling_onset_s - first_contact_s)).toFixed(1)}\u00a0ms after the first contact.`),
   },
