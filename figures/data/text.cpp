@@ -100,7 +100,7 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
 std::string choices(std::string_view mistyped, const std::vector<std::string>& names,
                     std::string_view many) {
   constexpr std::size_t most = 12;
-  if (const std::string meant = suggestion(mistyped, names); !meant.empty()) return meant;
+  if (std::string meant = suggestion(mistyped, names); !meant.empty()) return meant;
   return names.size() > most ? fmt::format("; {}", many)
                              : fmt::format("; there are: {}", fmt::join(names, ", "));
 }
