@@ -129,7 +129,7 @@ class Verner87 {
   template <class System>
   void do_step(System system, const State& x, const State& rates, const S& t, State& later,
                const S& h, State& errors) const {
-    const verner::Tableau<S>& tableau = verner::Tableau<S>::read();
+    const verner::Tableau<S>& tableau = *tableau_;
     std::array<State, verner::stages> slopes;
     slopes[0] = rates;
     const auto sum = [&]<std::size_t row>(Index<row>, State start) {
@@ -150,6 +150,9 @@ class Verner87 {
   }
 
  private:
+  /// Read here, because in each step the compiler may not inline it.
+  const verner::Tableau<S>* tableau_ = &verner::Tableau<S>::read();
+
   template <std::size_t n>
   using Index = std::integral_constant<std::size_t, n>;
 

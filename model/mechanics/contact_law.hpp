@@ -43,8 +43,7 @@ class ContactLaw {
   /// F_n at an indentation (m) and its rate (m/s), N: negative in compression, positive where the
   /// ring would have to pull. Odd in the indentation, so that a step may end beyond the contact.
   S force(const S& indentation, const S& rate) const {
-    if (is_linear_) return linear_.force(indentation, rate);
-    return -spring_force(indentation) - damping(indentation) * rate;
+    return is_linear_ ? linear_.force(indentation, rate) : nonlinear_force(indentation, rate);
   }
   /// Rate of -F_n, N/s, from the first and second rate of the indentation.
   S pressure_rate(const S& indentation, const S& rate, const S& second_rate) const {
@@ -99,6 +98,10 @@ class ContactLaw {
   std::array<S*, 2> numbers() { return {&linear_.stiffness, &linear_.damping}; }
 
  private:
+  /// Not inlined: its registers would slow down the paper's linear ring.
+  [[gnu::cold, gnu::noinline]] S nonlinear_force(S indentation, S rate) const {
+    return -spring_force(indentation) - damping(indentation) * rate;
+  }
   S power_stiffness(const S& indentation) const {
     using std::abs, std::pow;
     return linear_.stiffness * pow(S(abs(indentation) / reference_), S(exponent_ - 1));

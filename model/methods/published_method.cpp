@@ -68,7 +68,7 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
 }
 
 /// Eqs. (3)-(4) with the contact of Eqs. (15)-(25), friction against the slip of this very stage.
-void PublishedMethod::compute_rates(const State<double>& q, State<double>& rates) {
+[[gnu::flatten]] void PublishedMethod::compute_rates(const State<double>& q, State<double>& rates) {
   ++counters_.right_hand_sides;
   const auto motion = RotatingFrame<double>::motion(at_.body, q);
   Loads<double> loads = supports_.loads(at_.body, motion, at_.motor_on);
