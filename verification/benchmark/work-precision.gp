@@ -8,7 +8,7 @@ set ylabel "time, ms"
 set xrange [1e-17:1] reverse
 set key outside right top Left reverse
 scenes = "'run-up' 'rub mu = 0.3' 'rub mu = 0.2' 'rub mu = 0.08' 'no contact' 'single impact' 'rolling'"
-methods = "'event Verner 8(7)' 'published RK4' 'GSL rk8pd' 'GSL rk8pd in our coordinates'"
+methods = "'event Verner 8(7)' 'published RK4' 'GSL rk8pd' 'GSL rk8pd in our coordinates' 'Odeint Fehlberg 7(8)'"
 of(scene, method, c) = strcol("problem") eq scene && strcol("method") eq method ? column(c) : NaN
 name = word(scenes, scene)
 set title "{/:Bold Run time against error:} ".name
