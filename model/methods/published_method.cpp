@@ -68,6 +68,7 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
 }
 
 /// Eqs. (3)-(4) with the contact of Eqs. (15)-(25), friction against the slip of this very stage.
+/// Flattened, because gcc would call the contact's short functions.
 [[gnu::flatten]] void PublishedMethod::compute_rates(const State<double>& q, State<double>& rates) {
   ++counters_.right_hand_sides;
   const auto motion = RotatingFrame<double>::motion(at_.body, q);
