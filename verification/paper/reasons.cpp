@@ -223,12 +223,17 @@ Trials tried(const std::vector<Reason>& reasons, Equations equations, long draws
   return trials;
 }
 
+std::string Reason::rule() const {
+  if (named == "first") return "ranking";
+  return place == "not said" || judged == Criterion::decides ? "" : "trend";
+}
+
 std::string verdict_on(const Reason& reason, const std::vector<Reason>& all, const Trials& trials) {
   const Trial& its = trials.at(reason.id);
   const auto in_words = [](std::string verdict, double distance, double error) {
     return std::abs(distance) < 2 * error ? verdict + " (narrow)" : verdict;
   };
-  if (reason.named == "first") {
+  if (reason.rule() == "ranking") {
     const Trial* most = nullptr;  // of those named second
     for (const Reason& other : all)
       if (const Trial& another = trials.at(other.id);
@@ -238,7 +243,7 @@ std::string verdict_on(const Reason& reason, const std::vector<Reason>& all, con
     return in_words(ahead > 0 ? "holds" : "refuted", ahead,
                     std::hypot(its.standard_error(), most->standard_error()));
   }
-  if (reason.place == "not said" || reason.judged == Criterion::decides) return "";
+  if (reason.rule().empty()) return "";
   constexpr double trend = 0.95, major = 0.5;
   const double holds = 1 - its.share();
   return in_words(holds >= trend  ? "holds"

@@ -32,6 +32,9 @@ struct Reason {
   std::optional<double> most_friction;  ///< of the rotors on which it is tried
   Criterion judged;
   std::string named;  ///< first or second among what governs the onset of rolling, or not
+
+  /// Of policy.md: trend or ranking; empty for what the text does not state.
+  std::string rule() const;
 };
 
 /// The rows of reference-data/reasons.csv.

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "figures/data/files.hpp"
+#include "verification/paper/reasons.hpp"
 #include "verification/paper/uncertainty.hpp"
 #include "verification/support/program.hpp"
 
@@ -48,17 +49,37 @@ void print_reading(const Number& number, const Reading& reading, std::size_t set
         its.spread.draws);
 }
 
-int list_claims(const std::vector<Number>& numbers) {
+int list_claims(const std::vector<Number>& numbers, const std::vector<Reason>& reasons) {
   std::set<std::string> seen;
   for (const Number& number : numbers)
     if (seen.insert(number.claim).second)
       fmt::print("{:<22} {} ({})\n", number.claim, number.says, number.place);
+  for (const Reason& reason : reasons)
+    if (!reason.rule().empty())
+      fmt::print("{:<22} {} ({})\n", reason.id, reason.says, reason.place);
+  return 0;
+}
+
+/// A statement about a trend: the share of random pairs of values, as the page has it.
+int show_reason(const std::filesystem::path& data, const Reason& reason) {
+  fmt::print("{}: {} ({})\n  rule: {}\n", reason.id, reason.says, reason.place,
+             reason.rule().empty() ? "none" : reason.rule());
+  fmt::print("  share of random pairs of values {} (make reasons)\n",
+             reason.judged == Criterion::decides
+                 ? "with different outcomes"
+                 : "in which the riskier one is at least as severe; else: median ratio of forces");
+  const auto words = read_trials_in_words(data);
+  for (const Set& set : sets)
+    fmt::print("  {} equations: {}\n", set.name, words.at({reason.id, set.name}));
   return 0;
 }
 
 int show_claim(const std::filesystem::path& data, const std::string& id) {
   const std::vector<Number> table = read_numbers(data / "claims.csv");
-  if (id.empty()) return list_claims(table);
+  const std::vector<Reason> reasons = read_reasons(data / "reasons.csv");
+  if (id.empty()) return list_claims(table, reasons);
+  for (const Reason& reason : reasons)
+    if (reason.id == id) return show_reason(data, reason);
   of_claim(table, id);  // before all are computed
   const std::vector<Number> numbers = judged_numbers(data);
   for (const Number& n : of_claim(numbers, id)) {

@@ -109,13 +109,13 @@ Json reasons_json(const fs::path& folder) {
     std::string along = reason.quantity.substr(0, reason.quantity.find("_hz"));
     std::ranges::replace(along, '_', ' ');
     rows.push_back({{"cells",
-                     {reason.says, reason.place, along, words.at({reason.id, "published"}),
-                      words.at({reason.id, "consistent"})}}});
+                     {reason.says, reason.place, along, reason.rule(),
+                      words.at({reason.id, "published"}), words.at({reason.id, "consistent"})}}});
   }
-  return {
-      {"header",
-       {"The text, in our words", "Place", "Quantity varied", "Equations as printed", "Corrected"}},
-      {"rows", rows}};
+  return {{"header",
+           {"The text, in our words", "Place", "Quantity varied", "Our rule",
+            "Equations as printed", "Corrected"}},
+          {"rows", rows}};
 }
 
 }  // namespace
