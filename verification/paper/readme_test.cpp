@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <regex>
+#include <utility>
 
 #include "verification/support/command_line.hpp"
 
@@ -13,7 +16,8 @@ class Readme : public CommandLine, public testing::WithParamInterface<const char
 
 TEST_P(Readme, HasExamplesThatRun) {
   std::ifstream file(std::string(ROTOR_SOURCES "/") + GetParam());
-  std::vector<std::string> scenes, commands;
+  std::vector<std::string> scenes;
+  std::vector<std::pair<std::string, std::string>> commands;  // and the comments on them
   bool inside = false;
   for (std::string line; std::getline(file, line);) {
     if (inside && line != "```") scenes.back() += line + '\n';
@@ -21,7 +25,8 @@ TEST_P(Readme, HasExamplesThatRun) {
     if (line == "```toml") inside = true, scenes.emplace_back();
     constexpr std::string_view command = "    build/rotor ";
     if (line.starts_with(command) && line.find("rotor sweep") == std::string::npos)
-      commands.push_back(line.substr(command.size(), line.find('#') - command.size()));
+      commands.emplace_back(line.substr(command.size(), line.find('#') - command.size()),
+                            line.substr(std::min(line.size(), line.find('#'))));
   }
   ASSERT_FALSE(scenes.empty());
   EXPECT_FALSE(commands.empty());
@@ -32,10 +37,18 @@ TEST_P(Readme, HasExamplesThatRun) {
               0)
         << scene;
   }
-  for (const std::string& run : commands) EXPECT_EQ(rotor(run).status, 0) << run;
+  for (const auto& [run, says] : commands) {
+    const Outcome outcome = rotor(run);
+    EXPECT_EQ(outcome.status, 0) << run;
+    static const std::regex result("# (\\w+_m) ([\\d.]+)");
+    if (std::smatch its; std::regex_match(says, its, result)) {
+      const std::regex line(its[1].str() + " +" + its[2].str() + "\n");
+      EXPECT_TRUE(std::regex_search(outcome.output, line)) << outcome.output;
+    }
+  }
 }
 
-TEST_F(CommandLine, MakesTheNumbersOfTheExampleRotor) {
+TEST_F(CommandLine, MakesTheNumbersOfTheExamples) {
   std::ifstream file(ROTOR_SOURCES "/figures/program/README.md");
   const std::string all{std::istreambuf_iterator<char>(file), {}};
   const std::size_t scene = all.find("[parameters]");
@@ -51,6 +64,16 @@ TEST_F(CommandLine, MakesTheNumbersOfTheExampleRotor) {
         said("closed forms: {:.1f} Hz, {:.1f} kN", law["law_rolling_speed_Hz"],
              law["law_peak_force_N"])})
     EXPECT_NE(all.find(sentence), std::string::npos) << sentence;
+  static const std::regex row("\\| `(--[^`]*)` \\| (\\w+ \\| \\d+ \\| [\\d.-]+) \\|");
+  int rows = 0;
+  for (std::sregex_iterator at(all.begin(), all.end(), row), end; at != end; ++at, ++rows) {
+    const Json its = summary((*at)[1]), &peak_N = its["peak_normal_force_N"];
+    EXPECT_EQ(fmt::format(
+                  "{} | {} | {}", its["outcome"].get<std::string>(), its["touch_downs"].get<int>(),
+                  peak_N.is_null() ? "-" : fmt::format("{:.1f}", peak_N.get<double>() / 1e3)),
+              (*at)[2].str());
+  }
+  EXPECT_EQ(rows, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Readme, testing::Values("README.md", "figures/program/README.md"));
