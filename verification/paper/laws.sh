@@ -29,6 +29,7 @@ cat "$@" | grep -v '^#' | awk -F, '
     rolls = of("outcome") == "rolling"
     if (of("law_outcome") == "rolling") row("rolls_above_both_frictions", "", "", rolls)
     whirl = of("law_whirl_friction")
+    if (touches && whirl != "" && of("friction") < whirl) row("rolls_below_the_whirl_friction", "", "", rolls)
     if (touches && whirl != "" && of("friction") < whirl/3) row("rolls_below_a_third_of_the_whirl_friction", "", "", rolls)
     if (!rolls || of("law_rolling_speed_Hz") == "") next
     share = of("law_unbalance_share")
