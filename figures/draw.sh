@@ -16,9 +16,9 @@ if ! tail -c 16 "$output.part" | grep -aq '</svg>\|%%EOF\|IEND'; then
 fi
 # gnuplot does not escape "]]>", leaves it to the renderer whether spaces beside indices are kept, and draws
 # boxed labels twice, the first time by a filter: one of them with a white edge remains. Tenths of a pixel are
-# enough for long curves. Without this style browsers blend the cells of maps into meaningless colours.
+# enough for long curves. Without these styles renderers blend the cells of maps into meaningless colours.
 if [ "${output##*.}" = svg ]; then
-  sed -i "s/<image /<image style='image-rendering:pixelated' /g; s/<text>/<text xml:space=\"preserve\">/; s/]]>/]]\&gt;/g
+  sed -i "s/<image /<image style='image-rendering:pixelated' /g; s/<polygon /<polygon shape-rendering='crispEdges' /g; s/<text>/<text xml:space=\"preserve\">/; s/]]>/]]\&gt;/g
     /^[[:space:]]*L[0-9]/s/\(\.[0-9]\)[0-9]\>/\1/g" "$output.part"
   awk 'match($0, /<g transform="[^"]*"/) {
       group = $0; place = substr($0, RSTART, RLENGTH); getline

@@ -5,7 +5,7 @@
 #   shows   outcome or force
 
 if (!exists("rows")) { rows = 1; name_of_row(unused) = "" }
-name_of_panel(unused) = strcol("equations_varied")." equations".name_of_row(0)
+name_of_panel(unused) = words_of(strcol("equations_varied")).name_of_row(0)
 if (!exists("x_unit")) x_unit = 1
 if (!exists("y_unit")) y_unit = 1
 if (!exists("x_log")) x_log = 0
@@ -14,10 +14,7 @@ along_x(v) = x_log ? log10(v) : v/x_unit
 along_y(v) = y_log ? log10(v) : v/y_unit
 if (rows == 2) { eval "set terminal ".square }
 
-# What touches or stalls before the loss is refused, or stalls.
-classes = |outcome_tint|
-array name[classes] = ["no contact", "freed after contact", "bouncing after 0.5 s", "sliding after 0.5 s", \
-  "backward rolling", "undecided after 0.5 s", "touches or stalls before the loss"]
+# What touches before the loss is refused, or stalls.
 kN(force) = force eq "" ? NaN : real(force)/1e3
 
 # gnuplot reads numbers much faster than a table with all its names.
@@ -40,7 +37,7 @@ array line[6] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linew
 array seen[6] = [0, 0, 0, 0, 0, 0]
 x_of(p, i) = column("panel") == p && strcol("line") eq form[i] ? along_x(column("x")) : NaN
 
-set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome" : "largest normal force"). \
+set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome within 0.5 s" : "largest normal force"). \
   "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
 set tics front out
 unset grid
@@ -78,7 +75,7 @@ do for [p = 0:2*rows - 1] {
   set xlabel (at_bottom ? x_name : "") offset 0,0.4
   set ylabel (at_left ? y_name : "") offset 0.5,0
   if (shows eq "force" && p == 2*rows - 1) {
-    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.175) size screen 0.4, screen 0.018
+    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.16) size screen 0.4, screen 0.018
     set cblabel "largest normal force, kN; white: no contact, or contact before the loss" offset 0,0.8
   }
   drawn = ""
@@ -88,7 +85,7 @@ do for [p = 0:2*rows - 1] {
       seen[i] = 1
     }
   }
-  eval "plot rows_of(p) using (along_x($2)):(along_y($3)):(its(0)) with image".drawn
+  eval "plot rows_of(p) using (along_x($2)):(along_y($3)):(its(0)) with image ".(panel > 4096 ? "" : "pixels").drawn
 }
 
 # What the colours and lines mean.
@@ -99,8 +96,8 @@ lines = ""; colours = ""
 do for [i = 1:forms] {
   if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line[i], meaning[i]) }
 }
-do for [i = 1:classes] {
-  colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", outcome_tint[i], name[i])
+do for [c = 0:6] {
+  colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", outcome_tint[c + 1], outcome_words(c))
 }
 set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox

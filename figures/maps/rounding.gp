@@ -18,7 +18,7 @@ do for [p = 0:3] {
   set tmargin at screen top - height*(p/2) - 0.03
   set bmargin at screen top - height*(p/2 + 1) + 0.02
   first = (p % 2)*panel
-  stats data every ::first::first using (titled = strcol("equations")." equations", column("draws")) nooutput
+  stats data every ::first::first using (titled = words_of(strcol("equations")), column("draws")) nooutput
   set title titled offset 0,-0.6
   set format x (at_bottom ? "%g" : ""); set format y (at_left ? "%g" : "")
   set xlabel (at_bottom ? "speed at the mass loss, Hz" : "") offset 0,0.4
@@ -32,7 +32,7 @@ do for [p = 0:3] {
   if (at_left) { unset colorbox } else {
     set colorbox user origin screen 0.86, graph 0 size screen 0.025, graph 1
   }
-  eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image", \
+  eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image pixels", \
     first, first + panel - 1, at_bottom ? "standard_error" : "rolling_share")
 }
 unset multiplot

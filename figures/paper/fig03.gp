@@ -11,7 +11,6 @@ set ylabel "F_n, kN"
 set format x ""
 force(name) = of_run(name, "normal_force_N")/1e3
 runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
-array tint[3] = [1, 2, 4]                          # green is too near the grey beneath it
 do for [i = 1:3] {
   name = word(runs, i)
   stats data using (force(name)) name "F" nooutput
@@ -21,12 +20,12 @@ do for [i = 1:3] {
                   textcolor rgb grey boxed front
                 set arrow 1 from graph 0,first -455 to graph 1,first -455 nohead linestyle published }
   else { unset label 3; unset arrow 1 }
-  eval mark_law(name, sprintf("graph 0.02,first %g offset 0,-0.7", -law_kN(name)))
+  eval mark_law(name)
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
   fixed = name." by rk4"
   its_run = name
   plot data using (of_run(fixed, "time_s")):(force(fixed)) \
   with lines linestyle fixed_steps linewidth beneath notitle, \
-    data using (of_run(name, "time_s")):(force(name)) with lines linetype tint[i] notitle @digitised
+    data using (of_run(name, "time_s")):(force(name)) with lines linestyle ours notitle @digitised
 }

@@ -17,15 +17,15 @@ set label beside("largest |F_n|", sprintf("%.1f kN at %.4f s", -F_min_y, F_pos_m
 set label beside("onset of rolling", sprintf("%.4f s after the first contact", rolling_min - contact_min), \
   "0.023 s after the first collision") at graph 0.03,0.6 boxed front
 set multiplot
-plot data using "time_s":(column("normal_force_N")/1e3) with lines linetype 1 notitle \
+plot data using "time_s":(column("normal_force_N")/1e3) with lines linestyle ours notitle \
   @digitised
 
 # Slip stops before the force is largest.
 unset label; unset arrow; unset title; unset ylabel; unset grid
 set lmargin at screen 0.17; set rmargin at screen 0.5; set bmargin at screen 0.23; set tmargin at screen 0.44
-set xrange [-0.4:0.8]; set xlabel "ms" offset 0,0.8
+set xrange [-0.4:0.8]; set xlabel "ms after slipping stops" offset 0,0.8
 set yrange [-480:-260]
 set xtics 0.4 format "%g"; set ytics -450,100
 set arrow from 0,graph 0 to 0,graph 1 nohead linestyle reading
 set label sprintf("largest %.2f ms after slip stops", 1e3*(F_pos_min_y - rolling_min)) at graph 0.97,0.85 right boxed textcolor rgb grey
-plot data using (1e3*(column("time_s") - rolling_min)):(column("normal_force_N")/1e3) with lines linetype 1 notitle
+plot data using (1e3*(column("time_s") - rolling_min)):(column("normal_force_N")/1e3) with lines linestyle ours notitle

@@ -38,5 +38,5 @@ set arrow from onset + gap,T1 to onset + gap,T2 arrowstyle 1
 set label "collisions\n".signed("%.0f", T1 - T1_0)." J" at continuous - gap,2700 right boxed
 set label "sliding\n".signed("%.0f", T2 - T1)." J" at onset + gap,0.5*(T1 + T2) left offset 1,0.5 boxed
 set label sprintf("rolling\n%.0f J left", T2) at onset + gap,700 left boxed
-plot data using "time_s":T with lines linetype 1 linewidth 1.8 notitle \
+plot data using "time_s":T with lines linestyle ours notitle \
   @digitised

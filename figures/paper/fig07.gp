@@ -2,7 +2,6 @@
 set xlabel "t, s"
 set ylabel "mm"
 set format x "%.3f"
-set key bottom left horizontal
 stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
 # The frequency of q1 from its zero crossings over the first 5 ms of rolling.
 begin = rolling_min; end = begin + 5e-3
@@ -20,6 +19,12 @@ set arrow from rolling_min,graph 0 to rolling_min,graph 1 nohead linestyle readi
 set label sprintf("rolling\nfrom %.4f s", rolling_min) at rolling_min,4.4 right offset -1,0 textcolor rgb grey
 set label "paper: ρ ≈ 3.5 mm" at graph 0.985,first 3.5 right offset 0,0.7 textcolor rgb grey boxed front
 set arrow from graph 0,first 3.5 to graph 1,first 3.5 nohead linestyle published
-plot data using "time_s":(column("q1_m")*1e3) with lines linetype 1 title "q_1", \
-     data using "time_s":(column("rho_m")*1e3) with lines linetype 3 linewidth 1.8 title "ρ" \
+# Labels where each extends furthest in the first sixth.
+early(c) = column("time_s") < 29.125 ? 1e3*column(c) : NaN
+stats data using "time_s":(early("q1_m")) name "q" nooutput
+stats data using "time_s":(early("rho_m")) name "rho" nooutput
+set label "q_1" at q_pos_min_y,q_min_y center offset 0,-0.8
+set label "ρ" at rho_pos_max_y,rho_max_y center offset 0,0.9 boxed front
+plot data using "time_s":(column("q1_m")*1e3) with lines linestyle ours notitle, \
+     data using "time_s":(column("rho_m")*1e3) with lines linestyle ours linewidth 2.2 notitle \
   @digitised

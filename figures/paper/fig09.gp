@@ -29,7 +29,7 @@ do for [i = 1:4] {
   set ylabel (at_left ? "x_a (down), mm" : "")
   eval "set arrow 1 ".arrows[i]." arrowstyle 5 front"
   plot data using (in_panel("rk4", "y_a_m")):(in_panel("rk4", "x_a_m")) with lines linestyle fixed_steps, \
-    data using (in_panel("event", "y_a_m")):(in_panel("event", "x_a_m")) with lines linetype 1 linewidth 1 @digitised
+    data using (in_panel("event", "y_a_m")):(in_panel("event", "x_a_m")) with lines linestyle ours linewidth 1 @digitised
   unset label 1
 }
 unset multiplot

@@ -37,8 +37,7 @@ set size ratio -1
 set xrange [-1.25:1.35]
 set yrange [-1.55:1.12]
 unset border; unset tics; unset grid; unset key
-set style arrow 1 linecolor rgb vermilion linewidth 2.2 filled size 0.06,18
-set style arrow 2 linecolor rgb blue linewidth 2.2 filled size 0.06,18
+set style arrow 1 linecolor rgb tint_of(equations) linewidth 2.2 filled size 0.06,18
 set style arrow 3 linecolor rgb black linewidth 1.2 filled size 0.05,18
 set style arrow 4 nohead linecolor rgb grey linewidth 1 dashtype (3,3)
 
@@ -53,7 +52,7 @@ Px = Ox - radius*nx; Py = Oy - radius*ny           # the rim point opposite to K
 set arrow from Kx,Ky to Px,Py arrowstyle 4
 set arrow from Kx,Ky to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 4 front
 set arrow from Ox,Oy to Ox - v_O*u*tx,Oy - v_O*u*ty arrowstyle 1 front
-set arrow from Px,Py to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 2 front
+set arrow from Px,Py to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 1 front
 set label "O_a" at 0,0 right offset -0.6,0.6 front
 set label "O" at Ox,Oy offset 0.8,-0.8 front
 set label "path of O" at 0,-drawn center offset 0,-0.8 textcolor rgb grey front
@@ -61,24 +60,22 @@ set label "{/:Bold K}" at 1.09*Kx,1.09*Ky center front
 set label "v_K = 0" at 1.2*Kx,1.2*Ky center front
 # Beyond the tips, on the side to which they point.
 side = tx < 0 ? "left offset 0.8,0" : "right offset -0.8,0"
-set label sprintf("v_O = %.1f m/s", v_O) at Ox - v_O*u*tx,Oy - v_O*u*ty @side textcolor rgb vermilion front boxed
-set label sprintf("%.1f m/s", 2*v_O) at Px - 2*v_O*u*tx,Py - 2*v_O*u*ty @side textcolor rgb blue front boxed
-# f turns with the sense of rotation, f_rol against it.
-arc(a, b, n, i) = a + (b - a)*i/n
+set label sprintf("v_O = %.1f m/s", v_O) at Ox - v_O*u*tx,Oy - v_O*u*ty @side front boxed
+set label sprintf("%.1f m/s", 2*v_O) at Px - 2*v_O*u*tx,Py - 2*v_O*u*ty @side front boxed
+# About O, f turns with the sense of rotation; about O_a, f_rol turns against it.
+arc(a, b, t) = a + (b - a)*t
 set parametric
 set trange [0:1]
-rotor_angle = atan2(-ny, -nx)
-set arrow from Ox + 0.5*radius*cos(rotor_angle + 1.08),Oy + 0.5*radius*sin(rotor_angle + 1.08) \
-  to Ox + 0.5*radius*cos(rotor_angle + 1.2),Oy + 0.5*radius*sin(rotor_angle + 1.2) \
-  linecolor rgb blue linewidth 1.6 filled size 0.06,18 front
-set label "f" at Ox + 0.6*radius*cos(rotor_angle + 0.85),Oy + 0.6*radius*sin(rotor_angle + 0.85) center \
-  textcolor rgb blue front
 whirl_angle = atan2(ny, nx)
+turning = 0.22                                     # the radius of the arrow about O, from v_O past K
+begin = whirl_angle - 1.2; end = whirl_angle + 2.3
+set arrow from Ox + turning*cos(end - 0.25),Oy + turning*sin(end - 0.25) to Ox + turning*cos(end),Oy + turning*sin(end) \
+  linecolor rgb black linewidth 1.6 filled size 0.06,18 front
+set label "f" at Ox + 1.3*turning*cos(whirl_angle + 1.5),Oy + 1.3*turning*sin(whirl_angle + 1.5) center front
 set arrow from 1.1*cos(whirl_angle - 0.9),1.1*sin(whirl_angle - 0.9) \
   to 1.1*cos(whirl_angle - 1.0),1.1*sin(whirl_angle - 1.0) \
-  linecolor rgb vermilion linewidth 1.6 filled size 0.06,18 front
-set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65) center \
-  textcolor rgb vermilion front
+  linecolor rgb black linewidth 1.6 filled size 0.06,18 front
+set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65) center front
 
 set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz", t, 1e3*rho, f) at 0,-1.2 center
 set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz, paper 771.4 Hz;  v_O = %.2f m/s, paper 16.9 m/s", \
@@ -86,7 +83,7 @@ set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz, paper 771.4 Hz;  v_O = 
 set label sprintf("over the next %.1f ms, in which ρ and f ripple: mean whirl of O %.1f Hz, seen from the stator", \
   1e3*length, f_whirl) at 0,-1.42 center
 plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb black linewidth 3, \
-     Ox + 0.5*radius*cos(rotor_angle + arc(0.5, 1.18, 1, t)),Oy + 0.5*radius*sin(rotor_angle + arc(0.5, 1.18, 1, t)) \
-       with lines linecolor rgb blue linewidth 1.6, \
-     1.1*cos(whirl_angle - arc(0.25, 0.98, 1, t)),1.1*sin(whirl_angle - arc(0.25, 0.98, 1, t)) \
-       with lines linecolor rgb vermilion linewidth 1.6
+     Ox + turning*cos(arc(begin, end - 0.2, t)),Oy + turning*sin(arc(begin, end - 0.2, t)) \
+       with lines linecolor rgb black linewidth 1.6, \
+     1.1*cos(whirl_angle - arc(0.25, 0.98, t)),1.1*sin(whirl_angle - arc(0.25, 0.98, t)) \
+       with lines linecolor rgb black linewidth 1.6

@@ -22,5 +22,5 @@ do for [i = 1:3] {
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
   its_run = name
-  plot data using (of_run(name, "time_s")):(force(name)) with lines linetype i notitle @digitised
+  plot data using (of_run(name, "time_s")):(force(name)) with lines linestyle ours notitle @digitised
 }

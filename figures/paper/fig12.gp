@@ -14,6 +14,6 @@ set label "dashed: paper 237 kN" at graph 0.03,first -237 offset 0,0.7 textcolor
 set label beside("speed at the mass loss", sprintf("%.1f Hz", f_max), "100 Hz") at graph 0.03,0.66 boxed front
 set label beside("largest |F_n|", F_min_y < 0 ? sprintf("%.1f kN at %.4f s", -F_min_y, F_pos_min_y) : "no contact", "237 kN") \
   at graph 0.03,0.4 boxed front
-eval mark_law("run", "graph 0.97,0.05 right")
-plot data using "time_s":(column("normal_force_N")/1e3) with lines linetype 1 notitle \
+eval mark_law("run")
+plot data using "time_s":(column("normal_force_N")/1e3) with lines linestyle ours notitle \
   @digitised

@@ -16,8 +16,8 @@ if (F_min_y < 0) {
   set yrange [-160:0]
   set arrow from graph 0,first -136 to graph 1,first -136 nohead linestyle published
   set label "dashed: paper 136 kN" at graph 0.03,first -136 offset 0,0.7 textcolor rgb grey
-  eval mark_law("run", "graph 0.97,0.05 right")
-  plot data using "time_s":(column("normal_force_N")/1e3) with lines linetype 1 notitle \
+  eval mark_law("run")
+  plot data using "time_s":(column("normal_force_N")/1e3) with lines linestyle ours notitle \
     @digitised
 } else {
   eval share_of("rolls_75", "b")
@@ -31,6 +31,6 @@ if (F_min_y < 0) {
   set label 3 sprintf("{/:Bold no contact}\nρ reaches %.2f mm\nof all draws of inputs that print the same, %.0f %% roll", \
     rho_max_y, rolls_75_b_max) at graph 0.46,first 4.25 left front
   set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("run") nohead linestyle clearance
-  plot data using "time_s":(column("rho_m")*1e3) with lines linetype 3 notitle \
+  plot data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle \
     @digitised
 }

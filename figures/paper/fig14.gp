@@ -22,5 +22,5 @@ set label beside("largest ρ", sprintf("%.3f mm at %.4f s: %s", rho_max_y, rho_p
   "no contact") at graph 0.97,0.62 right boxed front
 set label sprintf("{/:Bold draws that stay clear}\nover the rounding of the loss's time: %.0f %%\nover that of all inputs: %.0f %%", \
   contacts_9_a_max, contacts_9_b_max) at graph 0.97,0.44 right boxed front
-plot data using "time_s":(column("rho_m")*1e3) with lines linetype 3 notitle \
+plot data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle \
   @digitised

@@ -13,5 +13,5 @@ eval mark_instant("t_1", t_1)
 set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("run") nohead linestyle clearance
 set label beside("largest ρ", sprintf("%.3f mm at %.4f s: %s", rho_max_y, rho_pos_max_y, contact("run", rho_max_y)), \
   "no contact") at graph 0.97,0.75 right boxed front
-plot data using "time_s":(column("rho_m")*1e3) with lines linetype 3 notitle \
+plot data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle \
   @digitised

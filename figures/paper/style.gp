@@ -22,7 +22,12 @@ eval "set terminal ".wide
 small = sprintf(",%g", 0.8*(format eq "svg" ? 14 : format eq "png" ? 11 : 8))    # a font for long keys
 set output output
 
-# Colours that colour-blind readers can distinguish; the paper's values are grey and dashed.
+# Colours that colour-blind readers can distinguish. What a run of ours shows has the colour of its equations, in all
+# figures and on the page; the paper's values are grey and dashed. `rotor plot` has a colour for each run instead.
+if (!exists("equations")) equations = "published"
+is_printed(equations) = equations eq "published"
+tint_of(equations) = is_printed(equations) ? "#0072b2" : "#b34700"
+words_of(equations) = is_printed(equations) ? "equations as printed" : "corrected equations"
 set colorsequence podo
 blue = "#0072b2"; vermilion = "#d55e00"; green = "#009e73"; black = "#000000"; grey = "#707070"
 set linetype 1 linecolor rgb blue linewidth 1.3
@@ -33,20 +38,23 @@ set linetype 5 linecolor rgb "#cc79a7" linewidth 1.3
 set linetype 6 linecolor rgb "#56b4e9" linewidth 1.3
 set linetype 7 linecolor rgb "#e69f00" linewidth 1.3 dashtype (9, 6)
 set linetype 8 linecolor rgb "#7a0177" linewidth 1.3 dashtype (5, 6)
-published = 11; clearance = 12; reading = 13; fixed_steps = 14; first_place = 15; lost = 16; law = 18
+ours = 10; published = 11; clearance = 12; reading = 13; fixed_steps = 14; lost = 16; law = 18
+set style line ours linecolor rgb tint_of(equations) linewidth 1.3
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 7)
 set style line clearance linecolor rgb black linewidth 1.2 dashtype (1, 5)
 set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
 beneath = 3.4                                       # its width beneath a curve that may coincide
-set style line first_place pointtype 6 pointsize 1 linecolor rgb black linewidth 1.5
-set style line lost pointtype 2 pointsize 1.2 linecolor rgb vermilion linewidth 2
+set style line lost pointtype 2 pointsize 1.2 linecolor rgb black linewidth 2
 set style line law linecolor rgb "#7a0177" linewidth 1.2 dashtype (10, 6, 1, 6)
 set style line reading linecolor rgb grey linewidth 0.8
 
-# Colours of outcomes by their code from 0 on, the last one for stalled or none; and the palettes of maps.
-array outcome_tint[7] = ["#f4f4f4", "#009e73", "#f0e442", "#56b4e9", "#d55e00", "#cc79a7", "#606060"]
-outcome_code(outcome) = outcome eq "no_contact" ? 0 : outcome eq "freed" ? 1 : outcome eq "bouncing" ? 2 : \
-  outcome eq "sliding" ? 3 : outcome eq "rolling" ? 4 : outcome eq "undecided" ? 5 : 6
+# Outcomes by their code from 0 on: names and colours, which differ in lightness, so also in grey; the page has the same.
+# And the palettes of maps.
+array outcome_name[7] = ["no_contact", "undecided", "freed", "bouncing", "sliding", "rolling", "stalled"]
+array outcome_tint[7] = ["#f7f7f5", "#efe0a0", "#a2c8e4", "#78aad2", "#2e5f8c", "#cc6c24", "#333333"]
+with_spaces(name) = (at = strstrt(name, "_"), at == 0 ? name : name[:at - 1]." ".name[at + 1:])
+outcome_words(code) = with_spaces(outcome_name[code + 1]).(code == 6 ? ", or no result" : "")
+outcome_code(outcome) = 6 + sum [k = 1:6] (outcome eq outcome_name[k] ? k - 7 : 0)
 outcome_palette = "set palette maxcolors 7 defined (0 outcome_tint[1], 1 outcome_tint[2], 2 outcome_tint[3], \
   3 outcome_tint[4], 4 outcome_tint[5], 5 outcome_tint[6], 6 outcome_tint[7]); set cbrange [-0.5:6.5]"
 share_palette = "set palette defined (0 '#f4f4f4', 1 '#f3c9a0', 2 '#d55e00'); set cbrange [0:1]"
@@ -63,11 +71,9 @@ set key opaque samplen 2 spacing 1.15
 set title offset 0,0.3
 set style textbox opaque noborder margins 0.4,0.4
 
-# "Fig. N" and its subject, with the parameters on a second line.
-if (!exists("equations")) equations = "published"
-of_set = equations eq "published" ? "" : "; {/*0.85:Bold corrected equations}"
+# "Fig. N", its subject and its equations, with the parameters on a second line.
 caption(number, what, parameters) = \
-  sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s}%s", number, what, parameters, of_set)
+  sprintf("{/:Bold Fig. %d}  %s: {/:Bold %s}\n{/*0.85 %s}", number, what, words_of(equations), parameters)
 
 # The paper's number beside ours, for annotations.
 beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ours, paper)
@@ -96,9 +102,9 @@ number(run, name) = of(name, its_place(run))
 friction_above(run, name) = number(run, "friction") > number(run, name)
 law_kN(run) = !exists(sprintf("law_peak_force_N%d", its_place(run))) ? 0 : friction_above(run, "law_whirl_friction") && \
   friction_above(run, "law_forward_friction") ? 1e-3*number(run, "law_peak_force_N") : 0
-mark_law(run, place) = law_kN(run) > 0 ? sprintf("set arrow 9 from graph 0,first %g to graph 1,first %g nohead linestyle law; ".\
-  "set label 9 'closed form of rolling: %.0f kN' at %s textcolor rgb '#7a0177'", \
-  -law_kN(run), -law_kN(run), law_kN(run), place) : "unset arrow 9; unset label 9"
+mark_law(run) = law_kN(run) > 0 ? sprintf("set arrow 9 from graph 0,first %g to graph 1,first %g nohead linestyle law; ".\
+  "set label 9 'closed form of rolling: %.0f kN' at graph 0.985,first %g right offset 0,-0.7 textcolor rgb '#7a0177'", \
+  -law_kN(run), -law_kN(run), law_kN(run), -law_kN(run)) : "unset arrow 9; unset label 9"
 by_method(run) = number(run, "method") eq "rk4" ? "published method" : "event method"
 power_of_ten(x) = sprintf("%g×10^{%d}", x/10**floor(log10(x)), floor(log10(x)))
 
@@ -121,9 +127,19 @@ share_of(number, population) = sprintf("stats reference_data.'/ensembles.csv' us
   strcol('number') eq '%s' && strcol('population') eq '%s' ? 100*column('holds') : NaN) name '%s_%s' nooutput", \
   number, population, number, population)
 
-# An instant on the axis of times: eval mark_instant("t_1", t_1).
+# An instant on the axis of times: eval mark_instant("t_1", t_1); and that at which a run passes the critical speed:
+# eval mark_critical("a").
+mark_height = 0.12                                 # of its label
 mark_instant(name, t) = sprintf("set arrow from %.17g,graph 0 to %.17g,graph 1 nohead linestyle reading; ".\
-  "set label '%s' at %.17g,graph 0.12 right offset -0.5,0 textcolor rgb grey front", t, t, name, t)
+  "set label '%s' at %.17g,graph %g right offset -0.5,0 textcolor rgb grey front", t, t, name, t, mark_height)
+critical_Hz(run) = sqrt(number(run, "support_stiffness")/number(run, "mass"))/(2*pi)
+mark_critical(run) = sprintf("stats data using (follow(of_run('%s', 'speed_Hz'), of_run('%s', 'time_s'), %.17g)) nooutput; ", \
+  run, run, critical_Hz(run))."eval mark_instant('critical speed', crossing)"
+
+# The label of a curve of a quantity over time, where it passes a value: eval label_where(run, "speed_Hz", 1, 100, "right").
+# The sign -1 is that of a quantity that falls there.
+label_where(run, c, sign, value, place) = sprintf("stats data using (follow(%d*of_run('%s', '%s'), of_run('%s', 'time_s'), ".\
+  "%.17g)) nooutput; set label friction('%s') at crossing,%.17g %s front", sign, run, c, run, sign*value, run, value, place)
 
 # Parts of captions.
 greek(name) = name[1:3] eq "mu " ? "μ ".name[4:] : name    # of a run

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -77,6 +78,25 @@ std::string numbered(std::string_view text) {
   std::string numbers;
   for (const char c : text) numbers += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
   return '"' + numbers + '"';
+}
+
+DrawnUnit drawn_unit(std::string_view si) {
+  return si == "m" ? DrawnUnit{"mm", 1e-3} : si == "N" ? DrawnUnit{"kN", 1e3} : DrawnUnit{si, 1};
+}
+
+std::string conditions(const ScenarioSpec& stated, bool have_same_equations) {
+  Equations equations = stated.equations.value_or(Scenario{}.equations);
+  equations.velocity_jump = stated.velocity_jump.value_or(equations.velocity_jump);
+  equations.gravity_moment = stated.gravity_moment.value_or(equations.gravity_moment);
+  std::vector<std::string> all;
+  if (have_same_equations) all.emplace_back(equations_in_words(name_of(equations)));
+  for (const auto& [quantity, instead_of] : input_quantities())
+    if (const auto found = stated.numbers.find(quantity.name); found != stated.numbers.end()) {
+      const auto [unit, in_si] = drawn_unit(quantity.unit);
+      all.push_back(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
+                                found->second / in_si, unit.empty() ? "" : " ", unit));
+    }
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 Drawing::Drawing(const std::string& file, const std::string& out)

@@ -98,7 +98,7 @@ void say_what_is_assumed(bool leaves_equations_open, const std::vector<std::stri
   if (leaves_equations_open)
     print_message(
         "rotor: no equations were stated, so the published ones were used: the velocity jump of "
-        "the mass loss counts twice, and the moment of gravity in full; the consistent equations "
+        "the mass loss counts twice, and the moment of gravity in full; the corrected equations "
         "correct both");
   if (!of_paper.empty())
     print_message(fmt::format("rotor: not stated, so the paper's: {}", fmt::join(of_paper, ", ")));
@@ -150,7 +150,7 @@ void print_brief(const Json& run, std::FILE* to) {
   for (const Row& row : rows)
     if (const Json& value = run.at(row.key); !value.is_null())
       fmt::print(to, "  {:<31} {}\n", row.label, row.text(value.get<double>()));
-  fmt::print(to, "  {:<31} {}\n", "equations", run.at("equations").get<std::string>());
+  fmt::print(to, "  {}\n", equations_in_words(run.at("equations").get<std::string>()));
   if (run.contains("energy_J")) print_values(Json{{"energy_J", run["energy_J"]}}, 0, to, "  ");
   fmt::print(to, "\nAll results: --all, or --json with all digits.\n");
 }

@@ -1,5 +1,5 @@
 # A sweep: curves over one axis, maps over two, distributions of a sample. `rotor plot` sets, besides what style.gp needs:
-#   heading; dimensions, the number of axes, and draws, the number at each of their points
+#   heading; conditions; dimensions, the number of axes, and draws, the number at each of their points
 #   for each axis its x_name, the places x_least and x_greatest of its ends, whether its values x_are_listed, and x_tics of a
 #   list or of powers of ten; likewise for y
 #   panels, their number, and if there are several their names panel0, panel1, ...
@@ -8,9 +8,9 @@
 # Each panel has a table of x, y, the outcome's code (in maps of draws the share that rolls), and the result.
 
 data(p) = sprintf("panel%d.csv", p)
-array outcome_name[7] = ["no contact", "freed after contact", "bouncing", "sliding", "backward rolling", "undecided", \
-  "stalled, or no result"]
-tint(c) = c == 0 && dimensions < 2 ? "#b0b0b0" : outcome_tint[c + 1]
+tint(c) = outcome_tint[c + 1]
+edge_tint = "#606060"                              # around the lightest
+dot = draws > 1 ? 0.25 : 0.5                       # its size
 below = least < 0 ? 1.05*least : 0; above = greatest > 0 ? 1.05*greatest : below < 0 ? 0 : 1    # the limits of an axis
 
 without_labels(tics) = (from = strstrt(tics, "'"), from == 0 ? tics : (until = strstrt(tics[from + 1:], "'") + from, \
@@ -20,10 +20,11 @@ name_beside(n, text, at) = sprintf("set label %d '%s' at screen %g, screen %g ce
 is_map = dimensions == 2
 if (is_map && panels < 3) { eval "set terminal ".square }
 rows = is_map ? has_outcome + has_value : has_value + (dimensions == 1 && has_outcome && (draws > 1 || !has_value))
-top = 0.9; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.13 : 0.1; right = is_map ? 0.84 : 0.965; gap = 0.05
+top = 0.89; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.13 : 0.1; right = is_map ? 0.84 : 0.965; gap = 0.05
 height = (top - bottom)/rows; width = (right - left - gap*(panels - 1))/panels
 set multiplot
-set label 1 shortened(heading, 80) at screen 0.5,0.965 center noenhanced
+set label 1 shortened(heading, 80) at screen 0.5,0.975 center noenhanced
+set label 5 shortened(conditions, is_map && panels < 3 ? 110 : 140) at screen 0.5,0.938 center noenhanced font small
 set tics front out
 if (is_map) { unset grid }
 unset key; unset colorbox
@@ -32,7 +33,7 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   of_outcome = is_map ? has_outcome && row == 0 : row == has_value
   set lmargin at screen left + p*(width + gap); set rmargin at screen left + p*(width + gap) + width
   set tmargin at screen top - row*height - (panels > 1 ? 0.03 : 0); set bmargin at screen top - (row + 1)*height + (at_bottom ? 0 : 0.03)
-  if (row + p > 0) { unset label 1 }
+  if (row + p > 0) { unset label 1; unset label 5 }
   unset label 2; unset label 3; unset label 4
   if (is_empty && !(row == 0 && is_map && has_outcome)) { set label 4 "no point has this result" at graph 0.5,0.5 center front }
   middle = top - (row + 0.5)*height
@@ -56,14 +57,17 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
     if (of_outcome && draws == 1) { eval outcome_palette }
     if (of_outcome && draws > 1) { eval share_palette }
     if (!of_outcome) { eval force_palette; set cbrange [below/1.05:above/1.05] }
-    if (of_outcome) { plot data(p) using 1:2:3 with image } else { plot data(p) using 1:2:4 with image }
+    stats data(p) using (0) nooutput    # cells as rectangles, unless they are nearly as small as pixels
+    eval "plot data(p) using 1:2:".(of_outcome ? 3 : 4)." with image ".(STATS_records > 4096 ? "" : "pixels")
     continue
   }
-  if (dimensions == 1) {    # draws at listed values stand side by side
-    are_bars = draws > 1 && x_are_listed
-    if (are_bars) {
-      set xrange [x_least - 0.6:x_greatest + 0.6]; set boxwidth 0.8
-      set style fill solid noborder; set grid noxtics
+  if (dimensions == 1) {
+    if (draws > 1) {    # bars at the points
+      stats data(p) using 1 nooutput
+      points = STATS_records/draws
+      apart = points > 1 ? (x_greatest - x_least)/(points - 1) : 1
+      set xrange [x_least - 0.6*apart:x_greatest + 0.6*apart]; set boxwidth 0.8*apart
+      set style fill solid border rgb edge_tint; set grid noxtics
     } else {    # points at the ends are drawn in full
       if (x_are_listed) { set xtics autofreq }
       edge = x_greatest - x_least > 1e-6*abs(x_greatest) ? 0.015*(x_greatest - x_least) : \
@@ -72,17 +76,19 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
     }
     if (of_outcome && draws == 1) {
       set yrange [0:1]; unset ytics
-      plot for [c = 0:6] data(p) using 1:($3 == c ? 0.5 : NaN) with points pointtype 5 linecolor rgb tint(c)
+      plot for [c = 0:6] data(p) using 1:($3 == c ? 0.5 : NaN) with points pointtype 5 linecolor rgb tint(c), \
+        data(p) using 1:(0.5) with points pointtype 4 linecolor rgb edge_tint linewidth 0.5
       continue
     }
     if (of_outcome) {    # stacked shares: of this outcome and of those with greater codes
       set yrange [0:1]
       eval "plot for [c = 0:6] data(p) using 1:($3 >= c ? 1.0/draws : 0) smooth frequency \
-        with ".(are_bars ? "boxes" : "filledcurves x1")." fillcolor rgb tint(c)"
+        with boxes fillcolor rgb tint(c)"
     } else {
       set yrange [below:above]
       plot data(p) using 1:(draws > 1 || x_are_listed ? NaN : $4) with lines linecolor rgb grey linewidth 0.8, \
-        for [c = 0:6] data(p) using 1:($3 == c ? $4 : NaN) with points pointtype 7 pointsize (draws > 1 ? 0.25 : 0.5) linecolor rgb tint(c)
+        for [c = 0:6] data(p) using 1:($3 == c ? $4 : NaN) with points pointtype 7 pointsize dot linecolor rgb tint(c), \
+        data(p) using 1:4 with points pointtype 6 pointsize dot linecolor rgb edge_tint linewidth 0.4
     }
     continue
   }
@@ -105,7 +111,7 @@ do for [row = 0:rows - 1] { do for [p = 0:panels - 1] {
   }
   set yrange [0:highest > 0 ? 1.05*highest : 1]
   set boxwidth bin
-  set style fill solid border rgb "#ffffff"
+  set style fill solid border rgb edge_tint
   plot for [c = 0:6] data(p) using (bin_of(its(0))):(share(c)) smooth frequency with boxes fillcolor rgb tint(c)
 } }
 
@@ -117,7 +123,7 @@ if (has_outcome && !(is_map && draws > 1)) {
   entries = ""
   do for [c = 0:6] {
     if (seen[c + 1] > 0) { entries = entries.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s%s', ", \
-      tint(c), outcome_name[c + 1], dimensions || panels > 1 ? "" : sprintf(": %.3g %%", 100.0*seen[c + 1]/(sum [k = 1:7] seen[k]))) }
+      tint(c), outcome_words(c), dimensions || panels > 1 ? "" : sprintf(": %.3g %%", 100.0*seen[c + 1]/(sum [k = 1:7] seen[k]))) }
   }
   set key Left reverse spacing 1.05 noopaque font small at screen 0.5, screen 0.05 center center samplen 1 maxrows 2
   eval "plot ".entries."NaN notitle"

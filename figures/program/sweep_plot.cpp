@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <map>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
@@ -34,14 +33,9 @@ std::string sweep_above(const fs::path& results) {
   return text;
 }
 
-std::string with_spaces(std::string text) {
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-
 /// Tics at powers of ten, or at 1, 2 and 5 times them if there are few, by the logarithm.
-std::string logarithmic_tics(const Range& range) {
-  const double least = std::log10(range.from), greatest = std::log10(range.until);
+std::string logarithmic_tics(const Range& range, double unit) {
+  const double least = std::log10(range.from / unit), greatest = std::log10(range.until / unit);
   std::string tics;
   for (int power = static_cast<int>(std::floor(least)); power <= greatest; ++power)
     for (const int factor : {1, 2, 5}) {
@@ -76,14 +70,13 @@ struct PictureAxes {
 
 /// An axis of numbers: its values or, listed, their numbers; and how gnuplot is to show them.
 void add(PictureAxes& axes, const Axis& axis, long stride, bool at_equal_distances) {
-  const std::string_view unit = find_input_quantity(axis.quantity)->quantity.unit;
-  std::string text = with_spaces(axis.quantity), listed;
-  if (text.ends_with(" hz")) text.resize(text.size() - 3);
+  const auto [unit, in_si] = drawn_unit(find_input_quantity(axis.quantity)->quantity.unit);
+  std::string text = name_in_words(axis.quantity), listed;
   if (!unit.empty()) text += fmt::format(", {}", unit);
   Places places{{}, stride};
   const bool is_listed = !axis.numbers.empty(), is_logarithmic = axis.range.logarithmic;
   for (long n = 0; n < axis.points(); ++n) {
-    const double value = axis.number(n);
+    const double value = axis.number(n) / in_si;
     places.of.push_back(is_listed && at_equal_distances ? static_cast<double>(n)
                         : is_logarithmic                ? std::log10(value)
                                                         : value);
@@ -94,7 +87,7 @@ void add(PictureAxes& axes, const Axis& axis, long stride, bool at_equal_distanc
       "{0}_name = '{1}'; {0}_least = {2:#}; {0}_greatest = {3:#}; {0}_are_listed = {4}; {0}_tics = "
       "\"{5}\"\n",
       axes.numbers.empty() ? "x" : "y", text, *least, *greatest, is_listed ? 1 : 0,
-      is_logarithmic ? logarithmic_tics(axis.range) : listed);
+      is_logarithmic ? logarithmic_tics(axis.range, in_si) : listed);
   axes.numbers.push_back(std::move(places));
 }
 
@@ -124,7 +117,10 @@ PictureAxes axes_of(const Sweep& sweep) {
     if (!axis->names.empty()) axes.panels = {{}, stride};
     for (std::size_t n = 0; n < axis->names.size(); ++n) {
       axes.settings +=
-          fmt::format("panel{} = '{} {}'\n", n, with_spaces(axis->quantity), axis->names[n]);
+          fmt::format("panel{} = '{}'\n", n,
+                      axis->quantity == "equations"
+                          ? std::string(equations_in_words(axis->names[n]))
+                          : fmt::format("{} {}", name_in_words(axis->quantity), axis->names[n]));
       axes.panels.of.push_back(static_cast<double>(n));
     }
     stride *= axis->points();
@@ -177,14 +173,13 @@ DrawnResult drawn_result(const std::string& stated, const Sweep& sweep) {
 
 /// A result's name with the unit in which it is drawn, and that unit in SI units.
 std::pair<std::string, double> label_and_unit(const std::string& key) {
-  static const std::map<std::string, std::pair<const char*, double>> units = {
-      {"N", {"kN", 1e3}}, {"m", {"mm", 1e-3}}, {"s", {"s", 1}},
-      {"Hz", {"Hz", 1}},  {"J", {"J", 1}},     {"kg", {"kg", 1}}};
-  const std::size_t at = std::min(key.rfind('_'), key.size() - 1);
-  const auto unit = units.find(key.substr(at + 1));
-  if (unit == units.end()) return {with_spaces(key), 1};
-  const auto& [drawn, in_si] = unit->second;
-  return {fmt::format("{}, {}", with_spaces(key.substr(0, at)), drawn), in_si};
+  const std::size_t at = key.rfind('_');
+  for (const std::string_view si : {"N", "m", "s", "Hz", "J", "kg"})
+    if (at != std::string::npos && key.substr(at + 1) == si) {
+      const auto [unit, in_si] = drawn_unit(si);
+      return {fmt::format("{}, {}", name_in_words(key.substr(0, at)), unit), in_si};
+    }
+  return {name_in_words(key), 1};
 }
 
 /// The mean of numbers; NaN if there are none.
@@ -207,8 +202,8 @@ class Mean {
 };
 
 /// Outcomes by their code in style.gp; the code after the last one is that of stalled, or of none.
-constexpr std::array coded_outcomes = {Outcome::no_contact, Outcome::freed,   Outcome::bouncing,
-                                       Outcome::sliding,    Outcome::rolling, Outcome::undecided};
+constexpr std::array coded_outcomes = {Outcome::no_contact, Outcome::undecided, Outcome::freed,
+                                       Outcome::bouncing,   Outcome::sliding,   Outcome::rolling};
 
 std::size_t code_of(std::string_view name) {
   const auto* const found = std::find_if(coded_outcomes.begin(), coded_outcomes.end(),
@@ -265,6 +260,24 @@ std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const 
       seen.size(), fmt::join(seen, ", "));
 }
 
+/// What all points share, and what is drawn.
+std::string conditions_of(const Sweep& sweep) {
+  const auto vary = [&](const char* name) { return contains(sweep.quantities(), name); };
+  std::string text = conditions(
+      sweep.base, !vary("equations") && !vary("velocity_jump") && !vary("gravity_moment"));
+  if (sweep.sample.over.empty()) return text;
+  std::vector<std::string> drawn;
+  for (const Draw& draw : sweep.sample.over) {
+    const auto [unit, in_si] = drawn_unit(find_input_quantity(draw.quantity)->quantity.unit);
+    drawn.push_back(fmt::format("{} {} {:.4g} {} {:.4g}{}{}", name_in_words(draw.quantity),
+                                draw.distribution == Distribution::normal ? "of mean" : "from",
+                                draw.a / in_si,
+                                draw.distribution == Distribution::normal ? "and deviation" : "to",
+                                draw.b / in_si, unit.empty() ? "" : " ", unit));
+  }
+  return fmt::format("{} draws of {}; {}", sweep.sample.count, fmt::join(drawn, ", "), text);
+}
+
 }  // namespace
 
 void plot_sweep(const PlotOptions& options) {
@@ -294,9 +307,11 @@ void plot_sweep(const PlotOptions& options) {
           "plot NAME.csv draws its results");
     }
   }
-  drawing.finish(axes.settings + write_panels(drawing, axes, result, results, sweep) +
-                     fmt::format("heading = {}\n", numbered(drawing.heading(sweep.title))),
-                 "sweep.gp");
+  drawing.finish(
+      axes.settings + write_panels(drawing, axes, result, results, sweep) +
+          fmt::format("heading = {}; conditions = {}\n", numbered(drawing.heading(sweep.title)),
+                      numbered(conditions_of(sweep))),
+      "sweep.gp");
   say_what_is_assumed(sweep);
 }
 

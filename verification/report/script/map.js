@@ -2,9 +2,9 @@
 import { cleared, colour } from "./colours.js";
 import { ticks } from "./curves.js";
 
-/// Outcomes by the letters of the map's cells. The colours differ in lightness.
+/// Outcomes by the letters of the map's cells, in the words and colours of figures/paper/style.gp.
 export const outcomes = {
-  n: "no contact", u: "undecided in 0.5 s", f: "free again", b: "bouncing", s: "sliding", r: "backward rolling", "-": "touches before the loss",
+  n: "no contact", u: "undecided", f: "freed", b: "bouncing", s: "sliding", r: "rolling", "-": "stalled, or no result",
 };
 const laws = {
   contact: { dash: [], name: "contact", width: 2 }, whirl: { dash: [9, 3, 2, 3], name: "backward whirl", width: 2 },
