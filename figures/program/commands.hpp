@@ -40,6 +40,7 @@ struct SweepOptions {
   std::string out;  ///< the file's name with .csv, if empty
   int jobs = 0;     ///< threads; 0: as many as there are cores
   bool dry_run = false;
+  bool retry = false;  ///< keep the rows of earlier results that are no refusals
 };
 
 /// The case to run or estimate.
@@ -73,7 +74,7 @@ void plot(const PlotOptions& stated);
 void plot_sweep(const PlotOptions& options);
 /// Spectra of displacement and force in the stator's frame, over the scene's window: a picture, or
 /// the numbers if the output file is a CSV file.
-void plot_spectrum(const Scene& scene, const PlotOptions& options);
+void plot_spectrum(const Scene& scene, const PlotOptions& options, const std::string& conditions);
 
 /// `rotor sweep` runs many rotors.
 void run_sweep(const SweepOptions& options);

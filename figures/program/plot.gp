@@ -1,10 +1,10 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, besides what style.gp needs:
-#   heading, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...
-# Each run has a data file in gnuplot's folder.
+#   heading, conditions, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...
+# Each run has a data file for each panel in gnuplot's folder, named after the column that is drawn upwards.
 
 gap(i) = value(sprintf("clearance_mm%d", i))
 name(i) = greek(value(sprintf("run%d", i)))
-data(i) = sprintf("run%d.csv", i)
+data(i, c) = sprintf("run%d-%s.csv", i, c)
 greater(a, b) = a > b ? a : b
 wide(i) = 1 + greater(0, (runs < 4 ? runs : 4) - i)    # width of a run over which others are drawn
 
@@ -19,14 +19,14 @@ named = entries > most_rows*columns ? most_rows*columns - 2 : entries - 1
 entries = entries > named + 1 ? named + 2 : entries
 rows = (entries + columns - 1)/columns
 key_x(k) = 0.5 + key_width*(k % columns - 0.5*(entries < columns ? entries : columns))
-key_y(k) = 0.925 - 0.034*(k/columns)
+key_y(k) = 0.89 - 0.034*(k/columns)
 do for [k = 0:entries - 1] {
   says = k < named ? shortened(name(k + 1), longest_name) : k == named ? "clearance" : sprintf("and %d more runs", runs - named)
   set label says at screen key_x(k) + 0.035, screen key_y(k) noenhanced font small
   if (k < named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linetype k + 1 linewidth wide(k + 1) }
   if (k == named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linestyle clearance }
 }
-top = 0.92 - 0.034*rows; bottom = 0.1; between = 0.13
+top = 0.885 - 0.034*rows; bottom = 0.1; between = 0.13
 height = 0.5*(top - bottom - between)
 
 # Axes end at tics, which are 1, 2 or 5 times a power of ten apart. Their labels have enough digits to differ. There
@@ -46,7 +46,7 @@ axis(c, from, to) = sprintf("set %srange [%.17g:%.17g]; set %stics %.17g; set fo
 less(a, b) = a < b ? a : b
 do for [i = 1:runs] {
   do for [c in "time_s normal_force_N speed_Hz rho_m x_a_m y_a_m"] {
-    stats data(i) using (column(c)) name "its" nooutput
+    stats data(i, c eq "time_s" ? "speed_Hz" : c eq "y_a_m" ? "x_a_m" : c) using (column(c)) name "its" nooutput
     eval sprintf("least_%s = i > 1 ? less(least_%s, its_min) : its_min", c, c)
     eval sprintf("most_%s = i > 1 ? greater(most_%s, its_max) : its_max", c, c)
   }
@@ -60,35 +60,50 @@ widest = greater(widest, show(rho_min, rho_max, 5, 1)); rho_axis = axis("y", low
 down_min = less(1e3*least_x_a_m, -widest_gap); down_max = greater(1e3*most_x_a_m, widest_gap)
 right_min = less(1e3*least_y_a_m, -widest_gap); right_max = greater(1e3*most_y_a_m, widest_gap)
 half = 0.5*greater(down_max - down_min, right_max - right_min)
-void = fit(-half, half, 5, 0.58*height)    # as wide as high
+
+# An orbit for each run, in rows within the last panel.
+in_a_row = runs > 1 ? int(ceil(sqrt(2.0*runs))) : 1; if (in_a_row > runs) { in_a_row = runs }
+orbit_rows = (runs + in_a_row - 1)/in_a_row
+orbit_height = (height + 0.06)/orbit_rows - 0.06
+void = fit(-half, half, 5, less(0.58*orbit_height, 0.4/in_a_row - 0.06))    # as wide as high
 widest = greater(widest, between_tics(down_min, down_max)); down_axis = axis("y", high, low)
 void = between_tics(right_min, right_max); right_axis = axis("x", low, high)
 left = 0.055 + letter*widest
 time_letters = show(least_time_s, most_time_s, 8, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
 
-set multiplot layout 2,2 title shortened(heading, 80) noenhanced margins left,1 - right,bottom,top spacing left + right,between
+set label shortened(heading, 80) at screen 0.5,screen 0.97 center noenhanced
+set label shortened(conditions, 140) at screen 0.5,screen 0.93 center noenhanced font small
+set multiplot layout 2,2 margins left,1 - right,bottom,top spacing left + right,between
 unset key
 if (changes(least_time_s, most_time_s)) { low = least_time_s; high = most_time_s }
 eval axis("x", low, high)
 set xlabel "t, s" offset 0,0.4
 set ylabel "F_n, kN" offset -0.5,0
 eval force_axis
-plot for [i = 1:runs] data(i) using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i linewidth wide(i)
+plot for [i = 1:runs] data(i, "normal_force_N") using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i linewidth wide(i)
 unset label; unset arrow
 set ylabel "f, Hz"
 eval speed_axis
-plot for [i = 1:runs] data(i) using (column("time_s")):(column("speed_Hz")) with lines linetype i linewidth wide(i)
+plot for [i = 1:runs] data(i, "speed_Hz") using (column("time_s")):(column("speed_Hz")) with lines linetype i linewidth wide(i)
 set ylabel "ρ, mm"
 eval rho_axis
-plot for [i = 1:runs] data(i) using (column("time_s")):(column("rho_m")*1e3) with lines linetype i linewidth wide(i), \
+plot for [i = 1:runs] data(i, "rho_m") using (column("time_s")):(column("rho_m")*1e3) with lines linetype i linewidth wide(i), \
   for [i = 1:runs] gap(i) with lines linestyle clearance
-set ylabel "x_a, mm (down)"
-set xlabel "y_a, mm"
 set size ratio -1
 eval right_axis
 eval down_axis
 set parametric
 set trange [0:2*pi]
-plot for [i = 1:runs] data(i) using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i linewidth wide(i), \
-  for [i = 1:runs] gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance
+from_x = 0.5 + 0.5*(left - right) + left; its_width = (1 - right - from_x + left)/in_a_row
+do for [i = 1:runs] {
+  row = (i - 1)/in_a_row; place = (i - 1) % in_a_row
+  set lmargin at screen from_x + place*its_width; set rmargin at screen from_x + (place + 1)*its_width - left
+  set tmargin at screen bottom + height - row*(orbit_height + 0.06)
+  set bmargin at screen bottom + height - row*(orbit_height + 0.06) - orbit_height
+  set ylabel (place ? "" : "x_a, mm (down)")
+  set xlabel (row == orbit_rows - 1 ? "y_a, mm" : "")
+  if (runs > 1) { set title shortened(name(i), 16) offset 0,-0.7 noenhanced font small }
+  plot data(i, "x_a_m") using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i linewidth 1, \
+    gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance
+}
 unset multiplot

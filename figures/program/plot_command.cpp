@@ -11,18 +11,55 @@
 namespace rotor {
 namespace {
 
+/// What the runs of a scene share.
+std::string conditions_of(const std::vector<SceneRun>& runs) {
+  ScenarioSpec shared = runs.front().stated;
+  bool have_same_equations = true;
+  for (const SceneRun& run : runs) {
+    have_same_equations =
+        have_same_equations && run.scenario.equations == runs.front().scenario.equations;
+    std::erase_if(shared.numbers, [&](const auto& number) {
+      const auto its = run.stated.numbers.find(number.first);
+      return its == run.stated.numbers.end() || its->second != number.second;
+    });
+  }
+  return conditions(shared, have_same_equations);
+}
+
+/// A panel draws its last column over time or, an orbit, over the one before.
+struct Panel {
+  std::string_view column;
+  std::vector<std::size_t> columns;  ///< of the scene
+};
+
+/// The rows that a panel needs: it is at most half as high as the largest picture.
+std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
+                    const NamedTable& all) {
+  constexpr double pixel = 1 / 560.;
+  Table some(columns.size());
+  std::vector<std::string_view> headings = {"run"};
+  for (const std::size_t column : columns) headings.push_back(scene.columns[column]->name);
+  for (std::size_t row = 0; row < all.table.rows(); ++row)
+    for (const std::size_t column : columns) some.add(all.table.row(row)[column]);
+  return csv_head(std::vector<std::string>(), headings) +
+         csv_rows({{all.name, thinned(some, pixel)}});
+}
+
 /// Force, speed, displacement and orbit.
-void plot_motion(const Scene& scene, const PlotOptions& options) {
+void plot_motion(const Scene& scene, const PlotOptions& options, const std::string& shared) {
   const Drawing drawing(options.file, options.out);
   const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
-  std::string settings = fmt::format("heading = {}; runs = {}\n",
-                                     numbered(drawing.heading(scene.title)), scene.runs.size());
+  const std::vector<Panel> panels = {
+      {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
+  std::string settings =
+      fmt::format("heading = {}; conditions = {}; runs = {}\n",
+                  numbered(drawing.heading(scene.title)), numbered(shared), scene.runs.size());
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
     const SceneRun& run = scene.runs[n - 1];
     const Parameters& p = run.scenario.parameters;
-    drawing.write(  // one file per run, so that each is read only for its own curves
-        fmt::format("run{}.csv", n),
-        csv_head(scene.title, scene, "run") + csv_rows({tables[n - 1]}));
+    for (const Panel& panel : panels)
+      drawing.write(fmt::format("run{}-{}.csv", n, panel.column),
+                    rows_of(panel.columns, scene, tables[n - 1]));
     settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, numbered(run.name),
                             1000 * Ring<double>(p).clearance);
   }
@@ -49,7 +86,8 @@ void plot(const PlotOptions& stated) {
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
-  options.spectrum ? plot_spectrum(scene, options) : plot_motion(scene, options);
+  const std::string shared = conditions_of(scene.runs);
+  options.spectrum ? plot_spectrum(scene, options, shared) : plot_motion(scene, options, shared);
   say_what_is_assumed(scene.runs);
 }
 

@@ -80,7 +80,7 @@ Table spectrum(const Signals& signals, double length_s) {
 
 }  // namespace
 
-void plot_spectrum(const Scene& scene, const PlotOptions& options) {
+void plot_spectrum(const Scene& scene, const PlotOptions& options, const std::string& conditions) {
   if (scene.window.from_rolling_onset)
     throw InputError("--spectrum: needs a window that starts at a stated time; state --from");
   constexpr double samples_a_period = 16, most_samples = 1 << 22;
@@ -101,7 +101,8 @@ void plot_spectrum(const Scene& scene, const PlotOptions& options) {
     numbers.open(out).write(head);
   } else {
     drawing.emplace(options.file, options.out);
-    settings = fmt::format("heading = {}; runs = {}\n", numbered(drawing->heading(scene.title)),
+    settings = fmt::format("heading = {}; conditions = {}; runs = {}\n",
+                           numbered(drawing->heading(scene.title)), numbered(conditions),
                            scene.runs.size());
   }
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {

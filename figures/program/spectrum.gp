@@ -1,29 +1,37 @@
 # Spectra of displacement and force in the stator's frame. `rotor plot --spectrum` sets, besides what style.gp needs:
-#   heading, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
+#   heading, conditions, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
 # Each run has a data file in gnuplot's folder: amplitudes by frequency, which is negative for backward whirl.
 
 data(i) = sprintf("run%d.csv", i)
 resolution(i) = 3.8/(of("until_s", i) - of("from_s", i))    # of the flat-top window: where its power is halved
-said_of(i) = sprintf("%g s to %g s, resolution %.2g Hz: mean f = %.1f Hz%s%s", of("from_s", i), of("until_s", i), resolution(i), \
-  of("f", i), of("f_greatest", i) - of("f_least", i) < resolution(i) ? "" : \
-  sprintf(" (from %.1f to %.1f)", of("f_least", i), of("f_greatest", i)), \
-  of("rolls", i) ? ", mean whirl while rolling ".signed("%.1f", of("whirl", i))." Hz" : "")
+# A table of numbers in place of a key: a row for each run.
+array table_x[6] = [0.09, 0.38, 0.5, 0.61, 0.77, 0.965]
+array heads[6] = ["run", "from–to, s", "resolution, Hz", "mean f, Hz", "f from–to, Hz", "whirl while rolling, Hz"]
+array cells[6]
+fill(i) = (cells[1] = shortened(greek(of("run", i)), 30), cells[2] = sprintf("%.4g–%.4g", of("from_s", i), of("until_s", i)), \
+  cells[3] = sprintf("%.2g", resolution(i)), cells[4] = sprintf("%.1f", of("f", i)), \
+  cells[5] = sprintf("%.1f–%.1f", of("f_least", i), of("f_greatest", i)), \
+  cells[6] = of("rolls", i) ? signed("%.1f", of("whirl", i)) : "–")
 
 lowest = 0.8/(until_s1 - from_s1); highest = 0.25*samples1/(until_s1 - from_s1)
 set logscale xy
 set format x "%g"; set format y "10^{%T}"
 set mxtics 10
-top = 0.83 - 0.04*(runs - 1); bottom = 0.17; between = 0.05; height = 0.5*(top - bottom - between)
+top = 0.8 - 0.035*runs; bottom = 0.17; between = 0.05; height = 0.5*(top - bottom - between)
 set multiplot
-set label 1 "{/:Bold Spectrum}" at screen 0.5,0.97 center
-set label 2 shortened(heading, 80) at screen 0.5,0.93 center noenhanced
+set label 1 shortened("Spectrum: ".heading, 80) at screen 0.5,0.975 center noenhanced
+set label 2 shortened(conditions, 140) at screen 0.5,0.938 center noenhanced font small
 rolling = 0    # the first run that rolls
 do for [i = 1:runs] { rolling = !rolling && of("rolls", i) ? i : rolling }
 set label 3 "Flat-top window: a circle at a steady frequency has its radius as height. Dashed: f; dotted: 2f".(rolling ? ", the whirl while rolling and f_n" : " and f_n") \
   at screen 0.5,0.03 center font small
-do for [i = 1:runs] {
-  set label (runs > 1 ? greek(of("run", i)).": " : "").said_of(i) at screen 0.5,screen 0.885 - 0.04*(i - 1) center \
-    noenhanced font small textcolor linetype i
+do for [i = 0:runs] {
+  if (i > 0) { void = fill(i) }
+  tint = i > 0 ? i : 4
+  set label (i > 0 ? cells[1] : heads[1]) at screen table_x[1],screen 0.895 - 0.035*i left noenhanced font small textcolor linetype tint
+  do for [k = 2:6] {
+    set label (i > 0 ? cells[k] : heads[k]) at screen table_x[k],screen 0.895 - 0.035*i right noenhanced font small
+  }
 }
 
 # The six decades below the largest amplitude.

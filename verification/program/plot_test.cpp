@@ -22,7 +22,7 @@ class Plot : public CommandLine {
 };
 
 // Force in kN, speed in Hz, displacement and orbit in mm of both runs extend as far in the picture
-// as in the traces; the ring is drawn around the orbit.
+// as in the traces; each run has an orbit of its own, in its ring.
 TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   ASSERT_EQ(rotor("plot \"it's.toml\"").status, 0);
   const DrawnPicture picture(content("it's.svg"));
@@ -30,17 +30,20 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   struct Panel {
     std::string column;
     double scale;
+    std::vector<std::string> runs;
     std::vector<double> clearances_mm;  ///< curves that are no run's
   };
-  const std::vector<Panel> panels = {{"normal_force_N", 1e-3, {}},
-                                     {"speed_Hz", 1, {}},
-                                     {"rho_m", 1e3, {3, 2.5}},
-                                     {"x_a_m", 1e3, {3, 2.5}}};
+  const std::string high = "high_mu", narrow = "mu's 0.1, narrow";
+  const std::vector<Panel> panels = {{"normal_force_N", 1e-3, {high, narrow}, {}},
+                                     {"speed_Hz", 1, {high, narrow}, {}},
+                                     {"rho_m", 1e3, {high, narrow}, {3, 2.5}},
+                                     {"x_a_m", 1e3, {high}, {3}},
+                                     {"x_a_m", 1e3, {narrow}, {2.5}}};
   std::size_t curve = 0;
   for (const Panel& panel : panels) {
     const Tics& axis = picture.curves.at(curve).y;
     EXPECT_EQ(pixel(axis, 1) > pixel(axis, 0), panel.column == "x_a_m") << panel.column;  // down
-    for (const std::string run : {"high_mu", "mu's 0.1, narrow"}) {
+    for (const std::string& run : panel.runs) {
       ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,
                 0);
       std::vector<double> values, heights;
@@ -69,6 +72,46 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
     }
   }
   EXPECT_EQ(curve, picture.curves.size());
+}
+
+// In ten times the time that a picture shows, curves of the same look have hardly more corners.
+// (The old picture of these runs had a megabyte.)
+TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
+  write("s.toml",
+        "[parameters]\nstart_speed_hz = 150\nuntil = 0.25\n[[run]]\nname = \"a\"\n[[run]]\n"
+        "name = \"b\"\nfriction = 0.08\n");
+  ASSERT_EQ(rotor("plot s.toml").status, 0);
+  EXPECT_LT(content("s.svg").size(), 400'000U);
+}
+
+// A title of its own, what varies and what does not, in mm; rectangles for the cells of a map, also
+// where a renderer would blend those of an image; bars at the points of an axis.
+TEST_F(Plot, SaysAndShowsWhatASweepStates) {
+  const std::string head =
+      "columns = [\"outcome\"]\n[parameters]\nequations = \"corrected\"\nstart_speed_hz = "
+      "150\nuntil = "
+      "0.01\n[[axis]]\nquantity = \"clearance\"\nfrom = 2e-3\nto = 3e-3\npoints = 3\n";
+  write("map.toml", head + "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n");
+  write("bars.toml",
+        head +
+            "[sample]\ncount = 4\nseed = 1\n[[sample.over]]\nquantity = \"eccentricity\"\n"
+            "uniform = [1e-4, 2e-4]\n");
+  for (const auto& [name, says] :
+       {std::pair("map", "corrected equations, start speed = 150 Hz, until = 0.01 s"),
+        {"bars", "4 draws of eccentricity from 0.1 to 0.2 mm; corrected equations, "}}) {
+    ASSERT_EQ(rotor(std::string("plot ") + name + ".toml").status, 0);
+    const std::string svg = content(std::string(name) + ".svg");
+    for (const std::string text : {says, "clearance, mm"})
+      EXPECT_NE(svg.find(text), std::string::npos) << text;
+    EXPECT_EQ(svg.find("<image"), std::string::npos);
+    std::size_t cells = 0;
+    for (std::size_t at = 0;
+         (at = svg.find("<polygon shape-rendering='crispEdges'", at)) != svg.npos; ++at)
+      ++cells;
+    if (name == std::string("map")) {
+      EXPECT_EQ(cells, 6U);
+    }
+  }
 }
 
 // Also where the rows of the panels alternate.
