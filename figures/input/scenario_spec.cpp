@@ -25,7 +25,32 @@ constexpr std::array alternatives = {
                    "lost mass (from the rim, opposite to the eccentricity)", nullptr, 0, true},
                   "unbalance_factor"},
     InputQuantity{{mass_loss_speed, "f_1", "Hz", "speed at the mass loss", nullptr, 0},
-                  "mass_loss_time"}};
+                  "mass_loss_time"},
+    InputQuantity{
+        {"mass_loss_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0},
+        "mass_loss_time"},
+    InputQuantity{
+        {"motor_off_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0, true},
+        "motor_off_hz"},
+    InputQuantity{
+        {"start_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0, true},
+        "start_speed_hz"}};
+
+constexpr std::string_view per_minute = "rpm", per_second = "hz";
+constexpr const char* state_one = "{} and {}: one determines the other; state one of them";
+
+/// With speeds in Hz only. Throws InputError if one is stated in both units.
+ScenarioSpec with_speeds_in_Hz(ScenarioSpec spec) {
+  for (const InputQuantity& input : alternatives)
+    if (std::string name(input.quantity.name); name.ends_with(per_minute))
+      if (auto stated = spec.numbers.extract(name)) {
+        stated.key().replace(name.size() - per_minute.size(), per_minute.size(), per_second);
+        stated.mapped() /= 60;
+        if (spec.numbers.contains(stated.key())) throw InputError(state_one, name, stated.key());
+        spec.numbers.insert(std::move(stated));
+      }
+  return spec;
+}
 
 std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
   const auto found = spec.numbers.find(name);
@@ -47,11 +72,11 @@ void state_lost_mass(Parameters& p, double lost_mass) {
 constexpr double default_rub_s = 0.25;
 
 /// The scenario; if the mass loss is stated by its speed, mass is lost at the start.
-Scenario numbers_of(const ScenarioSpec& spec) {
+Scenario numbers_of(const ScenarioSpec& stated) {
   for (const InputQuantity& s : input_quantities())
-    if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
-      throw InputError("{} and {}: one determines the other; state one of them", s.quantity.name,
-                       s.instead_of);
+    if (!s.instead_of.empty() && number(stated, s.quantity.name) && number(stated, s.instead_of))
+      throw InputError(state_one, s.quantity.name, s.instead_of);
+  const ScenarioSpec spec = with_speeds_in_Hz(stated);
   for (const auto& [quantity, instead_of] : alternatives)  // the others are checked in the scenario
     if (const auto value = number(spec, quantity.name); value && !quantity.allows(*value))
       throw InputError("{} = {}: must be {}", quantity.name, *value, quantity.range());
@@ -169,7 +194,7 @@ ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
 Scenario stated_scenario(const ScenarioSpec& spec) {
   Scenario scenario = numbers_of(spec);
   check(scenario);
-  if (const auto speed = number(spec, mass_loss_speed)) {
+  if (const auto speed = number(with_speeds_in_Hz(spec), mass_loss_speed)) {
     if (*speed < scenario.start_speed_Hz)
       throw InputError("{} = {} Hz: the run starts at {} Hz already", mass_loss_speed, *speed,
                        scenario.start_speed_Hz);

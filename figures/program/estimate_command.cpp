@@ -23,10 +23,12 @@ void estimate_rotor(const CaseOptions& options) {
     throw InputError("--no-mass-loss: the closed forms need a mass loss");
   CaseOptions stated = options;
   auto& numbers = stated.numbers.numbers;
-  if (auto at_loss = numbers.extract("mass_loss_speed_hz")) {  // reached without a run-up
-    numbers.insert_or_assign("start_speed_hz", at_loss.mapped());
-    numbers.erase("mass_loss_time");
-  }
+  for (const std::string unit : {"hz", "rpm"})
+    if (auto at_loss = numbers.extract("mass_loss_speed_" + unit)) {  // reached without a run-up
+      for (const char* replaced : {"start_speed_hz", "start_speed_rpm", "mass_loss_time"})
+        numbers.erase(replaced);
+      numbers.emplace("start_speed_" + unit, at_loss.mapped());
+    }
   auto runs = Json::array();
   RunUps none;
   const Scene scene = scene_of(stated, none);

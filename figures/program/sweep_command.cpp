@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "figures/data/files.hpp"
@@ -154,8 +156,50 @@ class Writer {
 
 int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
-std::function<Work()> workers(const Sweep& sweep) {
-  return [&sweep]() -> Work { return SweepRows(sweep); };
+/// Rows by the values of what varies, with which they begin; those have no quotes.
+using KnownRows = std::map<std::string, std::string, std::less<>>;
+
+/// What stands above the results, but for what may differ: the version, and how many draws there
+/// are.
+std::string fixed_head(std::istream& results) {
+  std::string text, line;
+  while (results.peek() == '#' && std::getline(results, line))
+    if (!line.starts_with("# rotor ") && !line.starts_with("#   count ") &&
+        line.find(" points, as this file has them") == std::string::npos)
+      text += line + '\n';
+  std::getline(results, line);  // the header row
+  return text + line;
+}
+
+/// The rows of earlier results that are no refusals. Throws InputError if another sweep has written
+/// them.
+KnownRows known_rows(const Sweep& sweep, const std::string& results) {
+  std::ifstream file(results);
+  std::istringstream wanted(sweep_head(sweep));
+  if (!file) throw InputError("--retry: {}: there are no results yet", shown(results));
+  if (fixed_head(file) != fixed_head(wanted))
+    throw InputError("--retry: {}: has results of another sweep file; only its count may differ",
+                     shown(results));
+  KnownRows known;
+  for (std::string row; std::getline(file, row);) {
+    std::size_t end = 0;
+    for (std::size_t n = sweep.quantities().size(); n > 0; --n) end = row.find(',', end) + 1;
+    if (row.ends_with(',')) known.emplace(row.substr(0, end), row + '\n');
+  }
+  print_message(fmt::format("rotor: {} rows of {} are kept", known.size(), one_line(results)));
+  return known;
+}
+
+std::function<Work()> workers(const Sweep& sweep, KnownRows known = {}) {
+  return [&sweep, known = std::move(known)]() -> Work {
+    return [&known, points = SweepPoints(sweep), rows = SweepRows(sweep)](long n) mutable {
+      std::string values;
+      if (!known.empty())
+        for (const std::string& value : points(n).values) values += value + ',';
+      const auto found = known.find(values);
+      return found == known.end() ? rows(n) : found->second;
+    };
+  };
 }
 
 void require_sense(const SweepOptions& options, const Ranks& ranks) {
@@ -167,12 +211,15 @@ void require_sense(const SweepOptions& options, const Ranks& ranks) {
         shown(options.out));
   if (ranks.count() > 1 && options.jobs > 1)
     throw InputError("--jobs: under mpirun each rank works on one core");
+  if (ranks.count() > 1 && options.retry) throw InputError("--retry: is not for mpirun");
 }
 
 void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   std::optional<Writer> writer;
+  KnownRows known;
   try {
     require_sense(options, ranks);
+    if (options.retry) known = known_rows(sweep, options.out);
     FileTransaction(options.file).open(options.out);  // errors are reported before any work
     writer.emplace(sweep, options.out);
   } catch (...) {
@@ -181,7 +228,7 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
   }
   ranks.broadcast(true);
   const int threads = ranks.count() > 1 ? 1 : options.jobs > 0 ? options.jobs : cores();
-  writer->run(threads, workers(sweep), ranks);
+  writer->run(threads, workers(sweep, std::move(known)), ranks);
   if (!writer->counts().empty())
     print_message(fmt::format("rotor: {} points: {}", sweep.points(), writer->counts()));
   say_what_is_assumed(sweep);

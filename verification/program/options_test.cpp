@@ -46,6 +46,7 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
   const Json standard = inputs(stated(short_run, true));
   for (const InputQuantity& input_quantity : input_quantities()) {
     const std::string name(input_quantity.quantity.name);
+    if (name.ends_with("_rpm")) continue;  // see the next test
     auto numbers = short_run;
     if (name == "mass_loss_speed_hz") {
       numbers.erase("mass_loss_time");
@@ -86,6 +87,33 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
       EXPECT_NEAR(by_option["speed_at_mass_loss_Hz"].get<double>(), value, 1e-9);
     }
   }
+}
+
+// As an option, in a scene, for an estimate and over an axis, 60 revolutions per minute are 1 Hz.
+TEST_F(Options, StateSpeedsInRevolutionsPerMinuteAsWell) {
+  const std::string in_Hz =
+                        " --start-speed-hz 34 --motor-off-hz 40 --mass-loss-speed-hz 35 --until 1",
+                    in_rpm =
+                        " --start-speed-rpm 2040 --motor-off-rpm 2400 --mass-loss-speed-rpm 2100 "
+                        "--until 1";
+  const Json run = summary(in_Hz);
+  EXPECT_EQ(summary(in_rpm), run);
+  write("s.toml",
+        "[parameters]\nstart_speed_rpm = 2040\nmotor_off_rpm = 2400\nmass_loss_speed_rpm = 2100\n"
+        "until = 1\n");
+  EXPECT_EQ(summary("s.toml"), run);
+  EXPECT_EQ(rotor("estimate" + in_rpm).output, rotor("estimate" + in_Hz).output);
+  write("axis.toml",
+        "columns = [\"peak_force_to_rolling_N\"]\n[parameters]\nuntil = 0.02\n[[axis]]\n"
+        "quantity = \"start_speed_rpm\"\nvalues = [9000]\n");
+  ASSERT_EQ(rotor("sweep axis.toml").status, 0);
+  EXPECT_EQ(rows_of("axis.csv").at(1),
+            fmt::format("9000,{},,", summary("--start-speed-hz 150 --until 0.02 --stop-on outcome")
+                                         .at("peak_force_to_rolling_N")
+                                         .dump()));
+  for (const char* other : {"--mass-loss-speed-hz 35", "--mass-loss-time 1"})
+    expect_refusal(std::string("run --mass-loss-speed-rpm 2100 ") + other,
+                   "one determines the other; state one of them");
 }
 
 // However it is stated, a choice is shown, and changes the run.

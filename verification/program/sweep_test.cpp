@@ -135,6 +135,36 @@ TEST_F(SweepCommand, LeavesOutWhatALawDoesNotSay) {
   }
 }
 
+// A row that is kept need not be computed again: its marks remain. Draws of a Sobol sequence are
+// added to those that are known, at each point of the axes.
+TEST_F(SweepCommand, RetriesRefusedPointsOnlyAndAddsDraws) {
+  const std::string axis = "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n",
+                    over = "[[sample.over]]\nquantity = \"mass\"\nuniform = [4, 6]\n";
+  const auto text = [&](int count) {
+    return "columns = [\"outcome\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n" + axis +
+           fmt::format("[sample]\ncount = {}\nseed = 1\n", count) + over;
+  };
+  write("s.toml", text(4));
+  expect_refusal("sweep s.toml --retry", "--retry: s.csv: there are no results yet");
+  ASSERT_EQ(rotor("sweep s.toml").status, 0);
+  const std::string first = content("s.csv");
+  shell("sed -i -e '/^0.1,/s/bouncing/freed/' -e '/^0.3,/s/bouncing,,$/,,lost/' s.csv");
+  const auto [status, output] = rotor("sweep s.toml --retry");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("rotor: 4 rows of s.csv are kept\n"), std::string::npos) << output;
+  for (const CsvRow& row : results("s.csv"))
+    EXPECT_EQ(row["outcome"], row["friction"] == "0.1" ? "freed" : "bouncing");
+  write("more.toml", text(16));
+  ASSERT_EQ(rotor("sweep more.toml").status, 0);
+  write("s.csv", first);
+  write("s.toml", text(16));
+  EXPECT_NE(rotor("sweep s.toml --retry").output.find("rotor: 8 rows of s.csv are kept\n"),
+            std::string::npos);
+  EXPECT_EQ(content("s.csv"), content("more.csv"));
+  write("s.toml", text(16) + "# another\n");
+  expect_refusal("sweep s.toml --retry", "--retry: s.csv: has results of another sweep file");
+}
+
 TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
   write("s.toml", mixed);
   for (const char* jobs : {"1", "2", "5"})
