@@ -293,7 +293,7 @@ reference: build ## data: high-precision.csv and random-runs.csv (minutes)
 
 ensembles: build ## data: ensembles.csv: claims over the rounding of inputs (minutes), or one ID
 	$(call build-target,ensembles)
-	@$(BUILD)/ensembles reference-data $(if $(ID),1000 $(call quote,$(ID)),10000)
+	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)))
 
 prove: need-deps ## data: proven.csv: the accident by ball arithmetic (minutes)
 	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))

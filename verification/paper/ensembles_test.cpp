@@ -16,6 +16,7 @@ namespace rotor {
 namespace {
 
 const std::filesystem::path data = ROTOR_REFERENCE_DATA;
+
 TEST(PopulationB, PrintsEveryConditioningNumber) {
   constexpr long count = 1000;
   const PopulationDraws draws(Population::b, data, count);
@@ -100,6 +101,7 @@ TEST(Ensembles, AreWhatRunsGive) {
               << what;
           EXPECT_NEAR(share([](double v) { return !std::isnan(v); }), s.valued, error(s.valued))
               << what;
+          EXPECT_EQ(s.draws, 1000) << what;  // as many as make ensembles draws
           const auto digits = [](double v) { return 1e-5 * std::abs(v); };  // of six
           const double half = 0.5 * s.valued, outside = 0.1 * s.valued;
           EXPECT_LE(share([&](double v) { return v < s.median - digits(s.median); }),
