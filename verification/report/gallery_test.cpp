@@ -18,11 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = ROTOR_SOURCES;
+const fs::path checkout = ROTOR_SOURCES;
 
 void expect_approved(const fs::path& file, const std::string& text) {
-  if (std::getenv("ROTOR_APPROVE")) std::ofstream(root / file, std::ios::binary) << text;
-  EXPECT_EQ(content_of(root / file), text) << file << "\nIf this is as it should be: make approve";
+  if (std::getenv("ROTOR_APPROVE")) std::ofstream(checkout / file, std::ios::binary) << text;
+  EXPECT_EQ(content_of(checkout / file), text)
+      << file << "\nIf this is as it should be: make approve";
 }
 
 /// A quoted text of YAML.
@@ -58,7 +59,7 @@ manifest:
           name + (*folder ? " EQUATIONS=corrected" : ""), figure.scene.title);
   }
   std::vector<fs::path> maps;
-  for (const auto& entry : fs::directory_iterator(root / "figures/maps"))
+  for (const auto& entry : fs::directory_iterator(checkout / "figures/maps"))
     if (entry.path().extension() == ".toml") maps.push_back(entry.path());
   std::ranges::sort(maps);
   for (const fs::path& map : maps) {
@@ -68,7 +69,7 @@ manifest:
         add(fmt::format("build/maps/{}{}.svg", name, name == "rounding" ? "" : shows), "maps",
             read_sweep(map).title);
   }
-  const std::string makefile = content_of(root / "Makefile");
+  const std::string makefile = content_of(checkout / "Makefile");
   for (const auto& [target, file, title] :
        {std::tuple("report", "build/report/claims.csv", "the verdict on each claim"),
         {"ensembles", "reference-data/ensembles.csv", "claims over the rounding of the inputs"},
@@ -80,7 +81,7 @@ manifest:
         {"reference", "reference-data/high-precision.csv", "runs in quadruple precision"}}) {
     add(file, target, title);
     EXPECT_NE(makefile.find(fmt::format("\n{}: ", target)), std::string::npos) << target;
-    EXPECT_TRUE(std::string(file).starts_with("build/") || fs::exists(root / file)) << file;
+    EXPECT_TRUE(std::string(file).starts_with("build/") || fs::exists(checkout / file)) << file;
   }
   expect_approved("codecheck.yml", text);
 }
@@ -88,7 +89,7 @@ manifest:
 TEST(ApprovedGallery, ShowsEachFigureWithItsCommandItsVerdictsAndItsNumbers) {
   const Json claims = claims_json(judged());
   const Json captions = with_numbers(
-      read_json(root / "verification/report/texts.json").at("captions"), values_json(judged()));
+      read_json(checkout / "verification/report/texts.json").at("captions"), values_json(judged()));
   std::string text = R"(# The figures
 
 Redrawn from the equations as printed and, where they change a figure, from the corrected ones; this page is written by
