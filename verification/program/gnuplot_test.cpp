@@ -162,6 +162,20 @@ TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
   }
 }
 
+// What stands above the data, or names a column, is passed to gnuplot.
+TEST_F(Gnuplot, ExecutesNothingThatADataFileSays) {
+  const std::string command = "system('touch${IFS}done')";
+  write("a.csv", "# 4 points, " + command + "\n# run'.\"" + command +
+                     "\".': equations published, mass = " + command + ", " + command +
+                     " = 5 kg, method " + command + "\ntime_s," + command + "," + command +
+                     " = 1\n0,1,2\n1,2,3\n");
+  write("a.gp", "plot data using 1:2 with lines\n");
+  const auto [status, output] =
+      shell("\"" ROTOR_SOURCES "/figures/draw.sh\" a.svg \"data = 'a.csv'; points = ''\" a.gp");
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_FALSE(fs::exists(folder_ / "done"));
+}
+
 TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
   write("a.svg", "old");
   expect_refusal("plot \"it's.toml\" --out a.jpg", "must end in .svg, .pdf or .png");
