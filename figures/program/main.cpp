@@ -196,9 +196,10 @@ void add_options(CLI::App& command, SweepOptions& options) {
       .add_flag("--dry-run", options.dry_run,
                 "print the number of points, and about how long they take")
       ->excludes(out);
-  command.add_flag("--retry", options.retry,
-                   "keep the rows of the results that are no refusals, and compute the others; the "
-                   "sweep file may have more points than it had, such as a larger count");
+  command.add_flag(
+      "--retry", options.retry,
+      "keep the rows of the results that are no refusals, and compute the others; only "
+      "the count of draws may differ from that of the results");
   command.footer(
       "Examples:\n"
       "  rotor sweep friction.toml --dry-run\n"

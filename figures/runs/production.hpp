@@ -1,4 +1,4 @@
-/// Runs what several scenes need, and no step twice: runs share what they have in common.
+/// Runs what several scenes need: runs share the steps that they have in common.
 #pragma once
 
 #include <string>
