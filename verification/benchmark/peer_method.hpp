@@ -124,8 +124,9 @@ class Odeint {
   Odeint(const Counted<Phase>& system, const State<double>& /*x*/, double tolerance)
       : system_(system),
         stepper_(boost::numeric::odeint::default_error_checker<
-                 double, boost::numeric::odeint::array_algebra,
-                 boost::numeric::odeint::default_operations>(1e-3 * tolerance, tolerance)) {}
+                     double, boost::numeric::odeint::array_algebra,
+                     boost::numeric::odeint::default_operations>(1e-3 * tolerance, tolerance),
+                 {}, unused_) {}
 
   void step(State<double>& x, double& time_s, double until_s) {
     for (int n = 0; n < 100; ++n) {
@@ -148,8 +149,12 @@ class Odeint {
   }
 
  private:
+  using Stepper = Fehlberg78<State<double>, double>;
+  // Odeint copies a stepper, and gcc warns if the arrays of that one were never set.
+  static inline const Stepper unused_;
+
   Counted<Phase> system_;
-  boost::numeric::odeint::controlled_runge_kutta<Fehlberg78<State<double>, double>> stepper_;
+  boost::numeric::odeint::controlled_runge_kutta<Stepper> stepper_;
   double step_ = first_step;
 };
 
