@@ -84,10 +84,6 @@ struct Law {
   Json (*of)(const Prediction& predicted);
 };
 
-Json json_of(const std::optional<double>& value, double unit = 1) {
-  return value && std::isfinite(*value) ? Json(*value / unit) : Json();
-}
-
 const std::vector<Law>& all_laws() {
   using P = Prediction;
   static const std::vector<Law> all = {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
 #include <type_traits>
 #include <utility>
@@ -15,8 +14,7 @@ namespace {
 
 constexpr int schema = 4;
 
-Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-Json json_of(const std::optional<double>& value) { return value ? json_of(*value) : Json(); }
+using rotor::json_of;  // of numbers
 Json json_of(Outcome outcome) { return name_of(outcome); }
 Json json_of(long count) { return count; }
 Json json_of(bool whether) { return whether; }

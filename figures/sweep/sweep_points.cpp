@@ -12,6 +12,10 @@
 namespace rotor {
 namespace {
 
+/// Computed in double alone: the same on every processor.
+using Normal = boost::math::normal_distribution<
+    double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
+
 /// A number between 0 and 1, without the ends, from 64 bits.
 double share_of(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12U) + 0.5) * std::ldexp(1., -52);
@@ -61,7 +65,7 @@ double Draw::quantile(double share) const {
     case Distribution::log_uniform:
       return a * std::pow(b / a, share);
     default:
-      return boost::math::quantile(boost::math::normal(a, b), share);
+      return boost::math::quantile(Normal(a, b), share);
   }
 }
 
