@@ -4,7 +4,7 @@ override SHELL := bash
 .SHELLFLAGS    := -eo pipefail -c
 
 FORMAT    ?= svg
-EQUATIONS ?= published
+EQUATIONS ?= both
 FIG       ?=
 POINTS    ?= 400
 SEED      ?= 1
@@ -41,7 +41,7 @@ $(foreach char,; " \ [ ] * ? < > | & ' ` ^ $(hash),$(if $(findstring $(char),$(C
 # Misspelt options are reported before anything is built.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
-$(call one_of,EQUATIONS,published consistent corrected)
+$(call one_of,EQUATIONS,both published consistent corrected)
 override EQUATIONS := $(EQUATIONS:corrected=consistent)
 NUMBERS := $(FIGURES:fig%=%)
 $(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be among: $(NUMBERS)))
@@ -49,8 +49,10 @@ whole = $(if $(shell n=$(call quote,$($(1))); [[ $$n =~ ^(0|[1-9][0-9]{0,8})$$ &
   $(1)=$($(1)): must be a whole number of at least $(2)))
 $(call whole,POINTS,20)$(call whole,SEED,0)$(call whole,HAND,0)$(call whole,COUNT,0)$(call whole,RUNS,1)
 
-# Figures of the published equations are in build/figures, others in a subfolder.
-OUT    := $(BUILD)/figures$(if $(filter-out published,$(EQUATIONS)),/$(EQUATIONS))
+# Data of each set of equations are in a folder of its own, and there a picture of it alone; one of both is above.
+OUT    := $(BUILD)/figures
+SETS   := $(if $(filter both,$(EQUATIONS)),published consistent,$(EQUATIONS))
+DRAWN  := $(OUT)$(if $(filter-out both,$(EQUATIONS)),/$(EQUATIONS))
 ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $$1 }'),$(FIGURES))
 
 # What `make deps` installs, and why.
@@ -181,30 +183,32 @@ build: program ## start: build build/rotor, and build/rotor-digits for --digits
 $(ROTOR): program
 
 figures: pictures ## start: redraw Figs. 2-17 into build/figures
-	@[ "$(FORMAT)$(FIG)" != svg ] || [ ! -e $(BUILD)/report/index.html ] || \
+	@[ "$(FORMAT)$(FIG)$(EQUATIONS)" != svgboth ] || [ ! -e $(BUILD)/report/index.html ] || \
 	  [ -z "$$(find $(OUT) -maxdepth 1 -name 'fig*.svg' -newer $(BUILD)/report/index.html)" ] || verification/report/report.sh $(BUILD)
-pictures: $(ASKED:%=$(OUT)/%.$(FORMAT))
-$(FIGURES): %: $(OUT)/%.$(FORMAT)
+pictures: $(ASKED:%=$(DRAWN)/%.$(FORMAT))
+$(FIGURES): %: $(DRAWN)/%.$(FORMAT)
 
-# One process computes all data, in a fraction of a second. Unchanged data keep their time stamp, and
+# One process computes all data of a set, in a fraction of a second. Unchanged data keep their time stamp, and
 # so their pictures are not drawn again. Removed files are made again.
 define compute_data
-	@mkdir -p $(OUT)/new && $(ROTOR) figure --out $(OUT)/new --equations $(EQUATIONS)
-	@for csv in $(OUT)/new/*.csv; do cmp -s $$csv $(OUT)/$${csv##*/} || mv $$csv $(OUT)/; done
-	@rm -rf $(OUT)/new; touch $(OUT)/.data
+	@mkdir -p $(@D)/new && $(ROTOR) figure --out $(@D)/new --equations $(notdir $(@D))
+	@for csv in $(@D)/new/*.csv; do cmp -s $$csv $(@D)/$${csv##*/} || mv $$csv $(@D)/; done
+	@rm -rf $(@D)/new; touch $(@D)/.data
 endef
-$(OUT)/.data: $(ROTOR) $(SCENES)
+$(SETS:%=$(OUT)/%/.data): $(ROTOR) $(SCENES)
 	$(compute_data)
-$(FIGURES:%=$(OUT)/%.csv): $(OUT)/.data
+$(FIGURES:%=$(OUT)/published/%.csv): $(OUT)/published/.data
+$(FIGURES:%=$(OUT)/consistent/%.csv): $(OUT)/consistent/.data
+$(foreach set,$(SETS),$(FIGURES:%=$(OUT)/$(set)/%.csv)):
 	$(if $(wildcard $@),,$(compute_data))
 
 STYLE := figures/paper/style.gp figures/paper/settings.awk
 # Points read off a printed figure, if there are any, are drawn into ours.
 DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
-$(OUT)/%.$(FORMAT): $(OUT)/%.csv figures/paper/%.gp $(STYLE) $(DIGITISED)
-	@figures/draw.sh $@ "data = '$<'; equations = '$(EQUATIONS)'; \
+$(DRAWN)/%.$(FORMAT): $(foreach set,$(SETS),$(OUT)/$(set)/%.csv) figures/paper/%.gp $(STYLE) $(DIGITISED)
+	@figures/draw.sh $@ "$(foreach set,$(SETS),data_$(set) = '$(OUT)/$(set)/$*.csv';) \
 	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" figures/paper/$*.gp
-$(OUT)/fig13.$(FORMAT) $(OUT)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
+$(DRAWN)/fig13.$(FORMAT) $(DRAWN)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
 figures/paper/%.gp:
 	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))
 
@@ -246,11 +250,9 @@ claim: build ## paper: print all that is known about one claim: make claim ID=sp
 	$(call build-target,report-numbers)
 	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
 
-# Each set of equations is drawn by its own make.
 report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## start: make the page, build/report/index.html: one file, no network
 	$(call build-target,report-page report-numbers)
-	@for set in published consistent; do \
-	  $(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=$$set; done
+	@$(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=both
 	@verification/report/report.sh $(BUILD)
 check-report: report ## code: check the page in a browser, its links and its spelling
 	@verification/report/check.sh $(BUILD)

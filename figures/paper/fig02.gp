@@ -5,26 +5,27 @@ set title caption(2, "Start-up: generalised coordinates and displacement of O", 
 stats data using (follow(column("speed_Hz"), column("time_s"), critical_Hz("run"))) nooutput
 set arrow from crossing,graph 0 to crossing,graph 1 nohead linestyle reading
 set multiplot layout 3,1 margins 0.1,0.97,0.11,0.86 spacing 0,0.05
-set xrange [0:6.5]
 set format x ""
 set ytics -1,0.5,0.5
-stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
+curves = '@each_set using "time_s":(column(its_quantity)*1e3) @layered @digitised'
 
 set ylabel "q_1, mm"
-set yrange [-1.5:0.75]
 its_quantity = "q1_m"
-plot data using "time_s":(column("q1_m")*1e3) with lines linestyle ours notitle @digitised
+plot [0:6.5] [-1.5:0.75] @curves
 unset title
 set ylabel "q_2, mm"
 its_quantity = "q2_m"
-plot data using "time_s":(column("q2_m")*1e3) with lines linestyle ours notitle @digitised
+plot [0:6.5] [-1.5:0.75] @curves
 set ylabel "ρ, mm"
 set xlabel "t, s" offset 0,0.4
 set format x "%g"
-set label sprintf("largest ρ = %.2f mm at %.2f s", rho_max_y, rho_pos_max_y) \
-  at rho_pos_max_y, rho_max_y offset 2,-0.5
 set ytics 0,0.5
-set yrange [0:1.6]
 its_quantity = "rho_m"
 set label "critical speed" at crossing,graph 0.85 right offset -0.5,0 textcolor rgb grey front
-plot data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle @digitised
+do for [set in sets] {
+  eval use(set)
+  stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
+  eval label_curve(sprintf("%s%s: largest ρ = %.2f mm at %.2f s", short_of(set), layer(set) == 21 ? " (wide)" : "", \
+    rho_max_y, rho_pos_max_y), rho_pos_max_y + 0.5, is_printed(set) ? 1.35 : 1.02, "left")
+}
+plot [0:6.5] [0:1.6] @curves

@@ -3,25 +3,34 @@
 eval "set terminal ".square
 enlarged = 5                                       # the clearance, as the title says
 set title caption(10, "Velocities in rolling along the ring without slipping", \
-  "state at the computed onset of rolling, ".friction("run").sprintf("; clearance enlarged %d times", enlarged))
+  "state at the computed onset of rolling, ".friction("run")."; picture: ".words_of(equations). \
+  sprintf(", clearance enlarged %d times", enlarged))
 r = number("run", "rotor_radius")
-
-# The state at the onset: the first row.
-stats data every ::0::0 using "time_s" name "t" nooutput
-stats data every ::0::0 using "x_a_m" name "x" nooutput
-stats data every ::0::0 using "y_a_m" name "y" nooutput
-stats data every ::0::0 using "rho_m" name "rho" nooutput
-stats data every ::0::0 using "speed_Hz" name "f" nooutput
-t = t_max; rho = rho_max; f = f_max
-f_rol = f*r/rho                                    # Eq. (26)
+eval table(0.1, 0.215, 27)
+eval row(1, "onset of rolling, s", ""); eval row(2, "displacement ρ", "3.5 mm"); eval row(3, "rotation speed f", "45 Hz")
+eval row(4, "whirl f_{rol} = f r/ρ, Eq. (26)", "771.4 Hz"); eval row(5, "velocity v_O", "16.9 m/s")
 
 # The mean whirl over the window: the sum of the angles by which O turns about O_a from row to row.
-x_1 = NaN; y_1 = NaN; turned = 0
 turn(x, y) = (turned = x_1 == x_1 ? turned + atan2(x_1*y - y_1*x, x_1*x + y_1*y) : 0, x_1 = x, y_1 = y, 0)
-stats data using (turn(column("x_a_m"), column("y_a_m"))) nooutput
-stats data using "time_s" name "window" nooutput
-length = window_max - window_min
-f_whirl = -turned/(2*pi*length)
+do for [set in from_below] {                       # so that the picture is of the first
+  eval use(set)
+  # The state at the onset: the first row.
+  stats data every ::0::0 using "time_s" name "t" nooutput
+  stats data every ::0::0 using "x_a_m" name "x" nooutput
+  stats data every ::0::0 using "y_a_m" name "y" nooutput
+  stats data every ::0::0 using "rho_m" name "rho" nooutput
+  stats data every ::0::0 using "speed_Hz" name "f" nooutput
+  rho = rho_max; f_rol = f_max*r/rho               # Eq. (26)
+  v_O = 2*pi*f_rol*rho                             # m/s, against the sense of rotation
+  x_1 = NaN; y_1 = NaN; turned = 0
+  stats data using (turn(column("x_a_m"), column("y_a_m"))) nooutput
+  stats data using "time_s" name "window" nooutput
+  length = window_max - window_min
+  eval ours_in(1, sprintf("%.5f", t_max)); eval ours_in(2, sprintf("%.3f mm", 1e3*rho))
+  eval ours_in(3, sprintf("%.2f Hz", f_max)); eval ours_in(4, sprintf("%.1f Hz", f_rol))
+  eval ours_in(5, sprintf("%.2f m/s", v_O)); eval ours_in(6, sprintf("%.1f Hz", -turned/(2*pi*length)))
+}
+eval row(6, sprintf("mean whirl of O in the next %.1f ms", 1e3*length), "")
 
 # On the page: y_a to the right, x_a downwards. Lengths in units of the ring's radius.
 drawn = enlarged*rho/(r + rho)                     # rho on the page
@@ -30,12 +39,11 @@ tx = -ny; ty = nx                                  # sense of the rotor's rotati
 Ox = drawn*nx; Oy = drawn*ny
 Kx = nx; Ky = ny
 radius = 1 - drawn
-v_O = 2*pi*f_rol*rho                               # m/s, against the sense of rotation
 u = 0.55/v_O                                       # length of an arrow per m/s
 
 set size ratio -1
 set xrange [-1.25:1.35]
-set yrange [-1.55:1.12]
+set yrange [-1.75:1.12]
 unset border; unset tics; unset grid; unset key
 set style arrow 1 linecolor rgb tint_of(equations) linewidth 2.2 filled size 0.06,18
 set style arrow 3 linecolor rgb black linewidth 1.2 filled size 0.05,18
@@ -77,11 +85,6 @@ set arrow from 1.1*cos(whirl_angle - 0.9),1.1*sin(whirl_angle - 0.9) \
   linecolor rgb black linewidth 1.6 filled size 0.06,18 front
 set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65) center front
 
-set label sprintf("onset of rolling t = %.5f s: ρ = %.3f mm, f = %.2f Hz", t, 1e3*rho, f) at 0,-1.2 center
-set label sprintf("Eq. (26): f_{rol} = f r/ρ = %.1f Hz, paper 771.4 Hz;  v_O = %.2f m/s, paper 16.9 m/s", \
-  f_rol, v_O) at 0,-1.31 center
-set label sprintf("over the next %.1f ms, in which ρ and f ripple: mean whirl of O %.1f Hz, seen from the stator", \
-  1e3*length, f_whirl) at 0,-1.42 center
 plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb black linewidth 3, \
      Ox + turning*cos(arc(begin, end - 0.2, t)),Oy + turning*sin(arc(begin, end - 0.2, t)) \
        with lines linecolor rgb black linewidth 1.6, \

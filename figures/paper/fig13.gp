@@ -1,36 +1,36 @@
-# F_n after a mass loss at a lower speed; without contact rho, which shows how far the rotor stays clear.
-stats data using "time_s":(column("normal_force_N")/1e3) name "F" nooutput
+# F_n after a mass loss at a lower speed; of a set of equations without contact rho, beside the clearance.
 stats data using "speed_Hz" name "driven" nooutput
-stats data every ::0::0 using "speed_Hz" name "f" nooutput
-set title caption(13, "Radial force F_n, ".loss("run"), \
-  friction("run").", ".stiffness("run").", ".motor("run", driven_max))
-set xrange [14.15:14.3]
+set multiplot layout words(sets),1 margins 0.08,0.97,0.1,0.83 spacing 0,0.11 \
+  title caption(13, "Radial force F_n, ".loss("run"), \
+  friction("run").", ".stiffness("run").", ".motor("run", driven_max)."; draws: of inputs that print the same")
 set xtics 14.15,0.03
-set xlabel "t, s"
-set format x "%.2f"
-set label 1 beside("speed at the mass loss", sprintf("%.1f Hz", f_max), "75 Hz") at graph 0.03,0.66 boxed front
-set label 2 beside("largest |F_n|", F_min_y < 0 ? sprintf("%.1f kN at %.4f s", -F_min_y, F_pos_min_y) : "no contact", "136 kN") \
-  at graph 0.03,0.4 boxed front
-if (F_min_y < 0) {
-  set ylabel "F_n, kN"
-  set yrange [-160:0]
-  set arrow from graph 0,first -136 to graph 1,first -136 nohead linestyle published
-  set label "dashed: paper 136 kN" at graph 0.03,first -136 offset 0,0.7 textcolor rgb grey
-  eval mark_law("run")
-  plot data using "time_s":(column("normal_force_N")/1e3) with lines linestyle ours notitle \
-    @digitised
-} else {
+do for [set in sets] {
+  eval use(set)
+  unset label; unset arrow
+  stats data using "time_s":(column("normal_force_N")/1e3) name "F" nooutput
+  stats data every ::0::0 using "speed_Hz" name "f" nooutput
   eval share_of("rolls_75", "b")
-  stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
-  set title caption(13, sprintf("No contact, so no force: displacement ρ of O, %s", loss("run")), \
-    friction("run").", ".motor("run", driven_max)."; ".dotted("run"))
-  set ylabel "ρ, mm"
-  set yrange [0:4.6]
-  set label 1 at graph 0.03,first 4.25 left
-  set label 2 at graph 0.27,first 4.25 left
-  set label 3 sprintf("{/:Bold no contact}\nρ reaches %.2f mm\nof all draws of inputs that print the same, %.0f %% roll", \
-    rho_max_y, rolls_75_b_max) at graph 0.46,first 4.25 left front
-  set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("run") nohead linestyle clearance
-  plot data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle \
-    @digitised
+  set title sprintf("{/:Bold %s: %s}; of all draws %.0f %% roll", words_of(set), \
+    F_min_y < 0 ? sprintf("largest |F_n| %.1f kN at %.4f s", -F_min_y, F_pos_min_y) : "no contact", rolls_75_b_max) \
+    textcolor rgb tint_of(set) offset 0,-0.5
+  set label sprintf("f = %.1f Hz, paper: 75 Hz", f_max) at graph 0.02,0.9 left boxed front
+  is_last = set eq word(sets, words(sets))
+  set xlabel (is_last ? "t, s" : "") offset 0,0.4; set format x (is_last ? "%.2f" : "")
+  if (F_min_y < 0) {
+    set ylabel "F_n, kN"; set ytics 50
+    set arrow from graph 0,first -136 to graph 1,first -136 nohead linestyle published
+    set label "paper: 136 kN" at graph 0.02,first -136 offset 0,0.7 textcolor rgb grey
+    eval mark_law("run")
+    plot [14.15:14.3] [-180:0] data using "time_s":(column("normal_force_N")/1e3) with lines linestyle ours notitle \
+      @digitised
+    its_run = "none"
+  } else {
+    stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
+    set ylabel "ρ, mm"; set ytics 1
+    set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("run") nohead linestyle clearance
+    set label sprintf("clearance %g mm", clearance_of("run")) at graph 0.985,first clearance_of("run") right offset 0,0.7
+    set label sprintf("largest ρ: %.2f mm", rho_max_y) at rho_pos_max_y,rho_max_y left offset 2,-0.2 boxed front
+    plot [14.15:14.3] [0:4.4] data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle \
+      @digitised
+  }
 }

@@ -1,8 +1,8 @@
 # The look of all figures. The caller sets, with gnuplot's -e:
-#   data      the figure's CSV file, columns addressed by name
 #   output    the picture
 #   format    svg, pdf or png
-#   equations published (default) or consistent
+#   data      a CSV file, columns addressed by name; of a figure of the paper instead
+#   data_published, data_consistent  its files in each set of equations, or in one of them
 #   points    files of points read off the printed figure, in its axes' units (default: none)
 # The picture is wide; for a square one a script has: eval "set terminal ".square
 
@@ -24,7 +24,6 @@ set output output
 
 # Colours that colour-blind readers can distinguish. What a run of ours shows has the colour of its equations, in all
 # figures and on the page; the paper's values are grey and dashed. `rotor plot` has a colour for each run instead.
-if (!exists("equations")) equations = "published"
 is_printed(equations) = equations eq "published"
 tint_of(equations) = is_printed(equations) ? "#0072b2" : "#b34700"
 words_of(equations) = is_printed(equations) ? "equations as printed" : "corrected equations"
@@ -38,8 +37,10 @@ set linetype 5 linecolor rgb "#cc79a7" linewidth 1.3
 set linetype 6 linecolor rgb "#56b4e9" linewidth 1.3
 set linetype 7 linecolor rgb "#e69f00" linewidth 1.3 dashtype (9, 6)
 set linetype 8 linecolor rgb "#7a0177" linewidth 1.3 dashtype (5, 6)
-ours = 10; published = 11; clearance = 12; reading = 13; fixed_steps = 14; lost = 16; law = 18
-set style line ours linecolor rgb tint_of(equations) linewidth 1.3
+published = 11; clearance = 12; reading = 13; fixed_steps = 14; lost = 16; law = 18
+set style line 10 linecolor rgb tint_of("published") linewidth 1.3
+set style line 20 linecolor rgb tint_of("consistent") linewidth 1.3
+set style line 21 linecolor rgb "#d07f4a" linewidth 3    # wide and lighter beneath the other, so also in grey
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 7)
 set style line clearance linecolor rgb black linewidth 1.2 dashtype (1, 5)
 set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
@@ -71,18 +72,14 @@ set key opaque samplen 2 spacing 1.15
 set title offset 0,0.3
 set style textbox opaque noborder margins 0.4,0.4
 
-# "Fig. N", its subject and its equations, with the parameters on a second line.
-caption(number, what, parameters) = \
-  sprintf("{/:Bold Fig. %d}  %s: {/:Bold %s}\n{/*0.85 %s}", number, what, words_of(equations), parameters)
-
-# The paper's number beside ours, for annotations.
-beside(what, ours, paper) = sprintf("{/:Bold %s}\nhere: %s\npaper: %s", what, ours, paper)
+# "Fig. N" and its subject, with the parameters on a second line.
+caption(number, what, parameters) = sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s}", number, what, parameters)
 
 # The column of one run, for scenes with several.
 of_run(name, c) = strcol("run") eq name ? column(c) : NaN
 
 # Points read off the printed figure, drawn by `plot ... @digitised`; a script may restrict them to one run
-# or quantity.
+# or quantity, or to none.
 if (!exists("points")) points = ""
 its_run = ""; its_quantity = ""
 is_wanted(wanted, c) = wanted eq "" || strcol(c) eq wanted
@@ -94,7 +91,8 @@ digitised = points eq "" ? "" : ', for [file in points] file using \
   with xyerrorbars linestyle 17 title file eq word(points, 1) ? "printed" : ""'
 
 # What settings.awk reads above the data; of the i-th run, and of the run with a name.
-if (exists("data")) { load sprintf("< awk -f '%s/../figures/paper/settings.awk' '%s'", reference_data, data) }
+read_settings(data) = sprintf("load \"< awk -f '%s/../figures/paper/settings.awk' '%s'\"", reference_data, data)
+if (exists("data")) { eval read_settings(data) }
 of(what, i) = value(sprintf("%s%d", what, i))
 its_place(run) = (sum [i = 1:known_runs] (of("run", i) eq run)*i)
 number(run, name) = of(name, its_place(run))
@@ -102,9 +100,10 @@ number(run, name) = of(name, its_place(run))
 friction_above(run, name) = number(run, "friction") > number(run, name)
 law_kN(run) = !exists(sprintf("law_peak_force_N%d", its_place(run))) ? 0 : friction_above(run, "law_whirl_friction") && \
   friction_above(run, "law_forward_friction") ? 1e-3*number(run, "law_peak_force_N") : 0
-mark_law(run) = law_kN(run) > 0 ? sprintf("set arrow 9 from graph 0,first %g to graph 1,first %g nohead linestyle law; ".\
-  "set label 9 'closed form of rolling: %.0f kN' at graph 0.985,first %g right offset 0,-0.7 textcolor rgb '#7a0177'", \
-  -law_kN(run), -law_kN(run), law_kN(run), -law_kN(run)) : "unset arrow 9; unset label 9"
+mark_law(run) = law_kN(run) == 0 ? "" : (says_law = (equations eq word(sets, 1) ? "" : says_law.", ").sprintf("%.0f kN %s", \
+  law_kN(run), short_of(equations)), sprintf("set arrow from graph 0,first %g to graph 1,first %g nohead linestyle law; ".\
+  "set label 99 'closed form of rolling: ' . says_law at graph 0.985,first %g right offset 0,-0.7 textcolor rgb '#7a0177'", \
+  -law_kN(run), -law_kN(run), -law_kN(run)))
 by_method(run) = number(run, "method") eq "rk4" ? "published method" : "event method"
 power_of_ten(x) = sprintf("%g×10^{%d}", x/10**floor(log10(x)), floor(log10(x)))
 
@@ -119,7 +118,7 @@ coordinate(run, c, t) = sprintf("stats data using (follow(of_run('%s', 'time_s')
   run, run, c, t)
 place_at(run, t, later) = coordinate(run, "y_a_m", t)."y_1 = crossing; ".coordinate(run, "x_a_m", t)."x_1 = crossing; ". \
   coordinate(run, "y_a_m", t + later)."y_2 = crossing; ".coordinate(run, "x_a_m", t + later)."x_2 = crossing"
-set style arrow 5 head filled size screen 0.022,18,90 fixed linecolor rgb black linewidth 1
+set style arrow 5 head filled size screen 0.016,18,90 fixed linecolor rgb black linewidth 1
 
 # The share, in percent, of the draws of a population (policy.md) for which a number of the claims holds: eval
 # share_of("rolls_75", "b") sets rolls_75_b_max.
@@ -151,3 +150,33 @@ clearance_of(run) = 1e3*(number(run, "stator_radius") - number(run, "rotor_radiu
 dotted(run) = sprintf("dotted: clearance r_a − r = %g mm", clearance_of(run))
 motor(run, f) = f < number(run, "motor_off_hz") ? "motor still driving" : "motor off"
 contact(run, rho_mm) = rho_mm < clearance_of(run) ? "no contact" : "contact"
+
+# The sets of equations that a figure shows, the first of its panels first, and in the order in which curves are drawn.
+sets = (exists("data_published") ? "published " : "").(exists("data_consistent") ? "consistent" : "")
+from_below = words(sets) == 2 ? "consistent published" : sets
+data_of(set) = value("data_".set)
+# plot @each_set using ... @layered: curves of which the upper ones leave the edges of the lower ones visible.
+each_set = 'for [set in from_below] data_of(set)'
+layer(set) = is_printed(set) ? 10 : words(sets) == 1 ? 20 : 21
+layered = 'with lines linestyle layer(set) notitle'
+# From here on data, equations, ours (a line style) and what is known of runs are those of one set: eval use(set).
+use(set) = sprintf("undefine law_*; equations = '%s'; data = data_%s; ours = %d; ", set, set, is_printed(set) ? 10 : 20). \
+  read_settings(data_of(set))
+if (words(sets)) { eval use(word(sets, 1)) }
+
+# The label of a curve in its equations' colour: eval label_curve(text, x, y, place).
+short_of(equations) = is_printed(equations) ? "as printed" : "corrected"
+label_curve(text, x, y, place) = sprintf("set label '%s' at %.17g,%.17g %s textcolor rgb '%s' boxed front", \
+  text, x, y, place, tint_of(equations))
+
+# A table of the paper's numbers and ours: eval table(x, y, letters) at a place of the graph, with heads of so many
+# letters; eval row(1, head, paper's number); and, in each set of equations, eval ours_in(1, number).
+cell(n, column, text, tint) = text eq "" ? "" : sprintf("set label '%s' at graph %g,graph %g right offset %g,%g textcolor rgb '%s' boxed front; ", \
+  text, table_x, table_y, table_letters + 9*column, -1.25*n, tint)
+column_of(set) = is_printed(set) || words(sets) == 1 ? 2 : 3
+head_of(set) = strstrt(sets, set) ? cell(0, column_of(set), "{/:Bold ".short_of(set)."}", tint_of(set)) : ""
+table(x, y, letters) = (table_x = x, table_y = y, table_letters = letters, \
+  cell(0, 1, "paper", grey).head_of("published").head_of("consistent"))
+row(n, head, paper) = sprintf("set label '%s' at graph %g,graph %g left offset 0,%g boxed front; ", \
+  head, table_x, table_y, -1.25*n).cell(n, 1, paper, grey)
+ours_in(n, number) = cell(n, column_of(equations), number, tint_of(equations))

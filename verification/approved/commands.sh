@@ -16,8 +16,12 @@ texts() {
     sed -E '/^[-−+0-9. ]*$/d;' | numbers | sed -E '/^N?$/d' | uniq
 }
 
-# Draws a figure as make does.
-draw() { "$sources"/figures/draw.sh $1 "data = '${1%.svg}.csv'; equations = '$2'; points = ''" "$sources/figures/paper/${1%.svg}.gp"; }
+# Draws a figure as make does: draw fig03.svg published consistent.
+draw() {
+  local svg=$1 data= set; shift
+  for set; do data="$data data_$set = '$set/${svg%.svg}.csv';"; done
+  "$sources"/figures/draw.sh $svg "$data points = ''" "$sources/figures/paper/${svg%.svg}.gp"
+}
 
 # A checkout with two figures and two maps on a simulated machine: Debian's base system with the packages
 # in $packages.

@@ -25,7 +25,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
     write(file, "#!/bin/sh\n" + text);
     fs::permissions(folder_ / file, fs::perms::owner_all);
   };
-  program("build/rotor", "mkdir -p build/figures/new; echo data > build/figures/new/fig18.csv\n");
+  program("build/rotor", "echo data > $3/fig18.csv\n");
   write("figures/paper/fig18.gp", "");
   write("figures/paper/style.gp", "");
   write("figures/paper/settings.awk", "");
@@ -37,7 +37,8 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   EXPECT_EQ(make_figure("IEND\xae\x42\x60\x82", "png").status, 0);
   EXPECT_EQ(make_figure("%%EOF", "pdf").status, 0);
   EXPECT_EQ(make_figure("</svg>").status, 0);
-  for (const char* removed : {"build/figures/fig18.csv", "build/figures/fig18.svg"}) {
+  for (const char* removed : {"build/figures/published/fig18.csv",
+                              "build/figures/consistent/fig18.csv", "build/figures/fig18.svg"}) {
     ASSERT_TRUE(fs::remove(folder_ / removed));
     EXPECT_EQ(make_figure("</svg>").status, 0) << removed;
     EXPECT_TRUE(fs::exists(folder_ / removed));

@@ -1,14 +1,14 @@
-/// The figures: pictures of both sets of equations, claims, statements of their scenes.
+/// The figures: pictures, data of both sets of equations, claims, statements of their scenes.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <regex>
 
+#include "figures/input/words.hpp"
 #include "figures/runs/scene.hpp"
 #include "verification/report/digitised.hpp"
 #include "verification/report/document.hpp"
-#include "verification/support/gallery.hpp"
 
 namespace rotor {
 namespace {
@@ -72,22 +72,24 @@ std::string inline_svg(std::string svg, const std::string& name, const std::stri
   return small + svg.substr(at);
 }
 
-Json picture_json(const Sources& sources, int figure, const std::string& equations) {
-  const std::string name = fmt::format("fig{:02}", figure);
-  const auto folder = sources.report / "figures" / equations;
-  const std::vector<FigureCurve> curves = read_curves(folder / (name + ".csv"));
-  std::string alternative = fmt::format("Fig. {}, {} equations.", figure, equations);
-  for (const FigureCurve& curve : curves) {
-    const std::string run = curve.run == "run" ? "" : ", " + curve.run;
-    alternative += fmt::format(" {}{}: {}.", curve.words, run, in_words(curve));
+/// The picture, and the data of each set of equations, with their curves in words.
+Json picture_json(const Sources& sources, const std::string& name) {
+  Json picture = {
+      {"svg", inline_svg(content_of(sources.report / "figures" / (name + ".svg")), name,
+                         name + "-says")},
+      {"svg_file", fmt::format("figures/{}.svg", name)},
+      {"data", Json::array()}};
+  for (const std::string set : {"published", "consistent"}) {
+    const std::string file = fmt::format("figures/{}/{}.csv", set, name);
+    std::string says;
+    for (const FigureCurve& curve : read_curves(sources.report / file)) {
+      const std::string run = curve.run == "run" ? "" : ", " + curve.run;
+      says += fmt::format(" {}{}: {}.", curve.words, run, in_words(curve));
+    }
+    picture["data"].push_back(
+        {{"equations", equations_in_words(set)}, {"csv_file", file}, {"says", says}});
   }
-  const std::string id = name + "-" + equations;
-  return {{"equations", equations},
-          {"id", id},
-          {"alternative", alternative},
-          {"svg", inline_svg(content_of(folder / (name + ".svg")), id, id + "-says")},
-          {"svg_file", fmt::format("figures/{}/{}.svg", equations, name)},
-          {"csv_file", fmt::format("figures/{}/{}.csv", equations, name)}};
+  return picture;
 }
 
 /// The settings with which the interactive part shows a run.
@@ -129,16 +131,13 @@ Json figures_json(const Sources& sources, const Json& claims) {
           judged.push_back(&claim);
           its_claims.push_back({{"claim", claim.at("claim")}, {"says", claim.at("says")}});
         }
-    Json pictures = Json::array({picture_json(sources, number, "published")});
-    if (is_changed_by_corrections(number))
-      pictures.push_back(picture_json(sources, number, "consistent"));
     const auto curves = read_curves(sources.report / "figures" / "published" / (name + ".csv"));
     const Json digitised = digitised_json(sources.reference_data, number, curves);
     all.push_back({{"number", std::to_string(number)},
                    {"name", name},
                    {"title", scene.title},
                    {"verdict", verdicts_json(judged)},
-                   {"pictures", pictures},
+                   {"picture", picture_json(sources, name)},
                    {"runs", runs_json(scene)},
                    {"scene", content_of(file)},
                    {"scene_file", "figures/paper/" + name + ".toml"},

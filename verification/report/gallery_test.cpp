@@ -1,7 +1,5 @@
 /// Files that list the figures for readers who build nothing: codecheck.yml and the gallery
 /// figures/paper/README.md. `make approve` writes them.
-#include "verification/support/gallery.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -54,9 +52,7 @@ manifest:
   };
   for (const Figure& figure : paper_figures()) {
     const std::string name = fmt::format("fig{:02}", figure.number);
-    for (const char* folder : {"", "consistent/"})
-      add(fmt::format("build/figures/{}{}.svg", folder, name),
-          name + (*folder ? " EQUATIONS=corrected" : ""), figure.scene.title);
+    add(fmt::format("build/figures/{}.svg", name), name, figure.scene.title);
   }
   std::vector<fs::path> maps;
   for (const auto& entry : fs::directory_iterator(checkout / "figures/maps"))
@@ -92,8 +88,8 @@ TEST(ApprovedGallery, ShowsEachFigureWithItsCommandItsVerdictsAndItsNumbers) {
       read_json(checkout / "verification/report/texts.json").at("captions"), values_json(judged()));
   std::string text = R"(# The figures
 
-Redrawn from the equations as printed and, where they change a figure, from the corrected ones; this page is written by
-`make approve`. The paper's printed curves were not available: its numbers are beside ours in the pictures.
+Redrawn from the equations as printed and from the corrected ones: in blue and in brown. This page is written by
+`make approve`. The paper's printed curves were not available: its numbers, in grey, are beside ours in the pictures.
 )";
   for (const Figure& figure : paper_figures()) {
     std::vector<const Json*> its;
@@ -106,11 +102,7 @@ Redrawn from the equations as printed and, where they change a figure, from the 
         figure.number, figure.scene.title, verdicts["as_printed"]["says"].get<std::string>(),
         its.empty() ? "" : "; corrected: " + verdicts["corrected"]["says"].get<std::string>(),
         captions.at(std::to_string(figure.number)).get<std::string>(),
-        preview_of(figure.number, Equations::published));
-    if (is_changed_by_corrections(figure.number))
-      text +=
-          fmt::format("\n`make fig{0:02} EQUATIONS=corrected`:\n\n![Fig. {0}, corrected]({1})\n",
-                      figure.number, preview_of(figure.number, Equations::consistent));
+        preview_of(figure.number));
   }
   expect_approved("figures/paper/README.md", text);
 }

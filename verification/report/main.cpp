@@ -69,8 +69,7 @@ int main(const Arguments& arguments) {
   const std::string html =
       render(content_of(room / "index.mustache.html"),
              {{"claim_rows", content_of(room / "claim_rows.mustache.html")}}, shown);
-  for (Json& figure : page["figures"])
-    for (Json& picture : figure["pictures"]) picture.erase("svg");  // they are separate files
+  for (Json& figure : page["figures"]) figure["picture"].erase("svg");  // it is a separate file
   FileTransaction files;
   files.write(out / "accident.svg", shown["stills"].get<std::string>());
   files.write(out / "index.html", html);

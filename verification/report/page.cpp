@@ -97,12 +97,7 @@ data for_page(const Json& value) {
   }
   if (value.is_array()) {
     list all;
-    bool first = true;
-    for (const Json& item : value) {
-      data one = for_page(item);
-      if (one.is_object()) one.set("is_first", std::exchange(first, false));
-      all.push_back(one);
-    }
+    for (const Json& item : value) all.push_back(for_page(item));
     return all;
   }
   if (value.is_boolean()) return value.get<bool>();

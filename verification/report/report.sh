@@ -6,11 +6,8 @@ set -euo pipefail
 build=$1 out=${2:-$1/report} kind=${3:-this-machine}
 rm -rf "$out/figures"
 mkdir -p "$out/figures/published" "$out/figures/consistent"
-for scene in figures/paper/fig[0-9][0-9].toml; do
-  figure=$(basename "$scene" .toml)
-  cp "$build/figures/$figure".{csv,svg} "$out/figures/published"
-  cp "$build/figures/consistent/$figure".{csv,svg} "$out/figures/consistent"
-done
+cp "$build"/figures/fig[0-9][0-9].svg "$out/figures"
+for set in published consistent; do cp "$build/figures/$set"/fig[0-9][0-9].csv "$out/figures/$set"; done
 # The coarse map of the first screen, made again if program or map have changed.
 map=$build/maps/page
 mkdir -p "$map"

@@ -30,6 +30,9 @@ inline std::vector<Figure> paper_figures() {
   return figures;
 }
 
+/// The picture of a figure in the gallery, figures/paper/README.md, relative to it.
+inline std::string preview_of(int figure) { return fmt::format("preview/fig{:02}.svg", figure); }
+
 class FigureFolder {
  public:
   static const FigureFolder& of(Equations equations) {

@@ -72,17 +72,17 @@ inline bool is_clipped(const std::string& group, const std::string& text,
 
 struct DrawnCurve {
   Points points;  ///< pixels
-  Tics y;
+  Tics x, y;
 };
 
 /// A picture as gnuplot's SVG has it: each grid line comes before its label, and the axes of a
-/// panel before its curves. The x axis is that of the last one. Curves of insets, which have no
-/// grid, are left out.
+/// panel before its curves. A panel without numbers at its x axis has that of the last one. Curves
+/// of insets, which have no grid, are left out.
 struct DrawnPicture {
   explicit DrawnPicture(const std::string& svg) {
-    Tics y_axis;
+    Tics panel_x, y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
-    bool in_curve = false, in_inset = false, y_is_old = false;
+    bool in_curve = false, in_inset = false, x_is_old = false, y_is_old = false;
     std::string group;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
@@ -99,8 +99,9 @@ struct DrawnPicture {
         const bool is_first = tag.size() > 21 && tag[20] == '1' && (tag[21] < '0' || tag[21] > '9');
         if (is_first) in_inset = y_is_old && !curves.empty();  // an inset has no grid
         in_curve = !in_inset;
-        y_is_old = true;
-        if (in_curve) curves.push_back({{}, y_axis});
+        if (is_first) panel_x = x_is_old ? Tics() : x;
+        if (in_curve) curves.push_back({{}, panel_x, y_axis});
+        x_is_old = y_is_old = true;
       } else if (tag.starts_with("<path")) {
         const bool is_grid =
             svg.substr(at, svg.find(" d='", at) - at).find("gridline") != std::string::npos;
@@ -115,27 +116,29 @@ struct DrawnPicture {
         squares.push_back(corners(between(at, "translate(", ")")).front());
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
+        const std::size_t fill = group.find("fill=\"") + 6;
+        colours.push_back(group.substr(fill, group.find('"', fill) - fill));
         if (is_clipped(group, texts.back(), canvas)) clipped.push_back(texts.back());
         if (line.size() >= 2 && !texts.back().empty()) {
           const double value = number_of(texts.back());
           const bool upright = line.front().first == line.back().first;
           if (!upright && std::exchange(y_is_old, false)) y_axis.clear();
-          const double at_pixel = upright ? line[0].first : line[0].second;
-          const auto known = x.find(value);
-          side_by_side |= upright && known != x.end() && std::abs(known->second - at_pixel) > 1;
-          (upright ? x : y_axis)[value] = at_pixel;
+          if (upright && std::exchange(x_is_old, false)) x.clear();
+          (upright ? x : y_axis)[value] = upright ? line[0].first : line[0].second;
         }
         line.clear();
       }
     }
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
+    for (DrawnCurve& curve : curves)
+      if (curve.x.empty()) curve.x = x;
   }
 
-  Tics x;
+  Tics x;  ///< of the last panel
   std::vector<DrawnCurve> curves;
-  bool side_by_side = false;  ///< panels with x axes of their own, of which only the last is known
-  Points squares;             ///< symbols of points that were read off, the key's included
+  Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
+  std::vector<std::string> colours;  ///< of the texts, such as rgb(0,114,178)
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
 };
 
