@@ -10,7 +10,7 @@ eval mark_instant("t_1", t_1)
 eval mark_critical("a")
 set arrow from graph 0,first clearance_of("a") to graph 1,first clearance_of("a") nohead linestyle clearance
 rho(name) = of_run(name, "rho_m")*1e3
-eval table(0.5, 0.86, 15)
+eval table(0.52, 0.86, 14)
 eval row(1, "f at t_1", sprintf("%g Hz", paper_Hz)); eval row(2, sprintf("%g Hz reached at", paper_Hz), "")
 eval row(3, "largest ρ, solid", "no contact"); eval row(4, "largest ρ, dashed", "no contact")
 do for [set in sets] {

@@ -135,11 +135,6 @@ critical_Hz(run) = sqrt(number(run, "support_stiffness")/number(run, "mass"))/(2
 mark_critical(run) = sprintf("stats data using (follow(of_run('%s', 'speed_Hz'), of_run('%s', 'time_s'), %.17g)) nooutput; ", \
   run, run, critical_Hz(run))."eval mark_instant('critical speed', crossing)"
 
-# The label of a curve of a quantity over time, where it passes a value: eval label_where(run, "speed_Hz", 1, 100, "right").
-# The sign -1 is that of a quantity that falls there.
-label_where(run, c, sign, value, place) = sprintf("stats data using (follow(%d*of_run('%s', '%s'), of_run('%s', 'time_s'), ".\
-  "%.17g)) nooutput; set label friction('%s') at crossing,%.17g %s front", sign, run, c, run, sign*value, run, value, place)
-
 # Parts of captions.
 greek(name) = name[1:3] eq "mu " ? "μ ".name[4:] : name    # of a run
 friction(run) = sprintf("μ = %g", number(run, "friction"))
@@ -149,7 +144,6 @@ loss(run) = number(run, "loses_mass") ? \
 clearance_of(run) = 1e3*(number(run, "stator_radius") - number(run, "rotor_radius"))    # mm
 dotted(run) = sprintf("dotted: clearance r_a − r = %g mm", clearance_of(run))
 motor(run, f) = f < number(run, "motor_off_hz") ? "motor still driving" : "motor off"
-contact(run, rho_mm) = rho_mm < clearance_of(run) ? "no contact" : "contact"
 
 # The sets of equations that a figure shows, the first of its panels first, and in the order in which curves are drawn.
 sets = (exists("data_published") ? "published " : "").(exists("data_consistent") ? "consistent" : "")
@@ -174,7 +168,7 @@ label_curve(text, x, y, place) = sprintf("set label '%s' at %.17g,%.17g %s textc
 cell(n, column, text, tint) = text eq "" ? "" : sprintf("set label '%s' at graph %g,graph %g right offset %g,%g textcolor rgb '%s' boxed front; ", \
   text, table_x, table_y, table_letters + 9*column, -1.25*n, tint)
 column_of(set) = is_printed(set) || words(sets) == 1 ? 2 : 3
-head_of(set) = strstrt(sets, set) ? cell(0, column_of(set), "{/:Bold ".short_of(set)."}", tint_of(set)) : ""
+head_of(set) = strstrt(sets, set) ? cell(0, column_of(set), short_of(set), tint_of(set)) : ""
 table(x, y, letters) = (table_x = x, table_y = y, table_letters = letters, \
   cell(0, 1, "paper", grey).head_of("published").head_of("consistent"))
 row(n, head, paper) = sprintf("set label '%s' at graph %g,graph %g left offset 0,%g boxed front; ", \

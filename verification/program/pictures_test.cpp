@@ -17,7 +17,7 @@
 namespace rotor {
 namespace {
 
-constexpr std::array both = {Equations::published, Equations::consistent};
+constexpr std::array sets_of_equations = {Equations::published, Equations::consistent};
 
 class Pictures : public CommandLine, public testing::WithParamInterface<Figure> {
  protected:
@@ -31,8 +31,8 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
     const auto [status, output] =
         shell(fmt::format("'{0}/../draw.sh' a.svg \"data_published = '{1}'; data_consistent = "
                           "'{2}'; points = '{3}'\" '{0}/fig{4:02}.gp' >/dev/null",
-                          ROTOR_SCENES, csv(both[0]).string(), csv(both[1]).string(), points,
-                          figure().number));
+                          ROTOR_SCENES, csv(sets_of_equations[0]).string(),
+                          csv(sets_of_equations[1]).string(), points, figure().number));
     EXPECT_EQ(status, 0);
     EXPECT_EQ(output, "");
     DrawnPicture picture(content("a.svg"));
@@ -54,7 +54,7 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
       return column.ends_with("_m") ? 1e3 : column.ends_with("_N") ? 1e-3 : 1.;
     };
     std::vector<Candidate> all;
-    for (const Equations equations : both) {
+    for (const Equations equations : sets_of_equations) {
       auto rows = read_csv(csv(equations));
       if (figure().number == 8) {  // until a fixed time after the onset of rolling
         const auto onset = std::ranges::find_if(
@@ -157,12 +157,13 @@ TEST_P(Pictures, HaveTheCurvesOfEachRunAndItsNumbers) {
       EXPECT_TRUE(picture.curves.empty() || seen.contains({is_printed, run.name}) ||
                   (run.scenario.method == Method::rk4 && !is_printed))
           << run.name;
-  for (const Equations equations : both)
+  for (const Equations equations : sets_of_equations)
     for (const std::string& number : numbers(equations)) {
       bool is_shown = false;  // and not in the colour of the other set
       for (std::size_t n = 0; n < picture.texts.size(); ++n)
         is_shown |= picture.texts[n].find(number) != std::string::npos &&
-                    picture.colours[n] != (equations == both[0] ? "rgb(179,71,0)" : "rgb(0,114,178)");
+                    picture.colours[n] !=
+                        (equations == sets_of_equations[0] ? "rgb(179,71,0)" : "rgb(0,114,178)");
       EXPECT_TRUE(is_shown) << number << ", " << name_of(equations);
     }
   if (!places.empty()) expect_points(points, places);
@@ -220,10 +221,9 @@ std::vector<std::string> Pictures::numbers(Equations equations) const {
     case 3:
       return {largest(0), largest(1), largest(2)};
     case 5:
-      return {
-          largest(0), fmt::format("at {:.4f} s", *of[0].rolling_onset_s),
-          fmt::format("{:.1f} ms", 1e3 * (*of[0].rolling_onset_s - *of[0].first_contact_s)),
-          fmt::format("{:.2f} ms", 1e3 * (*of[0].peak_time_s - *of[0].rolling_onset_s))};
+      return {largest(0), fmt::format("at {:.4f} s", *of[0].rolling_onset_s),
+              fmt::format("{:.1f} ms", 1e3 * (*of[0].rolling_onset_s - *of[0].first_contact_s)),
+              fmt::format("{:.2f} ms", 1e3 * (*of[0].peak_time_s - *of[0].rolling_onset_s))};
     case 6: {
       const auto energy = [](const Instant& at) { return kinetic_energy(at.body, at.motion()); };
       const double after = energy(events[0].first(Event::mass_loss)),
@@ -268,10 +268,8 @@ std::vector<std::string> Pictures::numbers(Equations equations) const {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Approved, Pictures,
-                         testing::ValuesIn(paper_figures()), [](const auto& of) {
-                           return fmt::format("Fig{:02}", of.param.number);
-                         });
+INSTANTIATE_TEST_SUITE_P(Approved, Pictures, testing::ValuesIn(paper_figures()),
+                         [](const auto& of) { return fmt::format("Fig{:02}", of.param.number); });
 
 }  // namespace
 }  // namespace rotor

@@ -74,11 +74,10 @@ std::string inline_svg(std::string svg, const std::string& name, const std::stri
 
 /// The picture, and the data of each set of equations, with their curves in words.
 Json picture_json(const Sources& sources, const std::string& name) {
-  Json picture = {
-      {"svg", inline_svg(content_of(sources.report / "figures" / (name + ".svg")), name,
-                         name + "-says")},
-      {"svg_file", fmt::format("figures/{}.svg", name)},
-      {"data", Json::array()}};
+  Json picture = {{"svg", inline_svg(content_of(sources.report / "figures" / (name + ".svg")), name,
+                                     name + "-says")},
+                  {"svg_file", fmt::format("figures/{}.svg", name)},
+                  {"data", Json::array()}};
   for (const std::string set : {"published", "consistent"}) {
     const std::string file = fmt::format("figures/{}/{}.csv", set, name);
     std::string says;

@@ -101,8 +101,7 @@ Redrawn from the equations as printed and from the corrected ones: in blue and i
         "\n## Fig. {0}: {1}\n\n`make fig{0:02}`. Claims: {2}{3}.\n\n{4}\n\n![Fig. {0}]({5})\n",
         figure.number, figure.scene.title, verdicts["as_printed"]["says"].get<std::string>(),
         its.empty() ? "" : "; corrected: " + verdicts["corrected"]["says"].get<std::string>(),
-        captions.at(std::to_string(figure.number)).get<std::string>(),
-        preview_of(figure.number));
+        captions.at(std::to_string(figure.number)).get<std::string>(), preview_of(figure.number));
   }
   expect_approved("figures/paper/README.md", text);
 }
