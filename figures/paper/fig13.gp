@@ -1,7 +1,7 @@
 # F_n after a mass loss at a lower speed; of a set of equations without contact rho, beside the clearance.
 stats data using "speed_Hz" name "driven" nooutput
 set multiplot layout words(sets),1 margins 0.08,0.97,0.1,0.83 spacing 0,0.11 \
-  title caption(13, "Radial force F_n, ".loss("run"), \
+  title caption(13, "Radial force F_n, without contact displacement ρ; ".loss("run"), \
   friction("run").", ".stiffness("run").", ".motor("run", driven_max)."; draws: of inputs that print the same")
 set xtics 14.15,0.03
 do for [set in sets] {
