@@ -10,7 +10,6 @@
 
 #include "figures/program/drawing.hpp"
 #include "figures/results/json.hpp"
-#include "figures/runs/production.hpp"
 #include "figures/runs/scene.hpp"
 #include "figures/sweep/sweep.hpp"
 
@@ -90,14 +89,10 @@ void estimate_rotor(const CaseOptions& options);
 /// The scene with the runs that were requested.
 Scene scene_of(const CaseOptions& options, RunUps& run_ups);
 
-struct SceneTables {
-  std::map<int, std::vector<NamedTable>> of;  ///< one table per run, by the scenes' numbers
-  ProductionCost cost;
-};
-
-/// Runs what the scenes need, nothing twice, and thins the curves. Throws Interrupted when it is
-/// interrupted, and InputError if no part of a run lies in a window or digits are requested.
-SceneTables compute_tables(const std::map<int, Scene>& scenes);
+/// One table per run, by the scenes' numbers: runs what the scenes need, and thins the curves.
+/// Throws Interrupted when it is interrupted, and InputError if no part of a run lies in a window
+/// or digits are requested.
+std::map<int, std::vector<NamedTable>> compute_tables(const std::map<int, Scene>& scenes);
 
 /// Each name and value on its own line, or as JSON.
 void print_summary(const Json& run, bool as_json, std::FILE* to);

@@ -41,16 +41,14 @@ void write_figures(const FigureOptions& options) {
     return fs::path(options.out) / fmt::format("fig{:02}.csv", number);
   };
 
-  const auto& [tables, cost] = compute_tables(scenes);
+  const auto tables = compute_tables(scenes);
   FileTransaction files;
   for (const auto& [number, scene] : scenes)
     files.write(file_of(number),
                 csv_head(fmt::format("Fig. {}: {}", number, scene.title), scene, "run") +
                     csv_rows(tables.at(number)));
   files.commit();
-  print_message(
-      fmt::format("data of {} figure(s): {} run-up(s), {} run(s) after them, {} right-hand sides",
-                  scenes.size(), cost.run_ups, cost.runs, cost.counters.right_hand_sides));
+  print_message(fmt::format("data of {} figure(s) written", scenes.size()));
 }
 
 }  // namespace rotor

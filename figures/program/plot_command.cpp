@@ -48,7 +48,7 @@ std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
 /// Force, speed, displacement and orbit.
 void plot_motion(const Scene& scene, const PlotOptions& options, const std::string& shared) {
   const Drawing drawing(options.file, options.out);
-  const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).of.at(1));
+  const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).at(1));
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
   std::string settings =

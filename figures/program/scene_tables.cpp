@@ -1,9 +1,9 @@
-#include <fmt/format.h>
 
 #include <deque>
 
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
+#include "figures/runs/production.hpp"
 
 namespace rotor {
 namespace {
@@ -13,13 +13,13 @@ constexpr long most_rows = 2'000'000;
 
 }  // namespace
 
-SceneTables compute_tables(const std::map<int, Scene>& scenes) {
-  SceneTables tables;
+std::map<int, std::vector<NamedTable>> compute_tables(const std::map<int, Scene>& scenes) {
+  std::map<int, std::vector<NamedTable>> tables;
   long rows = 0;
   std::deque<Recorder> recorders;
   std::vector<Request> requests;
   for (const auto& [number, scene] : scenes) {
-    auto& own = tables.of[number];
+    auto& own = tables[number];
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
       if (run.stated.digits)
@@ -43,9 +43,9 @@ SceneTables compute_tables(const std::map<int, Scene>& scenes) {
     }
   }
   Interruptible interruptible;
-  tables.cost = produce(std::move(requests), interruptible);
+  produce(std::move(requests), interruptible);
   if (is_interrupted()) throw Interrupted();
-  for (auto& [number, own] : tables.of)
+  for (auto& [number, own] : tables)
     for (NamedTable& table : own) {
       if (table.table.rows() == 0)
         throw InputError("{}: no part of the run \"{}\" lies in the window",

@@ -1,75 +1,55 @@
 #include "figures/runs/production.hpp"
 
 #include <algorithm>
-#include <deque>
-#include <iterator>
+#include <span>
 #include <stdexcept>
-#include <tuple>
 
 namespace rotor {
 namespace {
 
-using Requests = std::vector<Request>;
-
-bool differ_in_their_end_alone(const Scenario& a, const Scenario& b) {
-  Scenario with_that_end = a;
-  with_that_end.until = b.until;
-  return a.run_up_end() == b.run_up_end() && with_that_end == b;
-}
-
-bool share_their_run_up(const Scenario& a, const Scenario& b) {
-  return run_up_part(a) == run_up_part(b);
-}
-
-/// Removes the first request, and those whose scenarios are like its own.
-Requests take(Requests& all, bool (*are_alike)(const Scenario&, const Scenario&)) {
+/// Moves the requests whose scenarios are like the first one's to the front. Returns their number.
+std::size_t gather(std::span<Request> all, bool (*are_alike)(const Scenario&, const Scenario&)) {
   const Scenario first = all.front().scenario;
   const auto others = std::stable_partition(all.begin(), all.end(), [&](const Request& request) {
     return are_alike(first, request.scenario);
   });
-  Requests taken(std::move_iterator(all.begin()), std::move_iterator(others));
-  all.erase(all.begin(), others);
-  return taken;
+  return static_cast<std::size_t>(others - all.begin());
 }
 
-/// Runs of one run-up.
-void produce(Requests requests, Observer& monitor, ProductionCost& cost) {
-  Simulation trunk(run_up_part(requests.front().scenario));
-  for (const Request& request : requests) request.observer->on_instant(trunk.instant());
-  ++cost.run_ups;
+/// Runs of one run-up, in the order in which they leave it.
+void produce_family(std::span<Request> requests, Observer& monitor) {
+  Simulation run_up(run_up_part(requests.front().scenario));
+  for (const Request& request : requests) request.observer->on_instant(run_up.instant());
   while (!requests.empty()) {
     const Request first = requests.front();
+    ObserverGroup all = {&monitor}, of_first = {&monitor};
+    for (const Request& request : requests) all.add(*request.observer);
+    const std::size_t equal = gather(requests, [](const auto& a, const auto& b) { return a == b; });
+    for (const Request& request : requests.first(equal)) of_first.add(*request.observer);
+    requests = requests.subspan(equal);
     try {
-      ObserverGroup all = {&monitor};
-      for (const Request& request : requests) all.add(*request.observer);
-      trunk.run_up(first.scenario.run_up_end(), all);
-      std::deque<ObserverGroup> observers;
-      std::vector<RunEnding> endings;
-      for (const Request& request : take(requests, differ_in_their_end_alone))
-        endings.push_back({request.scenario.until,
-                           observers.emplace_back(ObserverGroup{&monitor, request.observer})});
-      cost.counters += trunk.with(first.scenario).finish(endings);
-      ++cost.runs;
+      run_up.run_up(first.scenario.run_up_end(), all);
+      run_up.with(first.scenario).finish(of_first);
     } catch (const std::runtime_error& error) {
       if (first.name.empty()) throw;
       throw std::runtime_error(first.name + ": " + error.what());
     }
   }
-  cost.counters += trunk.counters();
 }
 
 }  // namespace
 
-ProductionCost produce(Requests requests, Observer& monitor) {
-  // In the order in which they leave their run-up, then in the order of their ends.
-  const auto order = [](const Request& of) {
-    return std::tuple(of.scenario.run_up_end(), of.scenario.until);
-  };
-  std::stable_sort(requests.begin(), requests.end(),
-                   [&](const Request& a, const Request& b) { return order(a) < order(b); });
-  ProductionCost cost;
-  while (!requests.empty()) produce(take(requests, share_their_run_up), monitor, cost);
-  return cost;
+void produce(std::vector<Request> requests, Observer& monitor) {
+  std::stable_sort(requests.begin(), requests.end(), [](const Request& a, const Request& b) {
+    return a.scenario.run_up_end() < b.scenario.run_up_end();
+  });
+  for (std::span<Request> left = requests; !left.empty();) {
+    const std::size_t family = gather(left, [](const Scenario& a, const Scenario& b) {
+      return run_up_part(a) == run_up_part(b);
+    });
+    produce_family(left.first(family), monitor);
+    left = left.subspan(family);
+  }
 }
 
 }  // namespace rotor

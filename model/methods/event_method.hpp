@@ -69,12 +69,7 @@ class EventMethod {
   }
 
   /// Takes all whole steps that end before `until_s`, so that the steps do not depend on when other
-  /// runs branch off.
-  void approach(const S& until_s, BasicObserver<S>& observer) {
-    advance(until_s, observer, Extent::whole_steps);
-  }
-
-  /// The same, and stops before the step that touches the ring.
+  /// runs branch off, and stops before the step that touches the ring.
   void run_up(const S& until_s, BasicObserver<S>& observer) {
     advance(until_s, observer, Extent::clear_whole_steps);
   }
@@ -121,7 +116,7 @@ class EventMethod {
   using Point = rotor::Point<S, Unknowns>;
   /// Of the remaining time, in which a run with this pace would take 10^12 steps.
   static constexpr double least_progress = 1e-7;
-  enum class Extent { everything, whole_steps, clear_whole_steps };
+  enum class Extent { everything, clear_whole_steps };
 
   void advance(const S& until_s, BasicObserver<S>& observer, Extent extent) {
     while (at_.time_s < until_s && !stopped_) {

@@ -52,14 +52,10 @@ void PublishedMethod::run_up(double until_s, Observer& observer) {
     if (!take_step(step_, step_end_s(), false, observer)) break;
 }
 
-void PublishedMethod::approach(double until_s, Observer& observer) {
+void PublishedMethod::advance(double until_s, Observer& observer) {
   set_step(scenario_.step_rub);
   while (!stopped_ && step_end_s() < until_s - rounding * step_)
     take_step(step_, step_end_s(), true, observer);
-}
-
-void PublishedMethod::advance(double until_s, Observer& observer) {
-  approach(until_s, observer);
   if (stopped_) return;
   const double left = (until_s - at_.time_s) / step_;
   if (left > rounding)
@@ -108,10 +104,9 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   at_.contact = contact;
   if (state[5] >= two_pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
   observer.on_instant(at_);
-  const double angle = RotatingFrame<double>::angle(state);
   if (contact == ContactState::free)
     whirl_angle_ = 0;
-  else if (begins)
+  else if (const double angle = RotatingFrame<double>::angle(state); begins)
     whirl_angle_ = angle;
   else
     whirl_angle_ += std::remainder(angle - whirl_angle_, two_pi);

@@ -17,9 +17,6 @@ class PublishedMethod {
   /// Runs by steps of `step_rub` to `until_s`, in contact or not; the last one is shortened.
   void advance(double until_s, Observer& observer);
 
-  /// Takes the whole steps among them that end before `until_s`.
-  void approach(double until_s, Observer& observer);
-
   /// Takes whole steps of `step_run_up` that end by `until_s`, and stops before the step that
   /// touches the ring.
   void run_up(double until_s, Observer& observer);

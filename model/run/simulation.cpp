@@ -1,6 +1,5 @@
 #include "model/run/simulation.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <variant>
 
@@ -52,29 +51,8 @@ void Simulation::run_up(double until_s, Observer& observer) {
 }
 
 void Simulation::finish(Observer& observer) {
-  finish(std::array{RunEnding{state_->scenario.until, observer}});
-}
-
-Counters Simulation::finish(std::span<const RunEnding> endings) {
-  return state_->visit([&](auto& method) {
-    Scenario& scenario = state_->scenario;
-    const MassLoss<double> loss(scenario.parameters);
-    const Counters before = method.counters();
-    Counters of_branches;
-    for (; endings.size() > 1; endings = endings.subspan(1)) {
-      ObserverGroup all;
-      for (const RunEnding& ending : endings) all.add(ending.observer);
-      scenario.until = endings.front().until_s;
-      rotor::pass_mass_loss(method, scenario, loss, all);
-      if (method.instant().mass_lost) method.approach(scenario.until, all);
-      auto branch = method;
-      rotor::finish(branch, scenario, loss, endings.front().observer);
-      of_branches += branch.counters() - method.counters();
-    }
-    scenario.until = endings.front().until_s;
-    rotor::finish(method, scenario, loss, endings.front().observer);
-    return of_branches += method.counters() - before;
-  });
+  const MassLoss<double> loss(state_->scenario.parameters);
+  state_->visit([&](auto& method) { rotor::finish(method, state_->scenario, loss, observer); });
 }
 
 Simulation Simulation::with(const Scenario& scenario) const {

@@ -4,18 +4,11 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
 #include "model/scenario/counters.hpp"
 #include "model/scenario/observer.hpp"
 
 namespace rotor {
-
-/// An end of a run, and the observer of the run until then.
-struct RunEnding {
-  double until_s;
-  Observer& observer;
-};
 
 /// A run by the scenario's method, up to its present instant. A copy continues independently, so
 /// that runs which differ only later share their beginning. Throws std::runtime_error, with time
@@ -35,10 +28,6 @@ class Simulation {
 
   /// Runs to the end of the scenario.
   void finish(Observer& observer);
-
-  /// Runs to several ends after the mass loss, given in the order of their times. Each observer
-  /// sees what it would see in a separate run to its end. Returns the total cost.
-  Counters finish(std::span<const RunEnding> endings);
 
   /// The same run continued by another scenario, which must not have differed so far.
   Simulation with(const Scenario& scenario) const;

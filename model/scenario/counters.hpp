@@ -9,18 +9,6 @@ struct Counters {
   /// Evaluations of all loads in contact, Eqs. (15)-(25), in right-hand sides and in guards.
   long contact_evaluations = 0;
   long located_events = 0;
-
-  Counters& operator+=(const Counters& other) {
-    steps += other.steps;
-    right_hand_sides += other.right_hand_sides;
-    contact_evaluations += other.contact_evaluations;
-    located_events += other.located_events;
-    return *this;
-  }
-  Counters operator-(const Counters& other) const {
-    return {steps - other.steps, right_hand_sides - other.right_hand_sides,
-            contact_evaluations - other.contact_evaluations, located_events - other.located_events};
-  }
 };
 
 }  // namespace rotor

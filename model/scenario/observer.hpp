@@ -77,9 +77,6 @@ class ObserverGroup : public Observer {
   ObserverGroup(std::initializer_list<Observer*> all = {}) : all_(all) {}
 
   void add(Observer& observer) { all_.push_back(&observer); }
-  void add(const ObserverGroup& observers) {
-    all_.insert(all_.end(), observers.all_.begin(), observers.all_.end());
-  }
 
   void on_instant(const Instant& at) override {
     for (Observer* observer : all_) observer->on_instant(at);
