@@ -26,6 +26,49 @@ RunUpCheckpoint of(const Scenario& scenario, const RunUpCheckpoint& way) {
   return checkpoint;
 }
 
+/// Watches a run-up whose motor is switched off at the speed that is looked for. Stops it there, at
+/// a contact, or when the monitor does.
+class SpeedWatch : public Observer {
+ public:
+  explicit SpeedWatch(Observer& monitor) : monitor_(monitor) {}
+
+  void on_instant(const Instant& at) override {
+    if (reached.time_s || reached.touches) return;
+    reached.looked_until_s = at.time_s;
+    reached.greatest_Hz = std::max(reached.greatest_Hz, in_Hz(at.state[5]));
+    reached.touches = at.touches();
+    if (at.event == Event::motor_off) reached.time_s = at.time_s;
+  }
+  bool should_continue(const Progress& now) override {
+    if (reached.time_s || reached.touches) return false;
+    reached.greatest_Hz = std::max(reached.greatest_Hz, in_Hz(now.speed));
+    return monitor_.should_continue(now);
+  }
+
+  SpeedReached reached{};
+
+ private:
+  Observer& monitor_;
+};
+
+/// Continues a run-up to where the motor's guard finds the speed. The result does not depend on
+/// where it is continued, before that.
+SpeedReached search(const Simulation& from, Scenario run_up, double speed_Hz,
+                    std::optional<double> until_s, Observer& monitor) {
+  Parameters& p = run_up.parameters;
+  const double start_Hz = in_Hz(from.instant().state[5]);
+  constexpr double speed_rounding = 1e-12;
+  if (start_Hz >= (1 - speed_rounding) * speed_Hz)
+    return {from.instant().time_s, 0, start_Hz, false};
+  if (p.torque == 0 || !from.instant().motor_on) return {std::nullopt, 0, start_Hz, false};
+  run_up.until = until_s.value_or(2 * p.inertia * two_pi * speed_Hz / p.torque);
+  p.motor_off_Hz = std::min(p.motor_off_Hz, speed_Hz);
+  SpeedWatch watch(monitor);
+  from.with(run_up).finish(watch);
+  if (p.motor_off_Hz < speed_Hz) watch.reached.time_s = std::nullopt;
+  return watch.reached;
+}
+
 }  // namespace
 
 RunUpCheckpoint::RunUpCheckpoint(const Scenario& scenario)
@@ -87,7 +130,10 @@ RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& mo
 SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
                                    std::optional<double> until_s, Observer& monitor) {
   constexpr double ripple = 0.01;  // the speed rises, apart from this
-  std::vector<RunUpCheckpoint>& checkpoints = family(run_up_to_speed(scenario)).checkpoints;
+  Scenario run_up = scenario;
+  run_up.parameters.loses_mass = false;
+  run_up.method = Method::event;
+  std::vector<RunUpCheckpoint>& checkpoints = family(run_up).checkpoints;
   // Resistance delays the speed: a run that loses its mass there passes this checkpoint, too.
   const Parameters& p = scenario.parameters;
   const double rise_Hz = std::min(speed_Hz, p.motor_off_Hz) - scenario.start_speed_Hz;
@@ -100,11 +146,10 @@ SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
       checkpoints.begin() + 1, checkpoints.end(), [&](const RunUpCheckpoint& checkpoint) {
         return in_Hz(checkpoint.simulation.instant().state[5]) > (1 - ripple) * speed_Hz;
       });
-  const SpeedReached found =
-      rotor::time_at_speed((faster - 1)->simulation, scenario, speed_Hz, until_s, monitor);
+  const SpeedReached found = search((faster - 1)->simulation, run_up, speed_Hz, until_s, monitor);
   if (found.time_s || faster - 1 == checkpoints.begin()) return found;
   // The greatest speed may have occurred earlier.
-  return rotor::time_at_speed(checkpoints.front().simulation, scenario, speed_Hz, until_s, monitor);
+  return search(checkpoints.front().simulation, run_up, speed_Hz, until_s, monitor);
 }
 
 Scenario scenario_of(const ScenarioSpec& spec) {

@@ -3,12 +3,13 @@
 
 #include <limits>
 #include <list>
+#include <optional>
 #include <vector>
 
 #include "figures/data/interruption.hpp"
 #include "figures/input/scenario_spec.hpp"
 #include "model/results/summary.hpp"
-#include "model/run/time_at_speed.hpp"
+#include "model/run/simulation.hpp"
 
 namespace rotor {
 
@@ -27,6 +28,13 @@ struct RunUpCheckpoint {
   explicit RunUpCheckpoint(const Scenario& scenario);
 };
 
+struct SpeedReached {
+  std::optional<double> time_s;  ///< the first time, if it is reached clear of the ring
+  double looked_until_s;         ///< end of that run
+  double greatest_Hz;            ///< the greatest speed until then, if it is not reached
+  bool touches;                  ///< whether the rotor touches the ring then
+};
+
 /// Keeps checkpoints of the most recent run-ups. The memory does not depend on the number of runs.
 class RunUps {
  public:
@@ -36,7 +44,9 @@ class RunUps {
   RunUpCheckpoint checkpoint_before(const Scenario& scenario, Observer& monitor,
                                     double latest_s = std::numeric_limits<double>::infinity());
 
-  /// Like the function of the same name in model/run.
+  /// When the rotor first has a speed, by the event method, without mass loss: looked for until a
+  /// time, or for twice as long as the motor would take without any resistance. The monitor can end
+  /// the search; then nothing is found.
   SpeedReached time_at_speed(const Scenario& scenario, double speed_Hz,
                              std::optional<double> until_s, Observer& monitor);
 

@@ -9,7 +9,6 @@
 #include "figures/input/names.hpp"
 #include "figures/results/run_result.hpp"
 #include "figures/runs/run_ups.hpp"
-#include "model/run/time_at_speed.hpp"
 #include "model/scenario/instant.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"
@@ -176,7 +175,7 @@ TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
                                     {slow, 30.16081}}) {
     Observer null_observer;
     const SpeedReached found =
-        time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, null_observer);
+        RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
     ASSERT_TRUE(found.time_s) << speed_Hz;
     scenario.parameters.loses_mass = false;
     scenario.until = *found.time_s;

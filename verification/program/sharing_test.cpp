@@ -89,11 +89,18 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
     Scenario scenario{.until = 30};
     scenario.parameters.mass_loss_time = 0;
     const auto found = run_ups.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
-    const auto alone =
-        time_at_speed(Simulation(scenario), scenario, speed_Hz, std::nullopt, null_observer);
+    const auto alone = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
     EXPECT_EQ(found.time_s, alone.time_s) << speed_Hz;
     EXPECT_EQ(found.time_s.has_value(), speed_Hz < 151);
     EXPECT_EQ(found.greatest_Hz, alone.greatest_Hz) << speed_Hz;
+    Scenario run_up = scenario;
+    run_up.parameters.loses_mass = false;
+    run_up.parameters.motor_off_Hz = speed_Hz;
+    SummaryObserver summary(run_up);
+    run(run_up, summary);
+    if (found.time_s) {
+      EXPECT_EQ(found.time_s, summary.summary().motor_off_s) << speed_Hz;
+    }
     scenario.parameters.mass_loss_time = found.time_s.value_or(1);
     run_ups.checkpoint_before(scenario, null_observer);  // leaves checkpoints
   }
