@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -58,62 +59,43 @@ void Journal::open() {
 
 Journal::~Journal() { ::close(descriptor_); }
 
-/// The bytes from a place on; fewer than the most only at the end of the file.
-std::string Journal::read_at(off_t at, std::size_t most) const {
-  std::string text(most, '\0');
-  std::size_t size = 0;
-  while (size < most) {
-    const ssize_t more =
-        ::pread(descriptor_, &text[size], most - size, at + static_cast<off_t>(size));
-    if (more < 0 && errno == EINTR) continue;
-    if (more < 0) fail_by_errno("cannot be read");
-    if (more == 0) break;
-    size += static_cast<std::size_t>(more);
-  }
-  text.resize(size);
-  return text;
-}
-
-/// Reads the rows up to the first damaged one, and not more than there can be. Returns where they
-/// end.
+/// Reads the head and the rows up to the first damaged one, and not more than there can be. Returns
+/// where they end: 0 if the head is incomplete.
 template <class Take>
 off_t Journal::read_rows(const Take& take) {
-  constexpr std::size_t piece = 1U << 20U;  // much longer than a row
-  auto end = static_cast<off_t>(head_.size());
-  sum_ = sum_with(first_sum, head_);
-  for (long rows = 0; rows < most_rows_;) {
-    const std::string text = read_at(end, piece);
-    std::size_t from = 0, until = 0;
-    for (; rows < most_rows_ && (until = text.find('\n', from)) != std::string::npos;
-         from = until + 1, ++rows) {
-      const std::string line = text.substr(from, until - from);
-      const std::size_t mark = line.find(' ');
-      const std::string row = line.substr(mark == std::string::npos ? line.size() : mark + 1);
-      const std::uint64_t sum = sum_with(sum_, row);
-      if (line != line_of(sum, row)) return end + static_cast<off_t>(from);
-      sum_ = sum;
-      take(row);
-    }
-    if (from == 0) break;
-    end += static_cast<off_t>(from);
+  std::ifstream stream(path_, std::ios::binary);
+  std::string head(head_.size(), '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  if (!stream.is_open() || stream.bad()) fail_by_errno("cannot be read");
+  if (!head_.starts_with(head))
+    fail("belongs to another sweep file or version of rotor; resume with that, or remove it");
+  if (head != head_) return 0;
+  sum_ = sum_with(first_sum, head);
+  auto end = static_cast<off_t>(head.size());
+  std::string line;
+  for (long rows = 0; rows < most_rows_ && std::getline(stream, line) && !stream.eof(); ++rows) {
+    const std::size_t mark = line.find(' ');
+    const std::string row = line.substr(mark == std::string::npos ? line.size() : mark + 1);
+    const std::uint64_t sum = sum_with(sum_, row);
+    if (line != line_of(sum, row)) break;
+    sum_ = sum;
+    end += static_cast<off_t>(line.size() + 1);
+    take(row);
   }
+  if (stream.bad()) fail_by_errno("cannot be read");
   return end;
 }
 
 /// Cuts off the first damaged row and all that follows; everything, if the head is incomplete.
 void Journal::resume() {
-  const std::string beginning = read_at(0, head_.size());
-  if (!head_.starts_with(beginning))
-    fail("belongs to another sweep file or version of rotor; resume with that, or remove it");
-  const bool is_begun = beginning.size() == head_.size();
-  const off_t end = is_begun ? read_rows([&](const std::string& /*row*/) { ++rows_; }) : 0;
+  const off_t end = read_rows([&](const std::string& /*row*/) { ++rows_; });
   dropped_ = ::lseek(descriptor_, 0, SEEK_END) - end;
   if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) < 0)
     fail_by_errno();
-  if (!is_begun) {
-    sum_ = sum_with(first_sum, head_);
-    write_all(head_);
-  }
+  if (end > 0) return;
+  sum_ = sum_with(first_sum, head_);
+  write_all(head_);
 }
 
 void Journal::write(std::string_view rows) {

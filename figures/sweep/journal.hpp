@@ -38,7 +38,6 @@ class Journal {
  private:
   void open();
   void resume();
-  std::string read_at(off_t at, std::size_t most) const;
   template <class Take>
   off_t read_rows(const Take& take);
   void write_all(std::string_view text);
