@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -60,12 +59,9 @@ void remove_if_abandoned(const fs::path& draft) {
 std::string read_file(const fs::path& file, std::size_t most) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  std::string text, piece(1U << 16U, '\0');
-  for (std::streamsize size = 1; size > 0 && text.size() < most; size = stream.gcount()) {
-    stream.read(piece.data(),
-                static_cast<std::streamsize>(std::min(piece.size(), most - text.size())));
-    text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
-  }
+  std::string text(most, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (!stream.is_open() || stream.bad())
     throw std::runtime_error(
         fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));

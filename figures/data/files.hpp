@@ -11,7 +11,7 @@ namespace rotor {
 
 /// The content of a file, but not more than the given number of bytes. Throws std::runtime_error
 /// with the file and the reason.
-std::string read_file(const std::filesystem::path& file, std::size_t most = std::string::npos);
+std::string read_file(const std::filesystem::path& file, std::size_t most);
 
 /// A file that is being written. A regular file is written as a draft in the same folder, which
 /// replaces it, with its mode, on commit. Until then no existing file changes; without a commit the

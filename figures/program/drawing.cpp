@@ -138,7 +138,7 @@ void Drawing::finish(const std::string& settings, const std::string& script) con
     throw std::runtime_error("gnuplot cannot be started");
   if (status != 0) throw std::runtime_error("gnuplot did not draw the picture");
   FileTransaction files;
-  files.write(out_, read_file(file(picture_)));
+  files.write(out_, read_file(file(picture_), fs::file_size(file(picture_))));
   files.commit();
   fmt::print("{}\n", one_line(out_.string()));
 }
