@@ -17,7 +17,7 @@ namespace rotor {
 
 /// Options of several commands.
 struct CommonOptions {
-  ScenarioSpec equations_and_method;
+  ScenarioSpec stated;  ///< equations and method, and of a case also numbers
 };
 
 struct FigureOptions : CommonOptions {
@@ -45,7 +45,6 @@ struct SweepOptions {
 /// The case to run or estimate.
 struct CaseOptions : CommonOptions {
   std::string scene, run_name;
-  ScenarioSpec numbers;  ///< and whether mass is lost
   bool json = false;
 };
 

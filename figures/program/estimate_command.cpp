@@ -7,22 +7,20 @@ namespace rotor {
 
 Scene scene_of(const CaseOptions& options, RunUps& run_ups) {
   if (options.scene.empty()) {
-    const ScenarioSpec stated = options.equations_and_method.overridden_by(options.numbers);
-    const std::vector<SceneRun> runs = {{"run", scenario_of(stated, run_ups), stated}};
+    const std::vector<SceneRun> runs = {
+        {"run", scenario_of(options.stated, run_ups), options.stated}};
     return {.title = "", .window = window_about_loss(runs), .columns = {}, .runs = runs};
   }
   return read_scene(options.scene,
-                    {.of_parameters = {},
-                     .of_runs = options.equations_and_method.overridden_by(options.numbers),
-                     .run = options.run_name},
+                    {.of_parameters = {}, .of_runs = options.stated, .run = options.run_name},
                     run_ups);
 }
 
 void estimate_rotor(const CaseOptions& options) {
-  if (options.numbers.loses_mass == false)
+  if (options.stated.loses_mass == false)
     throw InputError("--no-mass-loss: the closed forms need a mass loss");
-  CaseOptions stated = options;
-  auto& numbers = stated.numbers.numbers;
+  CaseOptions at_loss_speed = options;
+  auto& numbers = at_loss_speed.stated.numbers;
   for (const std::string unit : {"hz", "rpm"})
     if (auto at_loss = numbers.extract("mass_loss_speed_" + unit)) {  // reached without a run-up
       for (const char* replaced : {"start_speed_hz", "start_speed_rpm", "mass_loss_time"})
@@ -31,7 +29,7 @@ void estimate_rotor(const CaseOptions& options) {
     }
   auto runs = Json::array();
   RunUps none;
-  const Scene scene = scene_of(stated, none);
+  const Scene scene = scene_of(at_loss_speed, none);
   for (const SceneRun& run : scene.runs) {
     Json row;
     const bool one_of_many = scene.runs.size() > 1;

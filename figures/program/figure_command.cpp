@@ -28,7 +28,7 @@ std::map<int, Scene> read_scenes(const FigureOptions& options) {
       throw InputError("figure {}: there is no {}; the figures are {}", number,
                        (fs::path(options.scenes) / fmt::format("fig{:02}.toml", number)).string(),
                        fmt::join(all, ", "));
-    scenes.emplace(number, read_scene(files.at(number), {options.equations_and_method, {}}));
+    scenes.emplace(number, read_scene(files.at(number), {options.stated, {}}));
   }
   return scenes;
 }

@@ -133,9 +133,7 @@ void add_options(CLI::App& command, CommonOptions& options) {
   for (const NamedInput& input : named_inputs())
     add_text(
         command, option_of(input.name),
-        [&options, &input](const std::string& name) {
-          input.state(options.equations_and_method, name);
-        },
+        [&options, &input](const std::string& name) { input.state(options.stated, name); },
         std::string(input.meaning))
         ->default_str(std::string(input.standard));
 }
@@ -231,7 +229,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
     CLI::Option* const added = command.add_option_function<std::string>(
         option_of(quantity.name),
         [&options, &of = quantity](const std::string& text) {
-          state_number(options.numbers, of, text);
+          state_number(options.stated, of, text);
         },
         meaning);
     added->type_name(quantity.unit.empty() ? "N" : std::string(quantity.unit))->group(heading);
@@ -244,7 +242,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
   }
   command
       .add_flag_callback(
-          "--no-mass-loss", [&options] { options.numbers.loses_mass = false; }, "no mass is lost")
+          "--no-mass-loss", [&options] { options.stated.loses_mass = false; }, "no mass is lost")
       ->group(of_loss);
   command.option_defaults()->group(of_run);
   add_options(command, static_cast<CommonOptions&>(options));
@@ -287,7 +285,7 @@ void add_options(CLI::App& command, RunOptions& options) {
   add_name(command, "--events", options.events,
            "write time, kind, state, normal force and slip of the located events to this CSV file");
   auto* digits = command.add_option_function<double>(
-      "--digits", [&options](double number) { options.numbers.digits = parse_digits(number); },
+      "--digits", [&options](double number) { options.stated.digits = parse_digits(number); },
       "significant digits of every value and event, by estimated errors, instead of --tolerance; "
       "--json adds errors and events");
   digits->check({unless_number, "", ""});

@@ -82,7 +82,7 @@ void plot(const PlotOptions& stated) {
                               options.column.empty() ? "" : "-", options.column);
   if (is_sweep(options.file)) return plot_sweep(options);
   if (!options.column.empty()) throw InputError("--column: needs a sweep; this is a scene");
-  Scene scene = read_scene(options.file, {options.equations_and_method, {}});
+  Scene scene = read_scene(options.file, {options.stated, {}});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);

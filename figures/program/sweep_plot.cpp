@@ -281,7 +281,7 @@ std::string conditions_of(const Sweep& sweep) {
 }  // namespace
 
 void plot_sweep(const PlotOptions& options) {
-  const ScenarioSpec& stated = options.equations_and_method;
+  const ScenarioSpec& stated = options.stated;
   if (options.from_s || options.until_s || options.spectrum || stated.states_equations() ||
       stated.method)
     throw InputError("{}: is a sweep; the only options for it are --out and --column",
