@@ -1,6 +1,6 @@
 # A map, published and consistent equations side by side. A script with the map's name, loaded before, defines
 # the axes; the caller sets, besides what style.gp needs:
-#   theory  the lines of closed forms, as map-theory writes them
+#   theory  what closed forms exceed, as map-theory writes it
 #   note    what tolerance.sh says of the map
 #   shows   outcome or force
 
@@ -25,9 +25,9 @@ rows_of(p) = sprintf("< awk -F, -v OFS=, '!/^#/ && n++ > %d { print $%d, $%d, $%
   p*panel, result, nth(abscissa), nth(ordinate), (p + 1)*panel, data)
 first_of(p) = sprintf("< awk '!/^#/ && (!n++ || n > %d) { print } n > %d { exit }' '%s'", 1 + p*panel, 1 + p*panel, data)
 
-# Lines on which a closed form equals the quantity it is compared with.
+# Lines on which a closed form equals the quantity it is compared with: contours of no excess. A plane without any
+# contour is drawn with each, because gnuplot refuses to draw nothing.
 forms = shows eq "force" ? 6 : 5
-array form[6] = ["greatest", "bound", "steady", "forward", "rebound", "peak"]
 array meaning[6] = ["closed forms: border of contact", "limit of possible contact", \
   "steady response reaches the ring", "limit of lasting forward rub", \
   "limit of backward whirl by rebounds", "largest force of 300 kN"]
@@ -35,7 +35,26 @@ array line[6] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linew
   "linecolor rgb blue linewidth 1.6 dashtype (2,2)", "linecolor rgb '#7a0177' linewidth 1.8 dashtype (8,3)", \
   "linecolor rgb '#006d2c' linewidth 1.8 dashtype (8,3,2,3)", "linecolor rgb '#30c0c0' linewidth 1.8"]
 array seen[6] = [0, 0, 0, 0, 0, 0]
-x_of(p, i) = column("panel") == p && strcol("line") eq form[i] ? along_x(column("x")) : NaN
+$plane << END
+0,0
+1,0
+
+0,1
+1,1
+END
+set contour base
+unset surface
+set cntrparam levels discrete 0
+do for [p = 0:2*rows - 1] {
+  do for [i = 1:forms] {
+    eval sprintf("set table $line_%d_%d", p, i)
+    splot $plane using 1:2:(1), theory index p using (along_x($1)):(along_y($2)):(column(i + 2))
+    unset table
+  }
+}
+nth_word(n) = real(word(strcol(1), n))  # a table has no commas
+unset contour
+set surface
 
 set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome within 0.5 s" : "largest normal force"). \
   "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
@@ -80,8 +99,10 @@ do for [p = 0:2*rows - 1] {
   }
   drawn = ""
   do for [i = 1:forms] {
-    if (int(system(sprintf("grep -c '^%d,%s,' '%s' || true", p, form[i], theory)))) {
-      drawn = drawn.sprintf(", theory using (x_of(%d, %d)):(along_y(column('y'))) with lines %s", p, i, line[i])
+    its = sprintf("$line_%d_%d", p, i)
+    eval sprintf("contours = sum [k = 1:|%s|] (%s[k][1:9] eq '# Contour')", its, its)
+    if (contours) {
+      drawn = drawn.sprintf(", %s using (nth_word(1)):(nth_word(2)) with lines %s", its, line[i])
       seen[i] = 1
     }
   }
