@@ -139,6 +139,17 @@ struct Supports {
         Vector<S>(impedance.x(), -impedance.y()) * (body.eccentricity / impedance.squaredNorm());
     return complex_product(force, inverse);
   }
+  /// Its derivative by the speed, e_x m w (2 k + i w d) / (k - m w^2 + i w d)^2, m s.
+  Vector<S> unbalance_response_by_speed(const Body<S>& body, const S& speed) const {
+    if (speed == 0) return {S(0), S(0)};
+    const S& stiffness = springs.linear_stiffness("the steady response to the unbalance");
+    const Vector<S> impedance(stiffness - body.mass * speed * speed, damping * speed);
+    const Vector<S> inverse =
+        Vector<S>(impedance.x(), -impedance.y()) * (1 / impedance.squaredNorm());
+    const Vector<S> driven =
+        body.eccentricity * body.mass * speed * Vector<S>(2 * stiffness, damping * speed);
+    return complex_product(driven, complex_product(inverse, inverse));
+  }
 };
 
 /// Acceleration of a body per unit of load.

@@ -123,12 +123,10 @@ class ContactChart {
 
  private:
   void centre(const S& q3, const S& alpha) {
-    using std::cos, std::sin;
     q3_ = q3;
     alpha_ = alpha;
-    const S beta = q3 + alpha;  // direction of O in the stator's frame
-    arm_ = Vector<S>(eccentricity_ * cos(alpha), -eccentricity_ * sin(alpha));
-    down_ = Vector<S>(cos(beta), -sin(beta));
+    arm_ = eccentricity_ * unit_vector<S>(-alpha);
+    down_ = unit_vector<S>(-(q3 + alpha));  // q3 + alpha: direction of O in the stator's frame
   }
 
   /// Whether the velocity of O, less the rounding of the rim's velocity, has enough digits for all

@@ -78,7 +78,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
 
   /// rho = r_a - r
   using TouchDown = End<0>;
-  S guard(TouchDown /*end*/, const Unknowns& x) const {
+  [[gnu::flatten]] S guard(TouchDown /*end*/, const Unknowns& x) const {
     const S clearance = rotor.ring.clearance;
     return clearance * clearance - chart.kinematics(x).motion.displacement.squaredNorm();
   }

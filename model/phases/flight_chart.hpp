@@ -1,13 +1,15 @@
 /// Coordinates of a rotor without contact. In the stator's frame the rotation hardly moves the mass
 /// centre, because the supports are soft; well above the critical speed only the synchronous motion
-/// is left of it, and the unknowns are the deviation from that. The axes are the stator's, turned
-/// to a recent position of the rotor's axes, so that the angle stays small.
+/// is left of it, and the unknowns are the deviation from that. A new chart subtracts the steady
+/// response alone: short flights between contacts are not worth the series. The axes are the
+/// stator's, turned to a recent position of the rotor's axes, so that the angle stays small.
 #pragma once
 
 #include <array>
 #include <cmath>
 
 #include "model/mechanics/rotating_frame.hpp"
+#include "model/mechanics/turn.hpp"
 #include "model/phases/synchronous_motion.hpp"
 
 namespace rotor {
@@ -30,14 +32,15 @@ class FlightChart {
     Motion<S> motion;
     Vector<S> direction;  ///< of the rotor's axis x
     typename Synchronous::Value synchronous;
+    Vector<S> response, response_by_speed;  ///< steady, of C, m; and its change, m s
   };
 
   FlightChart(const RotorSystem<S>& rotor, const State<S>& q)
-      : rotor_(rotor), angle_(q[2]), speed_(q[5]) {
-    using std::cos, std::sin;
-    down_ = Vector<S>(cos(angle_), -sin(angle_));
-    if (is_fast(q[5])) synchronous_ = {rotor_, q[5], down_, Synchronous::Terms::steady};
-  }
+      : rotor_(rotor),
+        angle_(q[2]),
+        speed_(q[5]),
+        down_(unit_vector<S>(-angle_)),
+        is_steady_(is_fast(q[5])) {}
 
   Unknowns unknowns(const State<S>& q) const {  // of the state at which the chart is made
     return without_synchronous(RotatingFrame<S>::motion(rotor_.body, q), S(0));
@@ -58,12 +61,18 @@ class FlightChart {
   S whirl_angle(const Unknowns& /*x*/) const { return S(0); }
 
   Kinematics kinematics(const Unknowns& x) const {
-    using std::cos, std::sin;
-    Kinematics k{};
-    k.direction = Vector<S>(cos(x[rotor_angle]), sin(x[rotor_angle]));
+    Kinematics k;  // what the rates do not need is not set
+    k.direction = unit_vector(x[rotor_angle]);
     Vector<S> position = deviation(x), velocity = deviation_rate(x);
     S speed = this->speed(x);
-    if (synchronous_.exists()) {
+    if (is_steady_) {
+      const Supports<S>& supports = rotor_.supports;
+      k.response = complex_product(supports.unbalance_response(rotor_.body, speed), k.direction);
+      k.response_by_speed =
+          complex_product(supports.unbalance_response_by_speed(rotor_.body, speed), k.direction);
+      position += k.response;
+      velocity += speed * quarter_turn(k.response);
+    } else if (synchronous_.exists()) {
       k.synchronous = synchronous_.at(k.direction, speed);
       position += k.synchronous.value(Synchronous::displacement);
       velocity += k.synchronous.value(Synchronous::velocity);
@@ -82,6 +91,13 @@ class FlightChart {
   }
 
   Unknowns rates(const Unknowns& x, const Kinematics& at, const Acceleration<S>& a) const {
+    if (is_steady_) {
+      const S w = at.motion.speed;
+      const Vector<S> drift = a.angular * at.response_by_speed;
+      const Vector<S> rate = a.mass_centre + w * w * at.response -
+                             quarter_turn<S>(a.angular * at.response + w * drift);
+      return {x[rate_x] - drift.x(), x[rate_y] - drift.y(), w, rate.x(), rate.y(), a.angular};
+    }
     if (!synchronous_.exists())
       return {x[rate_x],         x[rate_y],         at.motion.speed,
               a.mass_centre.x(), a.mass_centre.y(), a.angular};
@@ -112,27 +128,28 @@ class FlightChart {
             S(1),
             length * frequency,
             length * frequency,
-            synchronous_.is_complete() ? S(speed / 50) : speed};
+            synchronous_.exists() ? S(speed / 50) : speed};
   }
 
   /// Turns the axes to the rotor's if these have turned far away, and computes the synchronous
   /// motion again if the speed has changed much. Returns whether the rates have to be computed
   /// again.
   bool recentre(Unknowns& x) {
-    using std::cos, std::sin;
     constexpr double far = 32;  // rad; up to here the angle is rounded by some 1e-14 rad
     const bool is_near = x[rotor_angle] < far && x[rotor_angle] > -far;
     if (!is_near) {
-      const S c = cos(x[rotor_angle]), s = sin(x[rotor_angle]);
+      const Vector<S> turn = unit_vector(x[rotor_angle]);
+      const S &c = turn.x(), &s = turn.y();
       angle_ += x[rotor_angle];
-      down_ = Vector<S>(cos(angle_), -sin(angle_));
+      down_ = unit_vector<S>(-angle_);
       synchronous_.turn_axes(c, s);
       const Vector<S> position = turned(deviation(x), c, S(-s));
       const Vector<S> velocity = turned(deviation_rate(x), c, S(-s));
       x = {position.x(), position.y(), S(0), velocity.x(), velocity.y(), x[speed_change]};
     }
-    const bool holds = synchronous_.exists()
-                           ? synchronous_.holds(speed(x)) && (is_near || synchronous_.is_complete())
+    const bool holds = is_steady_ ? is_near && is_fast(speed(x))
+                       : synchronous_.exists()
+                           ? synchronous_.holds(speed(x))
                            : !is_fast(speed(x)) || (synchronous_disabled_ && is_near_where_laid(x));
     if (!holds) renew(x);
     return !is_near || !holds;
@@ -145,6 +162,11 @@ class FlightChart {
 
   /// Bounds of the synchronous motion.
   typename Synchronous::Amplitudes synchronous_amplitudes(const Unknowns& x) const {
+    using std::abs;
+    if (is_steady_) {
+      const S w = speed(x), length = rotor_.supports.unbalance_response(rotor_.body, w).norm();
+      return {length, abs(w) * length, S(0)};
+    }
     if (!synchronous_.exists()) return {S(0), S(0), S(0)};
     return synchronous_.amplitudes(speed(x));
   }
@@ -156,8 +178,8 @@ class FlightChart {
     const Kinematics at = kinematics(x);
     const S angle = this->angle(x, at);
     speed_ = at.motion.speed;
-    synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_, Synchronous::Terms::all)
-                                   : Synchronous();
+    is_steady_ = false;
+    synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_) : Synchronous();
     x = without_synchronous(at.motion, angle);
     synchronous_disabled_ =
         synchronous_.exists() && !(synchronous_.ripples_little() && is_near_where_laid(x));
@@ -174,17 +196,22 @@ class FlightChart {
 
   /// The unknowns of a motion in these axes, from which the rotor has turned by an angle.
   Unknowns without_synchronous(const Motion<S>& m, const S& angle) const {
-    using std::atan, std::cos, std::sin;
+    using std::atan;
     Vector<S> position = m.mass_centre(), velocity = m.mass_centre_velocity();
     S theta = angle, speed = m.speed;
-    if (synchronous_.exists()) {
-      auto at = synchronous_.at(Vector<S>(cos(theta), sin(theta)), speed);
+    if (is_steady_) {
+      const Vector<S> response = complex_product(
+          rotor_.supports.unbalance_response(rotor_.body, speed), unit_vector(theta));
+      position -= response;
+      velocity -= speed * quarter_turn(response);
+    } else if (synchronous_.exists()) {
+      auto at = synchronous_.at(unit_vector(theta), speed);
       for (int n = 0; n < 100; ++n) {  // gains a digit each time if the ripple is small
         const S last_theta = theta, last_speed = speed;
         theta = angle - 2 * atan(at.value.real(Synchronous::angle_ripple) / 2);
         speed = m.speed - at.value.real(Synchronous::speed_ripple);
         if (theta == last_theta && speed == last_speed) break;
-        at = synchronous_.at(Vector<S>(cos(theta), sin(theta)), speed);
+        at = synchronous_.at(unit_vector(theta), speed);
       }
       position -= at.value(Synchronous::displacement);
       velocity -= at.value(Synchronous::velocity);
@@ -212,7 +239,8 @@ class FlightChart {
   RotorSystem<S> rotor_;
   S angle_, speed_;
   Vector<S> down_;
-  Synchronous synchronous_;
+  bool is_steady_;                     ///< whether the steady response is subtracted,
+  Synchronous synchronous_;            ///< or this, if it exists
   bool synchronous_disabled_ = false;  ///< though the rotor is fast
 };
 

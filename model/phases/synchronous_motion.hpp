@@ -28,24 +28,16 @@ namespace rotor {
 template <class S>
 class SynchronousMotion {
  public:
-  enum class Terms {
-    steady,  ///< the response at a constant speed, as if gravity had no moment
-    all,
-  };
-
   /// None.
   SynchronousMotion() = default;
 
   /// About a speed, in axes in which gravity has the direction `down`.
-  SynchronousMotion(const RotorSystem<S>& rotor, const S& speed, const Vector<S>& down, Terms terms)
-      : exists_(true),
-        is_complete_(terms == Terms::all),
-        centre_(rotor.motor_on ? ahead(speed) : speed) {
+  SynchronousMotion(const RotorSystem<S>& rotor, const S& speed, const Vector<S>& down)
+      : exists_(true), centre_(rotor.motor_on ? ahead(speed) : speed) {
     expand(rotor, down);
   }
 
   bool exists() const { return exists_; }
-  bool is_complete() const { return is_complete_; }
   /// Whether the ripple of the angle in radians is less than range().
   bool ripples_little() const { return ripples_little_; }
 
@@ -74,12 +66,13 @@ class SynchronousMotion {
 
   /// All four of them, in arrays whose loops a compiler packs into registers.
   struct Vectors {
-    std::array<S, functions> x{}, y{};
+    std::array<S, functions> x, y;
 
     Vector<S> operator()(Function f) const { return {x[f], y[f]}; }
     S real(Function f) const { return x[f]; }
     friend Vectors quarter_turn(const Vectors& a) {
-      Vectors turned{.y = a.x};
+      Vectors turned;
+      turned.y = a.x;
       for (std::size_t f = 0; f < functions; ++f) turned.x[f] = -a.y[f];
       return turned;
     }
@@ -165,7 +158,7 @@ class SynchronousMotion {
       Vectors value, slope;
     };
     ValueAndSlope at(const S& x, const Vector<S>& direction) const {
-      Vectors value = terms_[Degree], slope;
+      Vectors value = terms_[Degree], slope{};
       for (std::size_t n = Degree; n-- > 0;) {
         slope.add_term(x, value);
         value.add_term(x, terms_[n]);
@@ -236,19 +229,18 @@ class SynchronousMotion {
 
     const Series force = Series::linear(e * Vector<S>(k, d * centre_), e * Vector<S>(S(0), d));
     Series A = force / impedance(1);
-    if (is_complete_)
-      add_terms(A, rounding, [&] {
-        const Series B = rate(1, A);
-        for (std::size_t j = 0; j <= degree; ++j)
-          rate.alpha[j] = e * (k * A[j].y() + d * B[j].y()) / inertia;
-        rate.alpha[0] += rotor.motor_torque() / inertia;
-        rate.alpha[0] -= d * e * e * centre_ / inertia;
-        rate.alpha[1] -= d * e * e / inertia;
-        return lacking(1, force, A);
-      });
+    add_terms(A, rounding, [&] {
+      const Series B = rate(1, A);
+      for (std::size_t j = 0; j <= degree; ++j)
+        rate.alpha[j] = e * (k * A[j].y() + d * B[j].y()) / inertia;
+      rate.alpha[0] += rotor.motor_torque() / inertia;
+      rate.alpha[0] -= d * e * e * centre_ / inertia;
+      rate.alpha[1] -= d * e * e / inertia;
+      return lacking(1, force, A);
+    });
     first_.set(displacement, A);
     first_.set(velocity, rate(1, A));
-    has_ripple_ = is_complete_ && supports.gravity != 0;
+    has_ripple_ = supports.gravity != 0;
     if (!has_ripple_) return;
 
     // Gravity's moment has an arm p e^(i n theta). Its angular acceleration makes the speed ripple,
@@ -289,7 +281,7 @@ class SynchronousMotion {
     make_ripple(2, second_, balanced ? shift : A2);
   }
 
-  bool exists_ = false, is_complete_ = false, ripples_little_ = true, has_ripple_ = false;
+  bool exists_ = false, ripples_little_ = true, has_ripple_ = false;
   S centre_{0};
   Harmonic<degree> first_;
   Harmonic<2> second_;  ///< smaller by the ripple

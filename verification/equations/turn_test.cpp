@@ -1,4 +1,4 @@
-/// Cosines and sines of small angles against those of the mathematical library.
+/// Cosines and sines against those of the mathematical library.
 #include "model/mechanics/turn.hpp"
 
 #include <gtest/gtest.h>
@@ -21,6 +21,21 @@ TEST(Turns, AreThoseOfTheMathematicalLibrary) {
       ASSERT_NEAR(cosine[i], std::cos(angle[i]), rounding) << angle[i];
       ASSERT_NEAR(sine[i] / std::sin(angle[i]), 1, rounding) << angle[i];
     }
+  }
+}
+
+// Near a zero the error is absolute: that of a quarter turn is less than 1e-20 rad.
+TEST(UnitVectors, AreThoseOfTheMathematicalLibrary) {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> any(-1100, 1100);  // rad; beyond 1000 the library is used
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  for (int n = 0; n < 100000; ++n) {
+    const double angle = n % 2 == 0 ? any(engine) : n % 1000 * std::acos(0.);
+    const Vector<double> vector = unit_vector(angle);
+    ASSERT_NEAR(vector.x(), std::cos(angle), rounding * (std::abs(std::cos(angle)) + 1e-4))
+        << angle;
+    ASSERT_NEAR(vector.y(), std::sin(angle), rounding * (std::abs(std::sin(angle)) + 1e-4))
+        << angle;
   }
 }
 
