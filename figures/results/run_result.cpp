@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
 #include "model/mechanics/contact.hpp"
 
@@ -142,14 +143,17 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
           std::nullopt, summary.reversals()};
 }
 
-Json to_json(const RunResult& result) {
+Json to_json(const RunResult& result, const std::vector<std::string>* only) {
   Json json;
+  const auto is_wanted = [&](std::string_view key) { return !only || contains(*only, key); };
   for (const auto& field : summary_fields<double>)
-    json[std::string(field.key)] =
-        !result.early.leaves_rest_open() || field.is_settled(result.summary)
-            ? std::visit([&](auto member) { return json_of(result.summary.*member); }, field.value)
-            : Json();
-  for (const Circumstance& said : circumstances()) json[std::string(said.key)] = said.value(result);
+    if (is_wanted(field.key))
+      json[std::string(field.key)] =
+          !result.early.leaves_rest_open() || field.is_settled(result.summary)
+              ? std::visit([&](auto of) { return json_of(result.summary.*of); }, field.value)
+              : Json();
+  for (const Circumstance& said : circumstances())
+    if (is_wanted(said.key)) json[std::string(said.key)] = said.value(result);
   if (result.early.interrupted) json["cut_short_at_s"] = result.summary.final_time_s;
   return json;
 }

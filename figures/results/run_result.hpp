@@ -37,8 +37,8 @@ struct RunResult {
 RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<StopOn> stop_on,
                  Observer& others);
 
-/// Null: has not happened.
-Json to_json(const RunResult& result);
+/// Null: has not happened. With `only`, the values with these keys.
+Json to_json(const RunResult& result, const std::vector<std::string>* only = nullptr);
 Json to_json(const EnergyObserver& energy);
 
 /// The JSON schema of what `rotor run --json` prints: each key, its meaning and its values.

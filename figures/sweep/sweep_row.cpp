@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "figures/data/csv.hpp"
 #include "figures/results/certified_result.hpp"
@@ -106,10 +107,13 @@ std::string SweepRows::operator()(long n) {
              limits(result_of(*found, scenario)) + ',' + csv_field(complaint(*found, *digits)) +
              '\n';
     }
-    const RunResult result =
-        finish(run_ups_.checkpoint_before(scenario, monitor), scenario, sweep_.stop_on, monitor);
+    const std::vector<std::string>& columns = result_columns(sweep_);
+    RunUpCheckpoint way = run_ups_.checkpoint_before(scenario, monitor);
+    if (!contains(columns, "peak_bearing_force_N"))
+      way.summary.ignore_maxima_of(Extreme::bearing_force);
+    const RunResult result = finish(std::move(way), scenario, sweep_.stop_on, monitor);
     if (result.early.interrupted) throw Interrupted();
-    return row + cells(to_json(result), scenario, result_columns(sweep_)) + limits(result) + ",\n";
+    return row + cells(to_json(result, &columns), scenario, columns) + limits(result) + ",\n";
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {

@@ -241,7 +241,11 @@ class BasicSummaryObserver : public BasicObserver<S> {
     watch_.note_speed(step.at(watch_.time_of_speed_s()).state[5]);
   }
 
-  S threshold(Extreme of, const S& /*from_s*/, const S& /*until_s*/) const override {
+  /// Need not locate its maxima: nobody reads what follows from them.
+  void ignore_maxima_of(Extreme of) { ignored_ = of; }
+
+  S threshold(Extreme of, const S& from_s, const S& until_s) const override {
+    if (of == ignored_) return BasicObserver<S>::threshold(of, from_s, until_s);
     switch (of) {
       case Extreme::displacement:
         return last_.mass_lost ? summary_.max_displacement_m.value_or(S(0))
@@ -352,6 +356,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
   Supports<S> supports_;
   BasicOutcomeWatch<S> watch_;
   NextMaximum<S> in_rolling_;  ///< of the normal force
+  std::optional<Extreme> ignored_;
   BasicInstant<S> last_;
   bool begun_ = false, rolls_ = false, loses_mass_ = true;
   long reversals_ = 0;

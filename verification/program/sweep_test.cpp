@@ -101,21 +101,28 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
   EXPECT_GE(outcomes.size(), 3U);
 }
 
-// The same cells as in whole rows, followed by a refusal.
+// The same cells as in whole rows, followed by a refusal. Maxima that no column shows are not
+// located.
 TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
   const std::string axis = "[[axis]]\nquantity = \"start_speed_hz\"\nvalues = [10, 150]\n";
   write("whole.toml", "[parameters]\nclearance = 1e-3\n" + axis);
-  write("part.toml", "columns = [\"touch_downs\", \"outcome\"]\n" + content("whole.toml"));
+  const std::string columns = "touch_downs,outcome,peak_force_to_rolling_N,right_hand_sides";
+  write("part.toml",
+        "columns = [\"touch_downs\", \"outcome\", \"peak_force_to_rolling_N\", "
+        "\"right_hand_sides\"]\n" +
+            content("whole.toml"));
   ASSERT_EQ(rotor("sweep whole.toml --out whole.csv").status, 0);
   ASSERT_EQ(rotor("sweep part.toml --out part.csv").status, 0);
-  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz,touch_downs,outcome,remarks,refusal");
+  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz," + columns + ",remarks,refusal");
   const auto whole = results("whole.csv"), part = results("part.csv");
   ASSERT_EQ(part.size(), 2U);
   for (std::size_t n = 0; n < part.size(); ++n)
-    for (const char* column : {"start_speed_hz", "touch_downs", "outcome", "refusal"})
+    for (const char* column :
+         {"start_speed_hz", "touch_downs", "outcome", "peak_force_to_rolling_N", "refusal"})
       EXPECT_EQ(part[n][column], whole[n][column]) << column;
   EXPECT_NE(part[0]["refusal"], "");
   EXPECT_EQ(part[1]["outcome"], "rolling");
+  EXPECT_LT(std::stol(part[1]["right_hand_sides"]), std::stol(whole[1]["right_hand_sides"]));
 }
 
 // Without stiffness the supports do not vibrate, as the closed forms assume.
