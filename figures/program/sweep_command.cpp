@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -159,27 +160,28 @@ int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurr
 /// Rows by the values of what varies, with which they begin; those have no quotes.
 using KnownRows = std::map<std::string, std::string, std::less<>>;
 
-/// What stands above the results, but for what may differ: the version, and how many draws there
-/// are.
+/// What is above the results, without what may differ: how many draws there are.
 std::string fixed_head(std::istream& results) {
   std::string text, line;
   while (results.peek() == '#' && std::getline(results, line))
-    if (!line.starts_with("# rotor ") && !line.starts_with("#   count ") &&
+    if (!std::regex_match(line, std::regex(R"(#\s+count\s*=.*)")) &&
         line.find(" points, as this file has them") == std::string::npos)
       text += line + '\n';
   std::getline(results, line);  // the header row
   return text + line;
 }
 
-/// The rows of earlier results that are no refusals. Throws InputError if another sweep has written
-/// them.
+/// The rows of earlier results that are no refusals. Throws InputError if another sweep or version
+/// has written them.
 KnownRows known_rows(const Sweep& sweep, const std::string& results) {
   std::ifstream file(results);
   std::istringstream wanted(sweep_head(sweep));
   if (!file) throw InputError("--retry: {}: there are no results yet", shown(results));
   if (fixed_head(file) != fixed_head(wanted))
-    throw InputError("--retry: {}: has results of another sweep file; only its count may differ",
-                     shown(results));
+    throw InputError(
+        "--retry: {}: has results of another sweep file or version of rotor; only the count of "
+        "draws may differ; without --retry all points are computed anew",
+        shown(results));
   KnownRows known;
   for (std::string row; std::getline(file, row);) {
     std::size_t end = 0;
