@@ -33,21 +33,22 @@ void print_values(const Json& object, int digits, std::FILE* to, const std::stri
 
 /// Several runs, one row each.
 void print_table(const Json& runs, std::FILE* to) {
-  const auto keys = {"run",
-                     "outcome",
-                     "touch_downs",
-                     "first_contact_s",
-                     "rolling_onset_s",
-                     "peak_normal_force_N",
-                     "final_speed_Hz"};
+  const std::vector<std::pair<const char*, const char*>> columns = {
+      {"run", "run"},
+      {"outcome", "outcome"},
+      {"touch_downs", "touch-downs"},
+      {"first_contact_s", "contact, s"},
+      {"rolling_onset_s", "rolling, s"},
+      {"peak_normal_force_N", "force, N"},
+      {"final_speed_Hz", "f at end, Hz"}};
   std::vector<std::string> lines(runs.size() + 1);
-  for (const char* key : keys) {
-    std::vector<std::string> cells = {key};
+  for (const auto& [key, label] : columns) {
+    std::vector<std::string> cells = {label};
     for (const Json& run : runs) cells.push_back(text_of(run.at(key), asked_digits(run)));
     std::size_t width = 0;
     for (const std::string& cell : cells) width = std::max(width, cell.size());
     for (std::size_t n = 0; n < cells.size(); ++n)
-      lines[n] += fmt::format("{:<{}}", cells[n], key == *(keys.end() - 1) ? 0 : width + 2);
+      lines[n] += fmt::format("{:<{}}", cells[n], key == columns.back().first ? 0 : width + 2);
   }
   for (const std::string& line : lines) fmt::print(to, "{}\n", line);
 }
@@ -60,7 +61,9 @@ std::string in_unit(double value, double of_unit, const char* unit) {
 std::string force(double newtons) {
   return std::abs(newtons) < 1000 ? in_unit(newtons, 1, "N") : in_unit(newtons, 1e3, "kN");
 }
-std::string milliseconds(double seconds) { return in_unit(seconds, 1e-3, "ms"); }
+std::string elapsed(double seconds) {
+  return std::abs(seconds) < 1 ? in_unit(seconds, 1e-3, "ms") : in_unit(seconds, 1, "s");
+}
 std::string millimetres(double metres) { return in_unit(metres, 1e-3, "mm"); }
 std::string hertz(double value) { return in_unit(value, 1, "Hz"); }
 
@@ -74,13 +77,13 @@ std::string outcome_of(const Json& run) {
   using enum Outcome;
   switch (outcome) {
     case rolling:
-      return fmt::format("The rotor rolls on the ring from {} after the first contact on, at {}",
-                         milliseconds(number("rolling_onset_s") - number("first_contact_s")),
+      return fmt::format("The rotor comes to roll on the ring {} after the first contact, at {}",
+                         elapsed(number("rolling_onset_s") - number("first_contact_s")),
                          hertz(number("rolling_onset_speed_Hz")));
     case sliding:
       return "The rotor slides along the ring";
     case stalled:
-      return "The rotor stalls near its critical speed";
+      return "The rotor stalls below 1.5 times its critical speed";
     case freed:
       return fmt::format("The rotor touches the ring {} and comes free", times);
     case bouncing:
@@ -115,9 +118,9 @@ void print_summary(const Json& run, bool as_json, std::FILE* to) {
 
 void print_brief(const Json& run, std::FILE* to) {
   const double loss_s = run.at("inputs").at("mass_loss_time").get<double>();
-  const bool loses = run.at("mass_loss_reached").get<bool>();
+  const bool loses = run.at("mass_loss_reached") == true;  // may be open
   const auto instant = [&](double time_s) {
-    return loses && time_s >= loss_s ? milliseconds(time_s - loss_s) + " after the mass loss"
+    return loses && time_s >= loss_s ? elapsed(time_s - loss_s) + " after the mass loss"
                                      : in_unit(time_s, 1, "s");
   };
   const auto ratio = [](double value) { return fmt::format("{:.4g}", value); };
@@ -136,14 +139,17 @@ void print_brief(const Json& run, std::FILE* to) {
                                  {"  at", "peak_time_s", instant},
                                  {"largest displacement", "max_displacement_m", millimetres},
                                  {"largest force on the bearings", "peak_bearing_force_N", force},
-                                 {"mean whirl while rolling", "whirl_frequency_Hz", hertz},
+                                 {"mean whirl in the last rolling", "whirl_frequency_Hz", hertz},
                                  {"end of rolling", "rolling_until_s", instant},
                                  {"end of the run", "final_time_s", instant},
                                  {"  rotation speed", "final_speed_Hz", hertz}};
   const Json& whole = run.at("peak_normal_force_N");  // empty in a run that stops early
   const Json& peak = whole.is_null() ? run.at("peak_force_to_rolling_N") : whole;
   fmt::print(to, "{}{}.\n", outcome_of(run),
-             peak.is_null() ? "" : "; largest normal force " + force(peak.get<double>()));
+             peak.is_null()
+                 ? ""
+                 : fmt::format("; largest normal force {}{}", whole.is_null() ? "so far " : "",
+                               force(peak.get<double>())));
   for (const Json& remark : run.at("remarks"))
     fmt::print(to, "Note: {}.\n", remark.get<std::string>());
   fmt::print(to, "\n");

@@ -28,13 +28,16 @@ bool allows(const Json& property, const Json& value) {
   return is_in(types, value.is_number() ? "number" : value.type_name());
 }
 
+// And for a person, whatever a run that stops early leaves open.
 TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
   const Json schema = Json::parse(rotor("run --json-schema").output);
   for (const char* arguments :
        {"", "--until 0.5 --no-mass-loss", "--method rk4 --until 0.01", "--stop-on rolling",
-        "--until 31 --tolerance 1e-8", "--estimate-error", "--energy",
+        "--stop-on outcome", "--until 0.5 --stop-on outcome", "--until 31 --tolerance 1e-8",
+        "--estimate-error", "--energy",
         "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 --digits 6"}) {
     const Json printed = summary(arguments);
+    EXPECT_EQ(rotor(std::string("run ") + arguments).status, 0) << arguments;
     for (const auto& key : schema["required"]) EXPECT_TRUE(printed.contains(key)) << key;
     for (const auto& [key, value] : printed.items()) {
       ASSERT_TRUE(schema["properties"].contains(key)) << key;
