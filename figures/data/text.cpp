@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numeric>
+#include <sstream>
 
 namespace rotor {
 namespace {
@@ -85,16 +86,24 @@ std::string unless_number(const std::string& text) {
 
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names) {
   constexpr std::size_t longest = 60;
-  if (mistyped.size() > longest || names.empty()) return "";
-  const auto how_far = [&](const std::string& name) {
-    const bool abbreviated = mistyped.size() > 3 && name.find(mistyped) != std::string::npos;
-    return abbreviated ? 1 : distance(mistyped, name);
-  };
-  const auto nearest =
-      std::min_element(names.begin(), names.end(),
-                       [&](const auto& a, const auto& b) { return how_far(a) < how_far(b); });
-  const bool is_near = how_far(*nearest) <= std::max<std::size_t>(2, mistyped.size() / 3);
-  return is_near ? fmt::format("; did you mean {}?", *nearest) : "";
+  if (mistyped.empty() || mistyped.size() > longest || names.empty()) return "";
+  // A part of a name, without the dashes of an option, or else a slip.
+  const std::string_view part =
+      mistyped.substr(std::min(mistyped.find_first_not_of('-'), mistyped.size()));
+  constexpr std::size_t short_part = 2, most = 4;
+  std::vector<std::string> meant;
+  if (part.size() > short_part)
+    std::copy_if(names.begin(), names.end(), std::back_inserter(meant),
+                 [&](const auto& name) { return name.find(part) != std::string::npos; });
+  if (meant.empty() || meant.size() > most) {
+    meant = {*std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+      return distance(mistyped, a) < distance(mistyped, b);
+    })};
+    const std::size_t size = mistyped.size(), near = std::max<std::size_t>(2, size / 3);
+    if (distance(mistyped, meant[0]) > std::min(near, size - 1))
+      return "";  // of one letter all are
+  }
+  return fmt::format("; did you mean {}?", fmt::join(meant, " or "));
 }
 
 std::string choices(std::string_view mistyped, const std::vector<std::string>& names,
@@ -103,6 +112,18 @@ std::string choices(std::string_view mistyped, const std::vector<std::string>& n
   if (std::string meant = suggestion(mistyped, names); !meant.empty()) return meant;
   return names.size() > most ? fmt::format("; {}", many)
                              : fmt::format("; there are: {}", fmt::join(names, ", "));
+}
+
+std::string wrapped(std::string text, const std::string& meaning, std::size_t most) {
+  const std::size_t indent = text.size();
+  std::istringstream words(meaning);
+  std::size_t used = indent;
+  for (std::string word; words >> word; used += 1 + word.size(), text += ' ' + word)
+    if (used + 1 + word.size() > most) {
+      text += '\n' + std::string(indent, ' ');
+      used = indent;
+    }
+  return text + '\n';
 }
 
 std::string duration(double seconds) {

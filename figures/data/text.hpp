@@ -25,7 +25,8 @@ std::optional<double> number_in(const std::string& text);
 /// An error message for a text that is not a number; empty for a number.
 std::string unless_number(const std::string& text);
 
-/// "; did you mean NAME?" if one of the names was probably meant; otherwise empty.
+/// "; did you mean NAME?" if one of the names was probably meant, or some of which it is a part;
+/// otherwise empty.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
 /// The same, but otherwise "; there are: " and all names, or "; " and what lists them if they are
 /// many.
@@ -37,6 +38,9 @@ template <class Values, class Value>
 bool contains(const Values& values, const Value& value) {
   return std::find(std::begin(values), std::end(values), value) != std::end(values);
 }
+
+/// The text with words after it, and further lines below its end, of at most so many columns.
+std::string wrapped(std::string text, const std::string& meaning, std::size_t most = 79);
 
 /// A time, in seconds, minutes, hours or days.
 std::string duration(double seconds);

@@ -61,7 +61,7 @@ void state_lost_mass(Parameters& p, double lost_mass) {
   if (!(p.eccentricity > 0))
     throw InputError(
         "lost_mass: a rotor without eccentricity has no unbalance to increase; state an "
-        "eccentricity above 0 m");
+        "eccentricity above 0 m, such as 1e-9 m");
   if (!(lost_mass < p.mass))
     throw InputError("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass);
   p.lost_mass = lost_mass;
@@ -196,8 +196,8 @@ Scenario stated_scenario(const ScenarioSpec& spec) {
   check(scenario);
   if (const auto speed = number(with_speeds_in_Hz(spec), mass_loss_speed)) {
     if (*speed < scenario.start_speed_Hz)
-      throw InputError("{} = {} Hz: the run starts at {} Hz already", mass_loss_speed, *speed,
-                       scenario.start_speed_Hz);
+      throw InputError("{} = {:.9g} Hz: the run starts at {:.9g} Hz already", mass_loss_speed,
+                       *speed, scenario.start_speed_Hz);
     if (spec.digits && *speed == scenario.parameters.motor_off_Hz)
       throw InputError(
           "digits and {}: at {} Hz, motor_off_hz, the mass loss and the end of the drive coincide; "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "figures/data/files.hpp"
@@ -34,6 +35,10 @@ std::string content_of(const std::filesystem::path& file) {
   if (status.type() == std::filesystem::file_type::not_found) refuse("there is no such file");
   if (error) refuse(error.message());
   if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
+  if (contains(std::array{".csv", ".json", ".journal"}, file.extension()))
+    throw InputError(
+        "{}: holds results, not a scene or a sweep; rotor plot draws those of a sweep, FILE.csv",
+        file.string());
   std::string text = read_file(file, most + 1);
   if (text.size() > most) refuse(fmt::format("it is larger than {} bytes", most));
   return text;
@@ -70,10 +75,6 @@ TomlFile::TomlFile(std::filesystem::path file)
   try {
     root_ = toml::parse(content_, file_.string());
   } catch (const toml::parse_error& error) {
-    if (file_.extension() == ".csv")
-      throw InputError(
-          "{}: holds results, not a scene or a sweep; rotor plot draws those of a sweep",
-          file_.string());
     throw InputError("{}:{}: {}", file_.string(), error.source().begin.line,
                      one_line(error.description()));
   }
@@ -88,8 +89,7 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
   for (const auto& [key, node] : table)
     if (!contains(allowed, key.str()))
       fail(node, key.str(), "unknown key{}{}",
-           &table == &root_
-               ? contains(input_keys(), key.str()) ? ", which belongs below [parameters]" : ""
+           contains(input_keys(), key.str())    ? ", which belongs below [parameters]"
            : contains(keys_of_root_, key.str()) ? ", which belongs above the first [table]"
                                                 : "",
            choices(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}, list_of_inputs));

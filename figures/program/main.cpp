@@ -69,20 +69,6 @@ class Help : public CLI::Formatter {
                ? wrapped(fmt::format("{:<{}}", left, get_column_width() - 1), meaning)
                : left + '\n' + wrapped(std::string(get_column_width() - 1, ' '), meaning);
   }
-
-  /// The text with words after it, and lines below its end.
-  static std::string wrapped(std::string text, const std::string& meaning) {
-    constexpr std::size_t most = 79;
-    const std::size_t indent = text.size();
-    std::istringstream words(meaning);
-    std::size_t used = indent;
-    for (std::string word; words >> word; used += 1 + word.size(), text += ' ' + word)
-      if (used + 1 + word.size() > most) {
-        text += '\n' + std::string(indent, ' ');
-        used = indent;
-      }
-    return text + '\n';
-  }
 };
 
 /// An option whose text a function takes, or refuses by an InputError.
@@ -369,8 +355,8 @@ int main(int argc, char** argv) {
     static_cast<void>(std::signal(signal, SIG_IGN));
   note_interruptions();
   CLI::App app(
-      "Simulates an overcritical rotor that loses mass and rubs: the paper's figures, or your own "
-      "case.",
+      "Simulates an overcritical rotor that loses mass and rubs: the paper's figures,\n"
+      "or your own case.",
       "rotor");
   app.set_version_flag("--version", "rotor " ROTOR_VERSION);
   app.require_subcommand(1);

@@ -214,7 +214,7 @@ RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups
 void run_rotor(const RunOptions& options) {
   if (options.columns == std::vector<std::string>{"help"}) {
     for (const Column& column : all_columns())
-      fmt::print("{:<24} {}\n", column.name, column.meaning);
+      fmt::print("{}", wrapped(fmt::format("{:<24}", column.name), std::string(column.meaning)));
     return;
   }
   if (options.json_schema) return print_summary(summary_schema(), true, stdout);

@@ -28,8 +28,10 @@ std::string sweep_above(const fs::path& results) {
     if (line.starts_with("#   ")) text += line.substr(4) + '\n';
   if (file.bad()) throw InputError("{}: cannot be read", results.string());
   if (text.empty())
-    throw InputError("{}: must be results of rotor sweep, with the sweep file above them",
-                     results.string());
+    throw InputError(
+        "{}: must be results of rotor sweep, with the sweep file above them; a run is drawn from "
+        "its scene",
+        results.string());
   return text;
 }
 

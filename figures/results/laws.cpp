@@ -60,13 +60,23 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
     below("the share of its speed that the motor adds in a natural period",
           p.torque / (body.inertia * speed) * two_pi / critical, 0.06);
   if (!law.contact_s) return doubts;
-  above("friction", ring.friction,
-        std::max({law.forward_friction, *law.whirl_friction, *law.first_friction}));
+  const auto [limit, of_what] = std::max(
+      {std::pair(law.forward_friction, "up to which forward rub can last"),
+       std::pair(*law.whirl_friction, "up to which rebounds lead to no backward whirl"),
+       std::pair(*law.first_friction, "up to which one impact leads to no backward whirl")});
+  if (std::isinf(limit))
+    doubts.emplace_back("forward rub can last at any friction");
+  else if (!(ring.friction > limit))
+    doubts.push_back(
+        fmt::format("friction is {:.3g}, not above {:.3g}, {}", ring.friction, limit, of_what));
   below("friction", ring.friction, 1);
   above("the ratio of friction to that of dry whip", ring.friction / Whirl(p).whip_friction(), 30);
   below("the ring's damping ratio", ring_damping_ratio(p), 0.5);
-  below("the ratio of the forces of first contact and rolling",
-        *law.impact_force / law.rolling_force.value_or(0), 0.1);
+  if (law.rolling_force)
+    below("the ratio of the forces of first contact and rolling",
+          *law.impact_force / *law.rolling_force, 0.1);
+  else
+    doubts.emplace_back("the closed forms give no rolling for this rotor");
   return doubts;
 }
 

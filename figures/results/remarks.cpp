@@ -41,7 +41,7 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<dou
   const double clearance = Ring<double>(p).clearance;
   if (clearance > p.rotor_radius)
     all.push_back(
-        {fmt::format("the clearance, {} m, exceeds the rotor's radius; lengths are in metres",
+        {fmt::format("the clearance, {:.6g} m, exceeds the rotor's radius; lengths are in metres",
                      clearance),
          Remark::Of::limit});
   for (const auto& [length, name] :

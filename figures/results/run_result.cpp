@@ -239,8 +239,8 @@ std::vector<Remark> remarks(const RunResult& result) {
   if (summary.lost_mass_kg == 0.)
     all.push_back(
         {fmt::format("no mass is lost: unbalance_factor = {} times eccentricity = {} m "
-                     "does not change the unbalance; state an eccentricity above 0 m and a factor "
-                     "above 1, or a lost mass",
+                     "does not change the unbalance; state an eccentricity above 0 m, and a factor "
+                     "above 1 or a lost mass",
                      p.unbalance_factor, p.eccentricity),
          Of::missed_goal});
   else if (p.loses_mass && !summary.mass_loss_reached)

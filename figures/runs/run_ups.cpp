@@ -169,7 +169,8 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
   if (is_interrupted()) throw Interrupted();
   if (!reached.time_s)
     throw InputError(
-        "mass_loss_speed_hz = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most "
+        "mass_loss_speed_hz = {:.9g} Hz: is not reached; up to {:.6g} s{} the rotor reaches at "
+        "most "
         "{:.6g} Hz{}",
         speed_Hz, reached.looked_until_s, reached.touches ? ", when it touches the ring," : "",
         reached.greatest_Hz,

@@ -93,8 +93,9 @@ class SceneReader : TomlFile {
     for (const SceneRun& run : runs) names.push_back(run.name);
     std::erase_if(runs, [&](const SceneRun& run) { return run.name != overrides_.run; });
     if (runs.empty())
-      throw InputError("{}: choose one of its runs with --run: {}", path().string(),
-                       fmt::join(names, ", "));
+      throw InputError("--run {}: there is no such run in {}{}", shown(overrides_.run),
+                       path().string(),
+                       choices(overrides_.run, names, "rotor run without --run lists them"));
   }
 
   /// Whether options may move the end: --until, or others if the scene does not state the end.

@@ -222,7 +222,8 @@ class SweepReader : TomlFile {
 
   void require_points(const Sweep& sweep) const {
     if (sweep.axes.empty() && sweep.sample.over.empty())
-      fail(root(), "axis", "nothing varies: there must be an [[axis]] or a [sample]");
+      fail(root(), "axis",
+           "nothing varies: there must be an [[axis]] or a [sample]; a scene is for rotor run");
     auto all = static_cast<double>(sweep.sample.count);
     for (const Axis& axis : sweep.axes) all *= static_cast<double>(axis.points());
     if (all > most_points)

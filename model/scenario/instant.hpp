@@ -1,6 +1,8 @@
 /// The rotor at one instant of a run, and where runs start.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "model/mechanics/rotating_frame.hpp"
@@ -58,9 +60,13 @@ BasicInstant<S> start_of(const Scenario& scenario) {
   const Supports<S> supports(scenario.parameters, scenario.equations);
   const Vector<S> centre =
       supports.unbalance_response(start.body, speed) - Vector<S>(start.body.eccentricity, S(0));
-  if (!(centre.norm() < Ring<S>(scenario.parameters).clearance))
-    throw std::invalid_argument(
-        "start_speed_hz: the rotor would touch the ring in the steady response at that speed");
+  const S clearance = Ring<S>(scenario.parameters).clearance;
+  if (!(centre.norm() < clearance))
+    throw std::invalid_argument(fmt::format(
+        "start_speed_hz = {:.9g} Hz: the rotor would touch the ring in the steady response at that "
+        "speed: its displacement is {:.4g} m and the clearance {:.4g} m",
+        scenario.start_speed_Hz, static_cast<double>(centre.norm()),
+        static_cast<double>(clearance)));
   start.state = {centre.x(), centre.y(), S(0), S(0), S(0), speed};
   start.motor_on = scenario.start_speed_Hz < scenario.parameters.motor_off_Hz;
   return start;

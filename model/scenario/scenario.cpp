@@ -153,7 +153,8 @@ void check_numbers(const Scenario& scenario) {
   require(
       !scenario.loses_mass() || loss.after.inertia > 0,
       "unbalance_factor = {}, lost mass {:.6g} kg: the moment of inertia after the mass loss, "
-      "{:.6g} kg m^2, must be greater than 0; lower the factor or the lost mass, or raise inertia",
+      "{:.6g} kg m^2, must be greater than 0; lower the factor or the lost mass, or raise inertia "
+      "(lengths are in metres)",
       p.unbalance_factor, loss.lost_mass, loss.after.inertia);
 }
 

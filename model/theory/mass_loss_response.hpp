@@ -43,9 +43,12 @@ class MassLossResponse {
     if (!(square > 0))
       throw std::domain_error(fmt::format(
           "support_stiffness k = {} N/m, support_damping d = {} N s/m: the supports must be able "
-          "to "
-          "vibrate after the mass loss, with k > 0 and a damping ratio d / (2 sqrt(k m)) below 1",
-          stiffness, p.support_damping));
+          "to vibrate after the mass loss, with k > 0 and a damping ratio d / (2 sqrt(k m)) below 1"
+          "{}",
+          stiffness, p.support_damping,
+          stiffness > 0
+              ? fmt::format("; it is {:.3g}", decay_ / std::sqrt(square + decay_ * decay_))
+              : ""));
     frequency_ = std::sqrt(square);
     const Complex free = z - steady_, free_rate = rate - i * speed * steady_;
     a_ = (free_rate + (decay_ + i * frequency_) * free) / (2. * i * frequency_);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "figures/data/csv.hpp"
+#include "figures/data/text.hpp"
 #include "verification/paper/readings.hpp"
 
 namespace rotor {
@@ -37,26 +38,6 @@ std::string cells(const Stored& stored) {
   return fmt::format("{},{},{},{},{},{}", s.draws, cell(s.valued), cell(s.median), cell(s.low),
                      cell(s.high), cell(stored.holds));
 }
-
-/// The text with words after it in lines of at most 100 characters.
-std::string wrapped(std::string text, const std::string& meaning) {
-  constexpr std::size_t most = 100;
-  const std::size_t indent = text.size();
-  std::size_t used = indent;
-  std::istringstream words(meaning);
-  for (std::string word; words >> word; used += 1 + word.size(), text += word + ' ')
-    if (used + word.size() > most) {
-      text.back() = '\n';
-      text += std::string(indent, ' ');
-      used = indent;
-    }
-  text.back() = '\n';
-  return text;
-}
-
-}  // namespace
-
-namespace {
 
 Verdict verdict_of(const Number& number, const Reading::InSet& in, const Judging& judging) {
   const Allowed allowed = number.allowed(judging.words);
@@ -327,11 +308,12 @@ std::string claims_table(const std::vector<Number>& numbers) {
     for (const Number& n : numbers) {
       if (verdict_of(n, 0).says != *verdict) continue;
       const auto converged = n.readings[n.decides[0]].in[0].converged;
-      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10} ", *verdict, verdict_of(n, 1).says,
+      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10}", *verdict, verdict_of(n, 1).says,
                                    n.printed.empty() ? n.rule : n.printed,
                                    converged ? fmt::format("{:.5g}", *converged) : "-"),
                        fmt::format("{}{}: {}{}", n.claim, n.unit.empty() ? "" : ", " + n.unit,
-                                   n.says, n.reason.empty() ? "" : " (" + n.reason + ')'));
+                                   n.says, n.reason.empty() ? "" : " (" + n.reason + ')'),
+                       100);
     }
   return table +
          fmt::format("Nothing is claimed about Figs. {}, which does not count as a success.\n",

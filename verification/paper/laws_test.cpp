@@ -117,6 +117,9 @@ TEST_F(LawsOfTheAccident, AreNotTrustedOutsideTheirRegion) {
   for (const auto& [options, doubt] : std::vector<std::pair<std::string, std::string>>{
            {laboratory + "--start-speed-hz 23", "the critical speed is 0.772, not above 1.5"},
            {"--friction 10", "friction is 10, not below 1"},
+           {"--friction 0", "the closed forms give no rolling"},
+           {"--friction 0.1", "friction is 0.1, not above 0.19, up to which"},
+           {laboratory + "--start-speed-hz 35", "forward rub can last at any friction"},
            {"--contact-stiffness 3e5 --support-damping 200", "dry whip"},
            {"--contact-damping 1e5", "the ring's damping ratio"},
            {"--start-speed-hz 140 --torque 50 --motor-off-hz 1000", "the motor adds"},
