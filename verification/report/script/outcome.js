@@ -3,7 +3,7 @@
 /// Completes the sentence "The rotor ...", by the outcome of the summary.
 export const outcomes = {
   rolling: "has come to roll along the ring",
-  stalled: "is stalled near its critical speed: the motor cannot raise it",
+  stalled: "is stalled below 1.5 times its critical speed: the motor cannot raise it",
   sliding: "slides along the ring without leaving it",
   freed: "has touched the ring and is clear of it again",
   no_contact: "does not touch the ring",
