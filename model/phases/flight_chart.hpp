@@ -147,7 +147,7 @@ class FlightChart {
       const Vector<S> velocity = turned(deviation_rate(x), c, S(-s));
       x = {position.x(), position.y(), S(0), velocity.x(), velocity.y(), x[speed_change]};
     }
-    const bool holds = is_steady_ ? is_near && is_fast(speed(x))
+    const bool holds = is_steady_ ? is_near && is_near_where_laid(x)
                        : synchronous_.exists()
                            ? synchronous_.holds(speed(x))
                            : !is_fast(speed(x)) || (synchronous_disabled_ && is_near_where_laid(x));

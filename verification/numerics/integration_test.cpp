@@ -212,7 +212,7 @@ TYPED_TEST(StepBy, MeetsTheFloorWhenTheClosedFormSaysSo) {
   const double height = 1, restitution = 0.8;
   const auto bounce = [&](const Ball&, Ball::Unknowns& x) { x = {0, -restitution * x[1]}; };
   // In steps shorter and longer than the flights.
-  for (const double length : {0.1, 0.3, 1.}) {
+  for (const double length : {0.1, 0.3, 0.9}) {
     const auto bounces = events_of<TypeParam>(Ball{}, {height, 0}, length, 4, bounce);
     ASSERT_EQ(bounces.size(), 4U);
     double fall = std::sqrt(2 * height / gravity), time = fall;
