@@ -67,8 +67,10 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
     }
     a = left;
   }
-  // What is negative only by rounding at the start counts as zero, not as a crossing.
-  if (a.value < 0 && a.value + a.slope * resolution > 0) a.value = 0;
+  // What is negative at the start, but hardly, counts as zero, not as a crossing: by rounding,
+  // which may be more than the resolution of a short step.
+  constexpr int hardly = 1024;  // of the interval's length, until it is positive
+  if (a.value < 0 && a.value + a.slope * (b.time - a.time) / hardly > 0) a.value = 0;
   for (int slow = 0;;) {
     const S h = b.time - a.time;
     const bool crosses = b.value < 0;
