@@ -101,7 +101,7 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
     })};
     const std::size_t size = mistyped.size(), near = std::max<std::size_t>(2, size / 3);
     if (distance(mistyped, meant[0]) > std::min(near, size - 1))
-      return "";  // of one letter all are
+      return "";  // any name is near a single letter
   }
   return fmt::format("; did you mean {}?", fmt::join(meant, " or "));
 }

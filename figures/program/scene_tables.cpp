@@ -1,4 +1,3 @@
-
 #include <deque>
 
 #include "figures/program/commands.hpp"

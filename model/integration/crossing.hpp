@@ -67,10 +67,11 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
     }
     a = left;
   }
-  // What is negative at the start, but hardly, counts as zero, not as a crossing: by rounding,
-  // which may be more than the resolution of a short step.
-  constexpr int hardly = 1024;  // of the interval's length, until it is positive
-  if (a.value < 0 && a.value + a.slope * (b.time - a.time) / hardly > 0) a.value = 0;
+  // A function that is negative at the start only by rounding counts as zero there, not as crossed:
+  // it becomes positive in a small part of the interval. In a short step, the rounding may take
+  // more time than the resolution.
+  constexpr int small_part = 1024;
+  if (a.value < 0 && a.value + a.slope * (b.time - a.time) / small_part > 0) a.value = 0;
   for (int slow = 0;;) {
     const S h = b.time - a.time;
     const bool crosses = b.value < 0;

@@ -241,7 +241,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
     watch_.note_speed(step.at(watch_.time_of_speed_s()).state[5]);
   }
 
-  /// Need not locate its maxima: nobody reads what follows from them.
+  /// Leaves the maxima of a quantity unlocated: the results that follow from them will not be read.
   void ignore_maxima_of(Extreme of) { ignored_ = of; }
 
   S threshold(Extreme of, const S& from_s, const S& until_s) const override {

@@ -267,6 +267,25 @@ TEST(Step, FindsTheBeginningOfAShallowDip) {
   }
 }
 
+// The end of the swing is passed within one step: where the dip begins is far from both ends, and
+// the motion there must be as accurate as at the end.
+TEST(Step, KeepsTheEnergyWhereADipBegins) {
+  Control2 control(1e-14);
+  const Pendulum pendulum;
+  constexpr double greatest = 1, limit = 0.999, first = 0.9958;
+  Point2 start{.x = {first, std::sqrt(2 * (std::cos(first) - std::cos(greatest)))}},
+      end{.time = 0.2};
+  pendulum(start.x, start.rates, 0);
+  control.step(pendulum, start, end);
+  pendulum(end.x, end.rates, 0);
+  Step<double, Stepper2, Pendulum> step(control, pendulum, start, end);
+  const auto room = [](const Pendulum::Unknowns& x) { return limit - x[0]; };
+  const auto dip = step.crossing(room, step.observe(room, start), step.observe(room, end));
+  ASSERT_TRUE(dip);
+  EXPECT_NEAR(dip->x[0], limit, rounding_of_a_step);
+  EXPECT_NEAR(Pendulum::energy(dip->x) / Pendulum::energy(start.x), 1, rounding_of_a_step);
+}
+
 TYPED_TEST(StepBy, HasADenseOutputOfItsOwnOrder) {
   const Pendulum system;
   ErrorControl<double, TypeParam> control(1e-10);
