@@ -203,11 +203,8 @@ $(foreach set,$(SETS),$(FIGURES:%=$(OUT)/$(set)/%.csv)):
 	$(if $(wildcard $@),,$(compute_data))
 
 STYLE := figures/paper/style.gp figures/paper/settings.awk
-# Points read off a printed figure, if there are any, are drawn into ours.
-DIGITISED := $(sort $(wildcard reference-data/digitised/fig*.csv))
-$(DRAWN)/%.$(FORMAT): $(foreach set,$(SETS),$(OUT)/$(set)/%.csv) figures/paper/%.gp $(STYLE) $(DIGITISED)
-	@figures/draw.sh $@ "$(foreach set,$(SETS),data_$(set) = '$(OUT)/$(set)/$*.csv';) \
-	  points = '$(filter reference-data/digitised/$*_%,$(DIGITISED))'" figures/paper/$*.gp
+$(DRAWN)/%.$(FORMAT): $(foreach set,$(SETS),$(OUT)/$(set)/%.csv) figures/paper/%.gp $(STYLE)
+	@figures/draw.sh $@ "$(foreach set,$(SETS),data_$(set) = '$(OUT)/$(set)/$*.csv';)" figures/paper/$*.gp
 $(DRAWN)/fig13.$(FORMAT) $(DRAWN)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
 figures/paper/%.gp:
 	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))

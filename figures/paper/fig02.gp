@@ -7,7 +7,7 @@ set arrow from crossing,graph 0 to crossing,graph 1 nohead linestyle reading
 set multiplot layout 3,1 margins 0.1,0.97,0.11,0.86 spacing 0,0.05
 set format x ""
 set ytics -1,0.5,0.5
-curves = '@each_set using "time_s":(column(its_quantity)*1e3) @layered @digitised'
+curves = '@each_set using "time_s":(column(its_quantity)*1e3) @layered'
 
 set ylabel "q_1, mm"
 its_quantity = "q1_m"

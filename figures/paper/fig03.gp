@@ -34,9 +34,7 @@ do for [i = 1:3] {
     }
   }
   fixed = name." by rk4"
-  its_run = name
   plot [29.1:29.35] [-720:0] fixed_data using (of_run(fixed, "time_s")):(force(fixed)) \
   with lines linestyle fixed_steps linewidth beneath notitle, \
-    @each_set using (of_run(name, "time_s")):(force(name)) \
-    @layered @digitised
+    @each_set using (of_run(name, "time_s")):(force(name)) @layered
 }

@@ -27,5 +27,4 @@ plot [29.1:29.35] [0:160] for [i = 1:3] fixed = word(runs, i)." by rk4" \
   fixed_data using (of_run(fixed, "time_s")):(of_run(fixed, "speed_Hz")) \
   with lines linestyle fixed_steps linewidth beneath notitle, \
   for [set in from_below] for [name in runs] data_of(set) \
-  using (of_run(name, "time_s")):(of_run(name, "speed_Hz")) \
-    @layered @digitised
+  using (of_run(name, "time_s")):(of_run(name, "speed_Hz")) @layered

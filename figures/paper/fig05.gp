@@ -22,7 +22,7 @@ do for [set in sets] {
   eval label_curve(sprintf("%s:\nslipping stops\nat %.4f s", short_of(set), onset), onset, -270, "left offset 0.6,1")
 }
 set multiplot
-plot [29.1:29.14] [-500:0] @each_set using "time_s":(@force) @layered @digitised
+plot [29.1:29.14] [-500:0] @each_set using "time_s":(@force) @layered
 
 # Slip stops before the force is largest.
 unset label; unset arrow; unset title; unset ylabel; unset grid

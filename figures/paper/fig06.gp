@@ -38,4 +38,4 @@ do for [set in sets] {
   set arrow from onset + gap,T1 to onset + gap,T2 arrowstyle 1 linecolor rgb tint_of(set)
   eval label_curve(short_of(set), onset + gap, 1450, "left offset 0.6,0")
 }
-plot [29.1:29.14] [0:4500] @each_set using "time_s":T @layered @digitised
+plot [29.1:29.14] [0:4500] @each_set using "time_s":T @layered

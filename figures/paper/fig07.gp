@@ -28,7 +28,5 @@ do for [set in sets] {
   is_last = set eq word(sets, words(sets))
   set xlabel (is_last ? "t, s" : "") offset 0,0.4; set format x (is_last ? "%.3f" : "")
   plot [29.12:29.15] [-5.2:5] data using "time_s":(column("q1_m")*1e3) with lines linestyle ours notitle, \
-       data using "time_s":(column("rho_m")*1e3) with lines linestyle ours linewidth 2.2 notitle \
-    @digitised
-  its_run = "none"
+       data using "time_s":(column("rho_m")*1e3) with lines linestyle ours linewidth 2.2 notitle
 }

@@ -24,8 +24,6 @@ do for [set in sets] {
       textcolor rgb tint_of(set) offset 0,-0.5
     set ylabel (i == 1 ? "x_a (down), mm" : ""); set format y (i == 1 ? "%g" : "")
     plot [-3.4:3.4] [3.4:-3.4] data using (in_panel("rk4", "y_a_m")):(in_panel("rk4", "x_a_m")) with lines linestyle fixed_steps notitle, \
-      data using (in_panel("event", "y_a_m")):(in_panel("event", "x_a_m")) with lines linestyle ours linewidth 1 notitle \
-      @digitised
+      data using (in_panel("event", "y_a_m")):(in_panel("event", "x_a_m")) with lines linestyle ours linewidth 1 notitle
   }
-  its_run = "none"
 }

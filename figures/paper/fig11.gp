@@ -25,7 +25,5 @@ do for [i = 1:3] {
   }
   if (i == 2) { unset title }
   if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f" }
-  its_run = name
-  plot [29.1:29.16] [-560:0] @each_set using (of_run(name, "time_s")):(force(name)) \
-    @layered @digitised
+  plot [29.1:29.16] [-560:0] @each_set using (of_run(name, "time_s")):(force(name)) @layered
 }

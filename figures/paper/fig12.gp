@@ -18,5 +18,4 @@ do for [set in sets] {
   eval mark_law("run")
   eval label_curve(short_of(set), F_pos_min_y, -150, is_printed(set) ? "left offset 1,0" : "right offset -3,0")
 }
-plot [19.1:19.2] [-280:0] @each_set using "time_s":(column("normal_force_N")/1e3) \
-    @layered @digitised
+plot [19.1:19.2] [-280:0] @each_set using "time_s":(column("normal_force_N")/1e3) @layered

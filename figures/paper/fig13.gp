@@ -21,16 +21,13 @@ do for [set in sets] {
     set arrow from graph 0,first -136 to graph 1,first -136 nohead linestyle published
     set label "paper: 136 kN" at graph 0.02,first -136 offset 0,0.7 textcolor rgb grey
     eval mark_law("run")
-    plot [14.15:14.3] [-180:0] data using "time_s":(column("normal_force_N")/1e3) with lines linestyle ours notitle \
-      @digitised
-    its_run = "none"
+    plot [14.15:14.3] [-180:0] data using "time_s":(column("normal_force_N")/1e3) with lines linestyle ours notitle
   } else {
     stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
     set ylabel "ρ, mm"; set ytics 1
     set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("run") nohead linestyle clearance
     set label sprintf("clearance %g mm", clearance_of("run")) at graph 0.985,first clearance_of("run") right offset 0,0.7
     set label sprintf("largest ρ: %.2f mm", rho_max_y) at rho_pos_max_y,rho_max_y left offset 2,-0.2 boxed front
-    plot [14.15:14.3] [0:4.4] data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle \
-      @digitised
+    plot [14.15:14.3] [0:4.4] data using "time_s":(column("rho_m")*1e3) with lines linestyle ours notitle
   }
 }

@@ -25,4 +25,4 @@ do for [set in sets] {
   eval ours_in(2, sprintf("%.0f %%", contacts_9_a_max)); eval ours_in(3, sprintf("%.0f %%", contacts_9_b_max))
   eval label_curve(short_of(set), t_1, 0.75*rho_max_y, "right offset -1,0")
 }
-plot [9:11] [0:3.6] @each_set using "time_s":(column("rho_m")*1e3) @layered @digitised
+plot [9:11] [0:3.6] @each_set using "time_s":(column("rho_m")*1e3) @layered

@@ -16,4 +16,4 @@ do for [set in sets] {
   eval ours_in(1, sprintf("%.3f mm", rho_max_y)); eval ours_in(2, sprintf("%.4f s", rho_pos_max_y))
   eval label_curve(short_of(set), t_1, 0.9*rho_max_y, "right offset -1,0")
 }
-plot [9.3:9.8] [0:3.3] @each_set using "time_s":(column("rho_m")*1e3) @layered @digitised
+plot [9.3:9.8] [0:3.3] @each_set using "time_s":(column("rho_m")*1e3) @layered

@@ -19,7 +19,5 @@ do for [set in sets] {
   set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
   eval place_at("run", window_max - 0.05, 1e-5)
   set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
-  plot [-4:4] [4:-4] data using (mm("y_a_m")):(mm("x_a_m")) with lines linestyle ours linewidth 1 notitle \
-    @digitised
-  its_run = "none"
+  plot [-4:4] [4:-4] data using (mm("y_a_m")):(mm("x_a_m")) with lines linestyle ours linewidth 1 notitle
 }

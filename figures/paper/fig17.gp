@@ -26,5 +26,4 @@ do for [set in sets] {
     is_printed(set) ? "center offset 1,0.7" : "right offset -0.5,0")
 }
 plot [1:4] [0:3.3] @each_set using (of_run("a", "time_s")):(rho("a")) @layered, \
-     @each_set using (of_run("b", "time_s")):(rho("b")) with lines linestyle layer(set) dashtype (9, 5) notitle \
-  @digitised
+     @each_set using (of_run("b", "time_s")):(rho("b")) with lines linestyle layer(set) dashtype (9, 5) notitle

@@ -3,7 +3,6 @@
 #   format    svg, pdf or png
 #   data      a CSV file, columns addressed by name; of a figure of the paper instead
 #   data_published, data_consistent  its files in each set of equations, or in one of them
-#   points    files of points read off the printed figure, in its axes' units (default: none)
 # The picture is wide; for a square one a script has: eval "set terminal ".square
 
 set datafile separator comma
@@ -77,18 +76,6 @@ caption(number, what, parameters) = sprintf("{/:Bold Fig. %d}  %s\n{/*0.85 %s}",
 
 # The column of one run, for scenes with several.
 of_run(name, c) = strcol("run") eq name ? column(c) : NaN
-
-# Points read off the printed figure, drawn by `plot ... @digitised`; a script may restrict them to one run
-# or quantity, or to none.
-if (!exists("points")) points = ""
-its_run = ""; its_quantity = ""
-is_wanted(wanted, c) = wanted eq "" || strcol(c) eq wanted
-read_off(c) = is_wanted(its_run, "run") && is_wanted(its_quantity, "quantity") ? column(c) : NaN
-set style line 17 pointtype 4 pointsize 0.7 linecolor rgb black linewidth 1
-set errorbars 0
-digitised = points eq "" ? "" : ', for [file in points] file using \
-  (read_off("x")):(read_off("y")):(read_off("x_error")):(read_off("y_error")) \
-  with xyerrorbars linestyle 17 title file eq word(points, 1) ? "printed" : ""'
 
 # What settings.awk reads above the data; of the i-th run, and of the run with a name.
 read_settings(data) = sprintf("load \"< awk -f '%s/../figures/paper/settings.awk' '%s'\"", reference_data, data)

@@ -20,7 +20,7 @@ texts() {
 draw() {
   local svg=$1 data= set; shift
   for set; do data="$data data_$set = '$set/${svg%.svg}.csv';"; done
-  "$sources"/figures/draw.sh $svg "$data points = ''" "$sources/figures/paper/${svg%.svg}.gp"
+  "$sources"/figures/draw.sh $svg "$data" "$sources/figures/paper/${svg%.svg}.gp"
 }
 
 # A checkout with two figures and two maps on a simulated machine: Debian's base system with the packages

@@ -27,12 +27,12 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
   }
 
   /// Draws it as make does. A missing column is an error of gnuplot.
-  DrawnPicture drawn(const std::string& points = "") const {
+  DrawnPicture drawn() const {
     const auto [status, output] =
         shell(fmt::format("'{0}/../draw.sh' a.svg \"data_published = '{1}'; data_consistent = "
-                          "'{2}'; points = '{3}'\" '{0}/fig{4:02}.gp' >/dev/null",
+                          "'{2}';\" '{0}/fig{3:02}.gp' >/dev/null",
                           ROTOR_SCENES, csv(sets_of_equations[0]).string(),
-                          csv(sets_of_equations[1]).string(), points, figure().number));
+                          csv(sets_of_equations[1]).string(), figure().number));
     EXPECT_EQ(status, 0);
     EXPECT_EQ(output, "");
     DrawnPicture picture(content("a.svg"));
@@ -45,7 +45,7 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
   /// units.
   struct Candidate {
     Equations equations;
-    std::string run, column;
+    std::string run;
     bool is_orbit;
     Points points;
   };
@@ -67,7 +67,7 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
           const std::string column(its->name);
           if (column == "time_s" || column == "y_a_m") continue;
           const std::string abscissa = column == "x_a_m" ? "y_a_m" : "time_s";
-          Candidate candidate{equations, run.name, column, abscissa == "y_a_m", {}};
+          Candidate candidate{equations, run.name, abscissa == "y_a_m", {}};
           for (const CsvRow& row : rows)
             if (row["run"] == run.name)
               candidate.points.emplace_back(
@@ -121,7 +121,6 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
       }
   }
 
-  void expect_points(const std::string& table, const Points& places) const;
   std::vector<std::string> numbers(Equations equations) const;
 };
 
@@ -131,8 +130,6 @@ TEST_P(Pictures, HaveTheCurvesOfEachRunAndItsNumbers) {
   EXPECT_EQ(picture.clipped, std::vector<std::string>());
   const auto all = candidates();
   std::set<std::pair<bool, std::string>> seen;
-  std::string points = "run,quantity,x,y,x_error,y_error\n";  // one in the middle of each curve
-  Points places;
   for (const DrawnCurve& curve : picture.curves) {
     bool is_known = false;  // where runs nearly coincide, they may match each other's curves
     for (const Candidate& candidate : all) {
@@ -144,10 +141,7 @@ TEST_P(Pictures, HaveTheCurvesOfEachRunAndItsNumbers) {
       const double down = pixel(curve.y, 1) - pixel(curve.y, 0);
       EXPECT_GT(right, 0);
       EXPECT_TRUE(!candidate.is_orbit || std::abs(down - right) < 1e-3 * right);
-      if (std::exchange(is_known, true) || !is_printed || candidate.run.ends_with("rk4")) continue;
-      const auto& [x, y] = candidate.points[candidate.points.size() / 2];
-      points += fmt::format("{},{},{},{},0,0\n", candidate.run, candidate.column, x, y);
-      places.emplace_back(pixel(curve.x, x), pixel(curve.y, y));
+      is_known = true;
     }
     EXPECT_TRUE(is_known) << "a curve that is no run's";
   }
@@ -166,23 +160,6 @@ TEST_P(Pictures, HaveTheCurvesOfEachRunAndItsNumbers) {
                         (equations == sets_of_equations[0] ? "rgb(179,71,0)" : "rgb(0,114,178)");
       EXPECT_TRUE(is_shown) << number << ", " << name_of(equations);
     }
-  if (!places.empty()) expect_points(points, places);
-}
-
-// Points read off a printed figure are drawn once each, at their position in the panel of their run
-// and quantity.
-void Pictures::expect_points(const std::string& table, const Points& places) const {
-  write("points.csv", table);
-  const DrawnPicture picture = drawn("points.csv");
-  const auto keys = std::ranges::count(picture.texts, "printed");  // one in each panel's key
-  EXPECT_EQ(picture.squares.size(), places.size() + static_cast<std::size_t>(keys));
-  for (const auto& place : places)
-    EXPECT_TRUE(std::ranges::any_of(picture.squares,
-                                    [&](const auto& square) {
-                                      return std::hypot(square.first - place.first,
-                                                        square.second - place.second) < 0.5;
-                                    }))
-        << place.first << ", " << place.second;
 }
 
 /// The numbers that a picture must show, from the engine.

@@ -14,7 +14,7 @@ namespace rotor {
 struct Sources {
   std::filesystem::path texts{};           ///< words, with places for numbers: texts.json
   std::filesystem::path scenes{};          ///< figNN.toml
-  std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions, digitised points
+  std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions
   std::filesystem::path report{};          ///< next to the page: figures in both sets, studies
   std::filesystem::path tests{};           ///< tests-*.json of GoogleTest
   std::string commit{}, commit_date{};

@@ -7,7 +7,7 @@
 
 #include "figures/input/words.hpp"
 #include "figures/runs/scene.hpp"
-#include "verification/report/digitised.hpp"
+#include "verification/report/curves.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -130,8 +130,6 @@ Json figures_json(const Sources& sources, const Json& claims) {
           judged.push_back(&claim);
           its_claims.push_back({{"claim", claim.at("claim")}, {"says", claim.at("says")}});
         }
-    const auto curves = read_curves(sources.report / "figures" / "published" / (name + ".csv"));
-    const Json digitised = digitised_json(sources.reference_data, number, curves);
     all.push_back({{"number", std::to_string(number)},
                    {"name", name},
                    {"title", scene.title},
@@ -140,9 +138,7 @@ Json figures_json(const Sources& sources, const Json& claims) {
                    {"runs", runs_json(scene)},
                    {"scene", content_of(file)},
                    {"scene_file", "figures/paper/" + name + ".toml"},
-                   {"claims", its_claims},
-                   {"digitised", digitised},
-                   {"has_digitised", !digitised.empty()}});
+                   {"claims", its_claims}});
   }
   return all;
 }

@@ -13,7 +13,7 @@
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
 #include "model/scenario/observer.hpp"
-#include "verification/report/digitised.hpp"
+#include "verification/report/curves.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/law.hpp"
 #include "verification/support/observers.hpp"
@@ -240,56 +240,6 @@ TEST_F(TestResults, AreCountedWithTheWorstOfEachLaw) {
   EXPECT_EQ(found.at("laws"), Json::parse(R"([{"says": "of nature", "worst": "3.0e-12",
                                              "allowed": "1.0e-09", "test": "Suite.Holds"}])"));
   EXPECT_EQ(tests_json({.tests = folder_ / "none"}).at("made"), false);
-}
-
-class Digitised : public CommandLine {
- protected:
-  const std::vector<FigureCurve> curves_ = {
-      {"run", "normal_force_N", "normal force", "kN", {{29.1, 0}, {29.2, -100}, {29.3, -100}}}};
-
-  void write_points(const std::string& rows) const {
-    std::filesystem::create_directories(folder_ / "digitised");
-    write("digitised/fig05_force.csv",
-          "# made up\nfigure,run,quantity,unit,x,y,x_error,y_error\n" + rows);
-  }
-  void expect_refusal(const std::string& row, const std::string& reason) const {
-    write_points(row);
-    try {
-      digitised_json(folder_, 5, curves_);
-      ADD_FAILURE() << row << " is taken";
-    } catch (const std::exception& error) {
-      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
-      EXPECT_NE(std::string(error.what()).find("fig05_force.csv"), std::string::npos)
-          << error.what();
-    }
-  }
-};
-
-TEST_F(Digitised, PointsAreCoveredWithinTheirReadingErrors) {
-  write_points(
-      "5,run,normal_force_N,kN,29.25,-102,0.001,4\n"  // half an error from the curve
-      "5,run,normal_force_N,kN,29.25,-112,0.001,4\n"  // three
-      "5,run,normal_force_N,kN,29.305,-100,0.01,4\n"  // half, beyond its end
-      "5,run,normal_force_N,kN,29.1,-3,1000,1e6\n");
-  const Json found = digitised_json(folder_, 5, curves_);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].at("points"), 4);
-  EXPECT_EQ(found[0].at("covered"), 3);
-  EXPECT_NEAR(found[0].at("farthest").get<double>(), 3, 1e-9);
-}
-
-TEST_F(Digitised, AreNotClaimedWithoutAFile) {
-  EXPECT_TRUE(digitised_json(folder_, 5, curves_).empty());
-  write_points("");
-  EXPECT_TRUE(digitised_json(folder_, 6, curves_).empty());
-}
-
-TEST_F(Digitised, ThatFitNoCurveAreRefused) {
-  expect_refusal("6,run,normal_force_N,kN,29.2,-100,1,1\n", "is not of Fig. 5");
-  expect_refusal("5,run,normal_force_N,N,29.2,-100,1,1\n", "the axis is in kN");
-  expect_refusal("5,a,normal_force_N,kN,29.2,-100,1,1\n", "it has: run, normal_force_N");
-  expect_refusal("5,run,normal_force_N,kN,29.2,-100,0,1\n", "errors must be > 0");
-  expect_refusal("5,run,normal_force_N,kN,29.2,many,1,1\n", "many");
 }
 
 }  // namespace

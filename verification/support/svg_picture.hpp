@@ -112,8 +112,6 @@ struct DrawnPicture {
         } else if (in_curve && points.size() > curves.back().points.size()) {
           curves.back().points = points;  // the shorter one is the key's sample
         }
-      } else if (tag.starts_with("<use xlink:href='#gpPt3'") && tag.find("' tr") != tag.npos) {
-        squares.push_back(corners(between(at, "translate(", ")")).front());
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
         const std::size_t fill = group.find("fill=\"") + 6;
@@ -136,7 +134,6 @@ struct DrawnPicture {
 
   Tics x;  ///< of the last panel
   std::vector<DrawnCurve> curves;
-  Points squares;  ///< symbols of points that were read off, the key's included
   std::vector<std::string> texts;
   std::vector<std::string> colours;  ///< of the texts, such as rgb(0,114,178)
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
