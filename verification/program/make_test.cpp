@@ -82,7 +82,7 @@ TEST_F(Make, DoesNotLookForOptionalPackagesUnasked) {
   EXPECT_NE(asked_output.find("MPI"), std::string::npos) << asked_output;
 }
 
-// The model needs none of the program's libraries, and builds nothing but itself.
+// The model needs none of the program's libraries, builds nothing but itself, and brings its C++20.
 TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
   std::ifstream file(ROTOR_SOURCES "/model/README.md");
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
@@ -93,12 +93,15 @@ TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
   write("accident.cpp", block("cpp"));
   write("CMakeLists.txt",
         "cmake_minimum_required(VERSION 3.25)\nproject(mine CXX)\n" + block("cmake"));
-  const auto [status, output] =
-      shell("ln -s '" ROTOR_SOURCES
-            "' rotor && cmake -B made -G Ninja -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON >log 2>&1 && "
-            "ninja -C made -t commands | grep -o ' -o [^ ]*[.]dir/' | sort -u");
-  EXPECT_EQ(output, " -o CMakeFiles/accident.dir/\n -o rotor/CMakeFiles/model.dir/\n")
-      << status << content("log");
+  shell("ln -s '" ROTOR_SOURCES "' rotor");
+  for (const std::string standard : {"", "-DCMAKE_CXX_STANDARD=17"}) {
+    const auto [status, output] =
+        shell("cmake -B made -G Ninja -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON " + standard +
+              " >log 2>&1 && ninja -C made CMakeFiles/accident.dir/accident.cpp.o >>log && "
+              "ninja -C made -t commands | grep -o ' -o [^ ]*[.]dir/' | sort -u");
+    EXPECT_EQ(output, " -o CMakeFiles/accident.dir/\n -o rotor/CMakeFiles/model.dir/\n")
+        << standard << status << content("log");
+  }
   const std::string printed = shell("'" ROTOR_EXAMPLE "'").output;
   EXPECT_NE(readme.find('`' + printed.substr(0, printed.size() - 1) + '`'), std::string::npos)
       << printed;
