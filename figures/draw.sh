@@ -15,12 +15,42 @@ if ! tail -c 16 "$output.part" | grep -aq '</svg>\|%%EOF\|IEND'; then
   exit 1
 fi
 # gnuplot does not escape "]]>", leaves it to the renderer whether spaces beside indices are kept, and draws
-# boxed labels twice, the first time by a filter: one of them with a white edge remains. Tenths of a pixel are
-# enough for long curves. Without these styles renderers blend the cells of maps into meaningless colours.
+# boxed labels twice, the first time by a filter: one of them with a white edge remains. Without these styles renderers
+# blend the cells of maps into meaningless colours. Paths get steps of a tenth of a pixel, and lose the points that lie
+# within that of the line.
 if [ "${output##*.}" = svg ]; then
-  sed -i "s/<image /<image style='image-rendering:pixelated' /g; s/<polygon /<polygon shape-rendering='crispEdges' /g; s/<text>/<text xml:space=\"preserve\">/; s/]]>/]]\&gt;/g
-    /^[[:space:]]*L[0-9]/s/\(\.[0-9]\)[0-9]\>/\1/g" "$output.part"
-  awk 'match($0, /<g transform="[^"]*"/) {
+  sed -zi "s/<image /<image style='image-rendering:pixelated' /g; s/<polygon /<polygon shape-rendering='crispEdges' /g
+    s/<text>/<text xml:space=\"preserve\">/g; s/]]>/]]\&gt;/g; s/<g [^>]*>\n<\/g>\n//g; s/<title>[^<]*<\/title>\|<desc>[^<]*<\/desc>//g" \
+    "$output.part"
+  awk '
+    function tenths(n, text) { text = sprintf("%g", n/10); sub(/^0\./, ".", text); sub(/^-0\./, "-.", text); return text }
+    function step(dx, dy, down) { down = tenths(dy); return tenths(dx) (down ~ /^-/ ? "" : ",") down }
+    function passes(a, b, i, dx, dy, u, v, along, off, square) {
+      dx = x[b] - x[a]; dy = y[b] - y[a]; square = dx*dx + dy*dy
+      for (i = a + 1; i < b; ++i) {
+        u = x[i] - x[a]; v = y[i] - y[a]; along = u*dx + v*dy; off = u*dy - v*dx
+        if (along < 0 || along > square || off*off > square || !square && (u || v)) return 0
+      }
+      return 1
+    }
+    function print_short(path, words, count, n, at, last) {
+      count = split(path, words, " ")
+      for (n = 1; n <= count; ++n)
+        if (split(substr(words[n], 2), at, ",") == 2) { x[n] = int(10*at[1] + 0.5); y[n] = int(10*at[2] + 0.5) }
+      for (n = 1; n <= count; ++n) {
+        if (words[n] ~ /^M/) printf "M%s", step(x[n], y[n])
+        else if (words[n] ~ /^Z/) { printf "Z"; continue }
+        else if (words[n + 1] ~ /^L/ && n - last < 40 && passes(last, n + 1)) continue
+        else printf "%s%s", n % 40 ? "l" : "\nl", step(x[n] - x[last], y[n] - y[last])
+        last = n
+      }
+    }
+    at = index($0, " d=\047") {
+      printf "%s", substr($0, 1, at + 3); $0 = substr($0, at + 4)
+      for (path = ""; !(end = index($0, "\047")) && (getline line) > 0; $0 = line) path = path $0
+      print_short(path substr($0, 1, end - 1)); $0 = substr($0, end)
+    }
+    match($0, /<g transform="[^"]*"/) {
       group = $0; place = substr($0, RSTART, RLENGTH); getline
       if (group ~ /url\(#textbox\)/) {
         boxed[place $0] = 1; getline

@@ -171,7 +171,7 @@ TEST_F(Gnuplot, ExecutesNothingThatADataFileSays) {
                      " = 1\n0,1,2\n1,2,3\n");
   write("a.gp", "plot data using 1:2 with lines\n");
   const auto [status, output] =
-      shell("\"" ROTOR_SOURCES "/figures/draw.sh\" a.svg \"data = 'a.csv'; points = ''\" a.gp");
+      shell("\"" ROTOR_SOURCES "/figures/draw.sh\" a.svg \"data = 'a.csv'\" a.gp");
   EXPECT_EQ(status, 0) << output;
   EXPECT_FALSE(fs::exists(folder_ / "done"));
 }

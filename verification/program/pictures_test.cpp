@@ -1,8 +1,10 @@
 /// The drawn figures: the curves in the SVG are the data's, and the numbers in it the engine's.
 /// `make approve` copies them into the gallery, figures/paper/README.md.
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -81,6 +83,20 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
     return all;
   }
 
+  /// From a place to the line through some points, pixels.
+  static double distance(const Points& line, const Points::value_type& place) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 1; n < line.size(); ++n) {
+      const Eigen::Vector2d from(line[n - 1].first, line[n - 1].second),
+          along = Eigen::Vector2d(line[n].first, line[n].second) - from,
+          to = Eigen::Vector2d(place.first, place.second) - from;
+      const double length = along.squaredNorm(),
+                   share = length > 0 ? std::clamp(to.dot(along) / length, 0., 1.) : 0;
+      least = std::min(least, (to - share * along).norm());
+    }
+    return least;
+  }
+
   /// Points at its ends, and where it extends furthest to each side.
   static bool is_drawn(const Candidate& candidate, const DrawnCurve& curve) {
     const auto second = &Points::value_type::second;
@@ -89,10 +105,7 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
     const auto [lowest, highest] = std::ranges::minmax_element(points, {}, second);
     for (const auto& at : {points.front(), points.back(), *left, *right, *lowest, *highest}) {
       const double x = pixel(curve.x, at.first), y = pixel(curve.y, at.second);
-      if (std::ranges::none_of(curve.points, [&](const auto& place) {
-            return std::hypot(place.first - x, place.second - y) < 0.5;
-          }))
-        return false;
+      if (distance(curve.points, {x, y}) > 0.5) return false;
     }
     const auto [top, bottom] = std::ranges::minmax_element(curve.points, {}, second);
     const double height =

@@ -17,42 +17,11 @@ std::string replaced(const std::string& text, const char* pattern, const std::st
   return std::regex_replace(text, std::regex(pattern), by);
 }
 
-/// A number of tenths in the shortest form for a path.
-std::string in_tenths(long tenths) {
-  std::string text = fmt::format("{:g}", 0.1 * static_cast<double>(tenths));
-  if (const auto zero = text.find("0."); zero == 0 || (zero == 1 && text[0] == '-'))
-    text.erase(zero, 1);
-  return text;
-}
-
-/// A path from gnuplot in relative steps of a tenth of a pixel.
-std::string in_steps(const std::string& path) {
-  std::string steps;
-  long x = 0, y = 0;
-  std::istringstream words(path);
-  for (std::string word; words >> word;) {
-    const std::size_t comma = word.find(',');
-    if (comma == std::string::npos) {  // the path closes
-      steps += word;
-      continue;
-    }
-    const long to_x = std::lround(10 * std::stod(word.substr(1, comma - 1))),
-               to_y = std::lround(10 * std::stod(word.substr(comma + 1)));
-    const bool moves = word[0] == 'M';
-    const std::string right = in_tenths(moves ? to_x : to_x - x),
-                      down = in_tenths(moves ? to_y : to_y - y);
-    steps += (moves ? "M" : "l") + right + (down[0] == '-' ? "" : ",") + down;
-    x = to_x;
-    y = to_y;
-  }
-  return steps;
-}
-
 /// A picture from gnuplot as part of a page: as wide as possible, with unique names, and described
 /// in words.
 std::string inline_svg(std::string svg, const std::string& name, const std::string& label_id) {
   svg = svg.substr(svg.find("<svg"));
-  svg = replaced(svg, "<title>[^<]*</title>|<desc>[^<]*</desc>| id=\"gnuplot_[^\"]*\"", "");
+  svg = replaced(svg, " id=\"gnuplot_[^\"]*\"", "");
   svg = replaced(svg, "id='([^']*)'", "id='" + name + "-$1'");
   svg = replaced(svg, "href='#([^']*)'", "href='#" + name + "-$1'");
   svg = replaced(svg, "url\\(#([^)]*)\\)", "url(#" + name + "-$1)");
@@ -60,16 +29,7 @@ std::string inline_svg(std::string svg, const std::string& name, const std::stri
                  "<svg viewBox=\"$1\" role=\"img\" aria-labelledby=\"" + label_id +
                      "\" xmlns=\"http://www.w3.org/2000/svg\" "
                      "xmlns:xlink=\"http://www.w3.org/1999/xlink\">");
-  svg = replaced(svg, "[ \t]*\n\\s*", "\n");
-  std::string small;
-  const std::string path = " d='";
-  std::size_t at = 0;
-  for (std::size_t begin; (begin = svg.find(path, at)) != std::string::npos;) {
-    const std::size_t from = begin + path.size(), to = svg.find('\'', from);
-    small += svg.substr(at, from - at) + in_steps(svg.substr(from, to - from));
-    at = to;
-  }
-  return small + svg.substr(at);
+  return replaced(svg, "[ \t]*\n\\s*", "\n");
 }
 
 /// The picture, and the data of each set of equations, with their curves in words.

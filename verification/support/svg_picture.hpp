@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,14 +23,29 @@ inline double pixel(const Tics& axis, double value) {
 
 using Points = std::vector<std::pair<double, double>>;
 
-/// The corners of a path: M1.5,2 L3,4 ...
-inline Points corners(std::string path) {
-  std::ranges::replace_if(
-      path, [](char c) { return c == 'M' || c == 'L' || c == ','; }, ' ');
-  std::istringstream numbers(path);
+/// The corners of a path, such as M1.5,2l.3-4, where an l goes on from the last corner.
+inline Points corners(const std::string& path) {
   Points points;
-  for (double x = 0, y = 0; numbers >> x >> y;) points.emplace_back(x, y);
+  bool is_step = false;
+  for (const char* at = path.c_str(); *at != 0;) {
+    char *right_end = nullptr, *end = nullptr;
+    const double right = std::strtod(at, &right_end),
+                 down = std::strtod(right_end + (*right_end == ','), &end);
+    if (right_end == at) {
+      is_step = *at++ == 'l';
+      continue;
+    }
+    const auto from = is_step ? points.back() : std::pair(0., 0.);
+    points.emplace_back(from.first + right, from.second + down);
+    at = end;
+  }
   return points;
+}
+
+inline double width(const Points& points) {
+  if (points.empty()) return 0;
+  const auto [left, right] = std::ranges::minmax_element(points);
+  return right->first - left->first;
 }
 
 inline std::string without_tags(const std::string& text) {
@@ -105,11 +120,13 @@ struct DrawnPicture {
       } else if (tag.starts_with("<path")) {
         const bool is_grid =
             svg.substr(at, svg.find(" d='", at) - at).find("gridline") != std::string::npos;
-        const Points points = corners(between(at, " d='", "'"));
+        const std::string path = between(at, " d='", "'");
+        const Points points = corners(path);
+        const bool is_frame = path.ends_with('Z');
         if (is_grid) {
           line = points;
           in_curve = false;
-        } else if (in_curve && points.size() > curves.back().points.size()) {
+        } else if (in_curve && !is_frame && width(points) > width(curves.back().points)) {
           curves.back().points = points;  // the shorter one is the key's sample
         }
       } else if (tag.starts_with("<text")) {
@@ -127,7 +144,7 @@ struct DrawnPicture {
         line.clear();
       }
     }
-    std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.size() < 10; });
+    std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.empty(); });
     for (DrawnCurve& curve : curves)
       if (curve.x.empty()) curve.x = x;
   }
