@@ -29,6 +29,14 @@ class Help : public CLI::Formatter {
     label("FLOAT", "N");
   }
 
+  /// A blank line before the footer, in every version of CLI11.
+  std::string make_help(const CLI::App* command, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    return make_description(command) + make_usage(command, std::move(name)) +
+           make_positionals(command) + make_groups(command, mode) +
+           make_subcommands(command, mode) + '\n' + make_footer(command);
+  }
+
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     std::string meaning = make_option_desc(option);
     const auto add = [&](std::string_view word, const std::set<CLI::Option*>& others) {
@@ -175,7 +183,13 @@ void add_options(CLI::App& command, SweepOptions& options) {
                        "results, one row per point (default: the file's name with .csv)");
   command.add_option("--jobs", options.jobs, "threads (default: one per core)")
       ->transform(whole_number())
-      ->check(CLI::Range(1, 4096).description(""));
+      ->check({[](const std::string& text) -> std::string {
+                 const long jobs = std::stol(text);
+                 return jobs >= 1 && jobs <= 4096
+                            ? ""
+                            : fmt::format("must be from 1 to 4096, not {}", jobs);
+               },
+               "", ""});
   command
       .add_flag("--dry-run", options.dry_run,
                 "print the number of points, and about how long they take")

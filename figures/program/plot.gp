@@ -88,7 +88,7 @@ plot for [i = 1:runs] data(i, "speed_Hz") using (column("time_s")):(column("spee
 set ylabel "ρ, mm"
 eval rho_axis
 plot for [i = 1:runs] data(i, "rho_m") using (column("time_s")):(column("rho_m")*1e3) with lines linetype i linewidth wide(i), \
-  for [i = 1:runs] gap(i) with lines linestyle clearance
+  for [k = 1:runs] gap(k) with lines linestyle clearance # not i: `do for [i ...]` loses it in gnuplot 6.0
 set size ratio -1
 eval right_axis
 eval down_axis

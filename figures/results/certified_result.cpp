@@ -91,6 +91,7 @@ Json to_json(const Comparison& comparison, const Scenario& scenario, int digits)
 
 std::string rounded_to(double value, int digits) {
   std::string text = fmt::format("{:#.{}g}", value, digits);
+  if (text.ends_with('.')) text.pop_back();     // fmt 10; with fmt 9 it ends in .0
   const std::size_t nothing = text.size() - 2;  // no digits follow the point
   if (text.ends_with(".0") && std::abs(value) >= 1 &&
       static_cast<int>(nothing) - (value < 0 ? 1 : 0) == digits)

@@ -13,7 +13,7 @@ sweep() { printf '%b\n' "$1" >sweep.toml && shift && rotor sweep sweep.toml --dr
 # The texts of a picture in their order, without tic labels. Numbers of the paper are kept.
 texts() {
   sed -n 's/<\/text>/\n/;s/^.*<text>//;s/<[^>]*>//g;s/&#160;/ /g;/\n/s/^\s*\([^\n]*\)\n.*/\1/p' "$1" |
-    sed -E '/^[-−+0-9. ]*$/d;' | numbers | sed -E '/^N?$/d' | uniq
+    sed -E '/^[-−+0-9. ]*$/d;' | numbers | sed -E '/^(N(·N)?)?$/d' | uniq
 }
 
 # Draws a figure as make does: draw fig03.svg published consistent.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace rotor {
 namespace {
@@ -13,7 +14,7 @@ const std::vector<Uncertainty>& all() {
   return found;
 }
 
-const Uncertainty& of(const std::string& number) {
+const Uncertainty& of(std::string_view number) {
   return *std::ranges::find(all(), number, &Uncertainty::number);
 }
 
