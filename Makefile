@@ -310,7 +310,7 @@ validate: build ## data: independent.csv: accidents by an independent code (minu
 	@figures/draw.sh $(if $(CASES),$(BUILD)/validation,verification/validation)/validation.svg \
 	  "folder = '$(BUILD)/validation'" verification/validation/validation.gp
 
-reasons: build ## data: reasons-tried.csv: reasons for the accident on 1000 rotors
+reasons: build ## data: reasons-tried.csv: reasons for the accident on 5000 rotors
 	$(call build-target,reasons)
 	@$(BUILD)/reasons reference-data 1000
 

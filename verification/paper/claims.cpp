@@ -138,19 +138,6 @@ std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
   return turned;
 }
 
-std::vector<Counts> sensitivity(const std::vector<Number>& numbers) {
-  std::vector<Counts> all;
-  for (std::size_t set = 0; set < sets.size(); ++set)
-    for (const double words : {0.5, 1., 2.}) {
-      Counts counts{sets[set].name, words, {}};
-      for (const std::string& verdict : from_best) counts.claims[verdict] = 0;
-      for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set, {.words = words}))
-        ++counts.claims[verdict];
-      all.push_back(counts);
-    }
-  return all;
-}
-
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers) {
   std::set<std::string> names;
   for (const Number& number : numbers)

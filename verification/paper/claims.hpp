@@ -88,14 +88,6 @@ struct Turned {
 /// All numbers with a verdict that another rule would turn.
 std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers);
 
-/// Counts of verdicts with half, once and twice the widths of words.
-struct Counts {
-  const char* set;
-  double words;
-  std::map<std::string, int> claims;  ///< by verdict
-};
-std::vector<Counts> sensitivity(const std::vector<Number>& numbers);
-
 /// The readings to draw over populations.
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers);
 

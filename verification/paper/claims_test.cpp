@@ -58,6 +58,27 @@ TEST(Claims, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquationsGive) {
   EXPECT_GT(changed, 15);
 }
 
+// By a hundredth of the tolerance; two runs never agree to the bit.
+TEST(Claims, DependOnTheToleranceAHundredTimesLessThanOnThePrintedDigits) {
+  PaperInputs inputs;
+  inputs.spec.numbers["tolerance"] = Scenario{}.tolerance / 100;
+  PaperRuns finer(inputs);
+  int compared = 0;
+  for (const Number& number : judged()) {
+    const Reading& reading = number.readings.front();
+    const auto& [converged, by_rk4, a, b] = reading.in[published];
+    const double range = b.spread.high - b.spread.low;
+    if (number.kind != Kind::simulated || !converged || !(range > 0)) continue;
+    ++compared;
+    const double change = std::abs(read_off(reading.name, finer).value() - *converged);
+    EXPECT_LT(change, range / 200) << number.id;
+    if (number.id != "peak_force") continue;
+    EXPECT_GT(change, 0);
+    EXPECT_LT(change / *converged, 1e-11);
+  }
+  EXPECT_GT(compared, 50);
+}
+
 Stored stored(double low, double median, double high, double valued = 1) {
   return {{.draws = 1, .valued = valued, .median = median, .low = low, .high = high}, 0};
 }

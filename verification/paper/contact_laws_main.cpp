@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 #include <thread>
 
 #include "figures/data/files.hpp"
@@ -29,15 +30,17 @@ std::string cell(double value, const char* form = "{:.5g}") {
   return std::isnan(value) ? "" : fmt::format(fmt::runtime(form), value);
 }
 
-/// What the runs of one set of inputs add to each row, in the order of the rows.
+/// What the runs of one set of inputs add to each row, in the order of the rows; those at the
+/// inputs as printed make them.
 void add_to(std::vector<Row>& rows, PaperRuns& runs, const char* set, bool printed) {
+  static std::mutex adding;
   std::size_t n = 0;
   for (const double mu :
        {runs.inputs().mu_high, runs.inputs().mu_intermediate, runs.inputs().mu_low}) {
     const Summary linear = runs.with(mu, {}).summary();
     const auto add = [&](const char* same, const ContactForm& form,
                          const std::optional<std::map<std::string, double>>& numbers) {
-      if (rows.size() == n) rows.emplace_back();
+      if (printed) rows.emplace_back();
       Row& row = rows[n++];
       if (!numbers) return;
       const PaperRun& run = runs.with(mu, *numbers);
@@ -53,6 +56,7 @@ void add_to(std::vector<Row>& rows, PaperRuns& runs, const char* set, bool print
                                   cell(1e3 * time_to_rolling(s)), cell(1e-3 * force));
         return;
       }
+      const std::scoped_lock lock(adding);
       const bool as_before = s.outcome == linear.outcome;
       row.same_outcome.push_back(as_before ? 1 : 0);
       row.force_ratio.push_back(force / linear.peak_normal_force_N.value_or(0));
@@ -97,32 +101,18 @@ int main(const Arguments& arguments) {
   const PopulationDraws draws(Population::b, folder, count);
   std::string csv = fmt::format(fmt::runtime(head), count);
   for (const Set& set : sets) {
-    std::vector<std::vector<Row>> of_draws(static_cast<std::size_t>(count));
-    in_parallel(count, threads, [&](long n) {
-      PaperInputs inputs = draws(n, set.equations);
-      inputs.spec.numbers["tolerance"] = 1e-8;  // as in ensembles.csv
-      PaperRuns runs(inputs);
-      add_to(of_draws[static_cast<std::size_t>(n)], runs, set.name, false);
-    });
     PaperInputs inputs;
     inputs.spec.equations = set.equations;
     PaperRuns runs(inputs);
     std::vector<Row> rows;
     add_to(rows, runs, set.name, true);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (const std::vector<Row>& of_draw : of_draws) {
-        const auto append = [&](auto Row::*values) {
-          auto& to = rows[i].*values;
-          const auto& from = of_draw[i].*values;
-          to.insert(to.end(), from.begin(), from.end());
-        };
-        append(&Row::same_outcome);
-        append(&Row::force_ratio);
-        append(&Row::time_ratio);
-        append(&Row::more_touch_downs);
-      }
-      csv += to_csv(rows[i]);
-    }
+    in_parallel(count, threads, [&](long n) {
+      PaperInputs drawn = draws(n, set.equations);
+      drawn.spec.numbers["tolerance"] = 1e-8;  // as in ensembles.csv
+      PaperRuns runs_of_draw(drawn);
+      add_to(rows, runs_of_draw, set.name, false);
+    });
+    for (const Row& row : rows) csv += to_csv(row);
   }
   FileTransaction files;
   files.write(folder / "contact-laws.csv", csv);

@@ -1,6 +1,6 @@
-/// Prints the verdict on every claim of the paper, and writes the claims and their uncertainties:
-/// `report-numbers DATA OUT`; or all that is known about one claim: `report-numbers DATA claim ID`;
-/// without ID, or with an empty one, a list of the claims.
+/// Prints the verdict on every claim of the paper, and writes the claims: `report-numbers DATA
+/// OUT`; or all that is known about one claim: `report-numbers DATA claim ID`; without ID, or with
+/// an empty one, a list of the claims.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,8 +10,7 @@
 #include <sstream>
 
 #include "figures/data/files.hpp"
-#include "verification/paper/reasons.hpp"
-#include "verification/paper/uncertainty.hpp"
+#include "verification/paper/claims.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
@@ -49,37 +48,17 @@ void print_reading(const Number& number, const Reading& reading, std::size_t set
         its.spread.draws);
 }
 
-int list_claims(const std::vector<Number>& numbers, const std::vector<Reason>& reasons) {
+int list_claims(const std::vector<Number>& numbers) {
   std::set<std::string> seen;
   for (const Number& number : numbers)
     if (seen.insert(number.claim).second)
       fmt::print("{:<22} {} ({})\n", number.claim, number.says, number.place);
-  for (const Reason& reason : reasons)
-    if (!reason.rule().empty())
-      fmt::print("{:<22} {} ({})\n", reason.id, reason.says, reason.place);
-  return 0;
-}
-
-/// A statement about a trend: the share of random pairs of values, as the page has it.
-int show_reason(const std::filesystem::path& data, const Reason& reason) {
-  fmt::print("{}: {} ({})\n  rule: {}\n", reason.id, reason.says, reason.place,
-             reason.rule().empty() ? "none" : reason.rule());
-  fmt::print("  share of random pairs of values {} (make reasons)\n",
-             reason.judged == Criterion::decides
-                 ? "with different outcomes"
-                 : "in which the riskier one is at least as severe; else: median ratio of forces");
-  const auto words = read_trials_in_words(data);
-  for (const Set& set : sets)
-    fmt::print("  {} equations: {}\n", set.name, words.at({reason.id, set.name}));
   return 0;
 }
 
 int show_claim(const std::filesystem::path& data, const std::string& id) {
   const std::vector<Number> table = read_numbers(data / "claims.csv");
-  const std::vector<Reason> reasons = read_reasons(data / "reasons.csv");
-  if (id.empty()) return list_claims(table, reasons);
-  for (const Reason& reason : reasons)
-    if (reason.id == id) return show_reason(data, reason);
+  if (id.empty()) return list_claims(table);
   of_claim(table, id);  // before all are computed
   const std::vector<Number> numbers = judged_numbers(data);
   for (const Number& n : of_claim(numbers, id)) {
@@ -116,7 +95,6 @@ int main(const Arguments& arguments) {
   const std::filesystem::path data = arguments[0], out = arguments[1];
   const auto numbers = judged_numbers(data);
   FileTransaction files;
-  files.write(out / "uncertainty.csv", to_csv(uncertainties(numbers)));
   const bool as_expected = print_and_write_claims(numbers, files, out);
   files.commit();
   return as_expected ? 0 : 1;

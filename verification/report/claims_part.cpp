@@ -180,12 +180,20 @@ Json turned_json(const std::vector<Number>& numbers) {
   return rows;
 }
 
-Json verdicts_json(const std::vector<const Json*>& claims) {
+Json claims_of(int figure, const Json& claims) {
+  Json its = Json::array();
+  for (const Json& claim : claims)
+    for (const Json& number : claim.at("figures"))
+      if (number == figure) its.push_back(claim);
+  return its;
+}
+
+Json verdicts_json(const Json& claims) {
   Json all = {{"claims", claims.size()}, {"claims_something", !claims.empty()}};
   for (const char* set : set_keys) {
     const auto count = [&](const char* verdict) {
-      return std::ranges::count_if(
-          claims, [&](const Json* claim) { return claim->at(set).at("says") == verdict; });
+      return std::count_if(claims.begin(), claims.end(),
+                           [&](const Json& claim) { return claim.at(set).at("says") == verdict; });
     };
     const auto reproduced = count("reproduced"), rounding = count("within rounding"),
                refuted = count("refuted");

@@ -13,12 +13,6 @@
 namespace rotor {
 namespace {
 
-std::vector<const Json*> all_of(const Json& claims) {
-  std::vector<const Json*> all;
-  for (const Json& claim : claims) all.push_back(&claim);
-  return all;
-}
-
 /// Why a refuted claim fails: an error in the equations, a word or a number.
 std::string cause_of(const Json& claim) {
   if (claim.at("corrected").at("says") == "reproduced") return "equations";
@@ -74,18 +68,6 @@ Json register_json(const std::filesystem::path& assumptions) {
   return rows;
 }
 
-/// The counts of verdicts by the width of words.
-Json sensitivity_json(const std::vector<Number>& numbers) {
-  Json rows = Json::array();
-  for (const Counts& counts : sensitivity(numbers))
-    rows.push_back({{"set", counts.set},
-                    {"words", fmt::format("{:g}", counts.words)},
-                    {"reproduced", counts.claims.at("reproduced")},
-                    {"within_rounding", counts.claims.at("within rounding")},
-                    {"refuted", counts.claims.at("refuted")}});
-  return rows;
-}
-
 /// Largest forces at three speeds on one scale, kN.
 Json forces_json(const Json& values) {
   Json rows = Json::array();
@@ -132,12 +114,9 @@ Json document(const Sources& sources) {
   const Json words = with_numbers(read_json(sources.texts), values);
   const Json figures = figures_json(sources, claims);
   for (Json& claim : claims) add_run(claim, figures);
-  Json names;
-  for (const Number& number : judged) names[number.id] = number.says;
   Json all = {{"title", words.at("title")},
               {"paper", words.at("paper")},
-              {"verdict", verdicts_json(all_of(claims))},
-              {"sensitivity", sensitivity_json(judged)},
+              {"verdict", verdicts_json(claims)},
               {"turned", turned_json(judged)},
               {"words", words},
               {"values", values},
@@ -145,14 +124,13 @@ Json document(const Sources& sources) {
               {"forces", forces_json(values)},
               {"groups", groups_json(claims, words.at("causes"))},
               {"tests", tests_json(sources)},
-              {"studies", studies_json(sources, names)},
+              {"studies", studies_json(sources)},
               {"assumptions", register_json(sources.reference_data / "assumptions.csv")},
               {"provenance", provenance_json(sources)}};
   for (Json& figure : all["figures"])
     figure["caption"] =
         words.at("captions").value(figure.at("number").get<std::string>(), figure.at("title"));
   all["words"].erase("captions");
-  if (sources.of_this_machine) all["machine"] = machine_json();
   return all;
 }
 

@@ -18,27 +18,31 @@ struct Sources {
   std::filesystem::path report{};          ///< next to the page: figures in both sets, studies
   std::filesystem::path tests{};           ///< tests-*.json of GoogleTest
   std::string commit{}, commit_date{};
-  bool of_this_machine = true;  ///< with what differs from machine to machine
 };
 
 Json document(const Sources& sources);
 
 // Its parts.
 Json claims_json(const std::vector<Number>& numbers);
+Json claims_of(int figure, const Json& claims);
 Json turned_json(const std::vector<Number>& numbers);  ///< verdicts that other rules would turn
 Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
-Json studies_json(const Sources& sources, const Json& names);  ///< names: of numbers, in words
+Json studies_json(const Sources& sources);
 Json tests_json(const Sources& sources);
-Json machine_json();
 Json provenance_json(const Sources& sources);
 
 /// Stills of the accident, and the recorded runs and maps of the interactive part.
 Json accident_json();
 Json instrument_json(const std::filesystem::path& report);
 
+/// The rows of a table by the texts of some columns, with "_" for a point and none for an empty
+/// text: laws.published.rolling_speed.0_03. `agree`, a share of `runs`, is in percent with its
+/// standard error.
+Json rows_by(const std::filesystem::path& csv, const std::vector<const char*>& keys);
+
 /// The numbers of verdicts in each set of equations, in words and as a mark.
-Json verdicts_json(const std::vector<const Json*>& claims);
+Json verdicts_json(const Json& claims);
 
 /// The whole of a file. Throws std::runtime_error, naming it, if it cannot be read.
 std::string content_of(const std::filesystem::path& file);

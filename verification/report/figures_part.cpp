@@ -7,7 +7,6 @@
 
 #include "figures/input/words.hpp"
 #include "figures/runs/scene.hpp"
-#include "verification/report/curves.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -18,36 +17,29 @@ std::string replaced(const std::string& text, const char* pattern, const std::st
 }
 
 /// A picture from gnuplot as part of a page: as wide as possible, with unique names, and described
-/// in words.
-std::string inline_svg(std::string svg, const std::string& name, const std::string& label_id) {
+/// by its caption.
+std::string inline_svg(std::string svg, const std::string& name) {
   svg = svg.substr(svg.find("<svg"));
   svg = replaced(svg, " id=\"gnuplot_[^\"]*\"", "");
   svg = replaced(svg, "id='([^']*)'", "id='" + name + "-$1'");
   svg = replaced(svg, "href='#([^']*)'", "href='#" + name + "-$1'");
   svg = replaced(svg, "url\\(#([^)]*)\\)", "url(#" + name + "-$1)");
   svg = replaced(svg, "<svg[^>]*viewBox=\"([^\"]*)\"[^>]*>",
-                 "<svg viewBox=\"$1\" role=\"img\" aria-labelledby=\"" + label_id +
-                     "\" xmlns=\"http://www.w3.org/2000/svg\" "
+                 "<svg viewBox=\"$1\" role=\"img\" aria-labelledby=\"" + name +
+                     "-caption\" xmlns=\"http://www.w3.org/2000/svg\" "
                      "xmlns:xlink=\"http://www.w3.org/1999/xlink\">");
   return replaced(svg, "[ \t]*\n\\s*", "\n");
 }
 
-/// The picture, and the data of each set of equations, with their curves in words.
+/// The picture, and the data of each set of equations.
 Json picture_json(const Sources& sources, const std::string& name) {
-  Json picture = {{"svg", inline_svg(content_of(sources.report / "figures" / (name + ".svg")), name,
-                                     name + "-says")},
-                  {"svg_file", fmt::format("figures/{}.svg", name)},
-                  {"data", Json::array()}};
-  for (const std::string set : {"published", "consistent"}) {
-    const std::string file = fmt::format("figures/{}/{}.csv", set, name);
-    std::string says;
-    for (const FigureCurve& curve : read_curves(sources.report / file)) {
-      const std::string run = curve.run == "run" ? "" : ", " + curve.run;
-      says += fmt::format(" {}{}: {}.", curve.words, run, in_words(curve));
-    }
-    picture["data"].push_back(
-        {{"equations", equations_in_words(set)}, {"csv_file", file}, {"says", says}});
-  }
+  Json picture = {
+      {"svg", inline_svg(content_of(sources.report / "figures" / (name + ".svg")), name)},
+      {"svg_file", fmt::format("figures/{}.svg", name)},
+      {"data", Json::array()}};
+  for (const std::string set : {"published", "consistent"})
+    picture["data"].push_back({{"equations", equations_in_words(set)},
+                               {"csv_file", fmt::format("figures/{}/{}.csv", set, name)}});
   return picture;
 }
 
@@ -82,18 +74,11 @@ Json figures_json(const Sources& sources, const Json& claims) {
     const std::string name = fmt::format("fig{:02}", number);
     const auto file = sources.scenes / (name + ".toml");
     const Scene scene = read_scene(file);
-    std::vector<const Json*> judged;
-    Json its_claims = Json::array();
-    for (const Json& claim : claims)
-      for (const Json& figure : claim.at("figures"))
-        if (figure == number) {
-          judged.push_back(&claim);
-          its_claims.push_back({{"claim", claim.at("claim")}, {"says", claim.at("says")}});
-        }
+    const Json its_claims = claims_of(number, claims);
     all.push_back({{"number", std::to_string(number)},
                    {"name", name},
                    {"title", scene.title},
-                   {"verdict", verdicts_json(judged)},
+                   {"verdict", verdicts_json(its_claims)},
                    {"picture", picture_json(sources, name)},
                    {"runs", runs_json(scene)},
                    {"scene", content_of(file)},

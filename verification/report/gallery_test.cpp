@@ -92,11 +92,7 @@ Redrawn from the equations as printed and from the corrected ones: in blue and i
 `make approve`. The paper's printed curves were not available: its numbers, in grey, are beside ours in the pictures.
 )";
   for (const Figure& figure : paper_figures()) {
-    std::vector<const Json*> its;
-    for (const Json& claim : claims)
-      for (const Json& number : claim.at("figures"))
-        if (number == figure.number) its.push_back(&claim);
-    const Json verdicts = verdicts_json(its);
+    const Json its = claims_of(figure.number, claims), verdicts = verdicts_json(its);
     text += fmt::format(
         "\n## Fig. {0}: {1}\n\n`make fig{0:02}`. Claims: {2}{3}.\n\n{4}\n\n![Fig. {0}]({5})\n",
         figure.number, figure.scene.title, verdicts["as_printed"]["says"].get<std::string>(),

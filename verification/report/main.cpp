@@ -1,6 +1,5 @@
-/// Writes the reviewer's page and the document behind it:
-///   report-page SOURCES BUILD OUT COMMIT DATE this-machine|archive
-/// OUT has the data of the page; this adds index.html, report.json and machine.json.
+/// Writes the reviewer's page, index.html, into the folder OUT that has its data:
+///   report-page SOURCES BUILD OUT COMMIT DATE
 #include <fmt/format.h>
 
 #include <regex>
@@ -40,22 +39,20 @@ Json engine_json(const fs::path& build, const fs::path& scripts, const fs::path&
 }
 
 int main(const Arguments& arguments) {
-  if (arguments.size() != 6 || (arguments[5] != "this-machine" && arguments[5] != "archive"))
+  if (arguments.size() != 5)
     throw std::runtime_error(
         "needs the folders of the sources, of what was built and of the page, the commit and its "
-        "date, and this-machine or archive");
+        "date");
   const fs::path root = arguments[0], build = arguments[1], out = arguments[2],
                  room = root / "verification/report";
-  Json page = document({.texts = room / "texts.json",
-                        .scenes = root / "figures/paper",
-                        .reference_data = root / "reference-data",
-                        .report = out,
-                        .tests = build / "report",
-                        .commit = arguments[3],
-                        .commit_date = arguments[4],
-                        .of_this_machine = arguments[5] == "this-machine"});
+  Json shown = document({.texts = room / "texts.json",
+                         .scenes = root / "figures/paper",
+                         .reference_data = root / "reference-data",
+                         .report = out,
+                         .tests = build / "report",
+                         .commit = arguments[3],
+                         .commit_date = arguments[4]});
   std::set<fs::path> seen;
-  Json shown = page;
   shown["style"] = content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
   shown["printed_inputs"] = content_of(root / "reference-data/printed-inputs.csv");
@@ -64,17 +61,12 @@ int main(const Arguments& arguments) {
   instrument["knobs"] = read_json(room / "knobs.json");
   shown["instrument"] = instrument.dump();
   shown["model"] = content_of(root / "figures/paper/preview/model.svg");
-  const Json stills = accident_json();
-  shown["stills"] = render(content_of(room / "accident.mustache.svg"), {}, stills);
+  shown["stills"] = render(content_of(room / "accident.mustache.svg"), {}, accident_json());
   const std::string html =
       render(content_of(room / "index.mustache.html"),
              {{"claim_rows", content_of(room / "claim_rows.mustache.html")}}, shown);
-  for (Json& figure : page["figures"]) figure["picture"].erase("svg");  // it is a separate file
   FileTransaction files;
-  files.write(out / "accident.svg", shown["stills"].get<std::string>());
   files.write(out / "index.html", html);
-  files.write(out / "report.json", page.dump(1) + '\n');
-  files.write(out / "machine.json", machine_json().dump(1) + '\n');
   files.commit();
   return 0;
 }

@@ -47,6 +47,7 @@ data forms_of(double number) {
   for (const char digits : std::string("01234")) {
     const int count = digits - '0';
     forms[std::string("f") + digits] = in_print(fmt::format("{:.{}f}", number, count));
+    forms[std::string("p") + digits] = in_print(fmt::format("{:.{}f}", 100 * number, count));
     if (count > 0)
       forms[std::string("s") + digits] = in_print(fmt::format("{:.{}g}", number, count));
   }

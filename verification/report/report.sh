@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # What `make report` does once everything is built and drawn: collects the files of the page in a folder,
-# and writes the page. `report.sh BUILD OUT archive` leaves out what differs between machines and days;
-# only machine.json has that.
+# and writes the page. `report.sh BUILD OUT archive` leaves out what differs between machines.
 set -euo pipefail
 build=$1 out=${2:-$1/report} kind=${3:-this-machine}
 rm -rf "$out/figures"
@@ -37,6 +36,6 @@ cp verification/paper/contact-laws.svg reference-data/contact-laws.csv "$out/con
 commit=$(git rev-parse HEAD 2>/dev/null || echo unknown)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)
 [ -z "$(git status --porcelain 2>/dev/null)" ] || commit="$commit with changes"
-"$build/report-page" . "$build" "$out" "$commit" "$date" "$kind"
+"$build/report-page" . "$build" "$out" "$commit" "$date"
 rm -f "$out/engine.wasm.gz.base64"
 echo "$out/index.html"

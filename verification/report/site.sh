@@ -7,7 +7,6 @@ site=$build/site
 rm -rf "$site"
 mkdir -p "$site/rotor"
 verification/report/report.sh "$build" "$site/rotor" archive >/dev/null
-mv "$site/rotor/machine.json" "$site" # of this run
 touched=$(git show -s --format=%ct HEAD 2>/dev/null || echo 0)
 tar --create --sort=name --format=ustar --mtime="@$touched" --owner=0 --group=0 --numeric-owner \
   --mode=u=rwX,go=rX --directory "$site" rotor | gzip --no-name --best >"$site/rotor.tar.gz"

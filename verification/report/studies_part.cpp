@@ -1,17 +1,12 @@
 /// Results of other targets; the tests; provenance.
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <boost/version.hpp>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <map>
 
 #include "figures/data/csv.hpp"
-#include "verification/paper/reasons.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -36,39 +31,6 @@ std::string name_of(const Json& test) {
   const auto suite = test.at("classname").get<std::string>(),
              name = test.at("name").get<std::string>();
   return suite + '.' + name.substr(0, name.find('/'));
-}
-
-/// Position of a relative uncertainty on the chart's logarithmic axis, in percent of its width.
-constexpr double least_exponent = -16, greatest_exponent = 1;
-std::string on_axis(double value) {
-  const double exponent = std::log10(std::max(value, 1e-16)) - least_exponent;
-  return fmt::format("{:.1f}", 100 * exponent / (greatest_exponent - least_exponent));
-}
-
-/// For each simulated number: the error of the method as a dot, that of the paper's steps as a
-/// cross, the effect of the inputs from population (a) to (b) as an interval.
-Json uncertainty_json(const fs::path& csv, const Json& names) {
-  Json rows = Json::array();
-  if (fs::exists(csv))
-    for (const CsvRow& row : read_csv(csv)) {
-      const auto place = [&](const char* column) {
-        return row[column].empty() ? Json()
-                                   : Json(on_axis(static_cast<double>(row.number(column))));
-      };
-      Json line = {{"says", names.value(std::string(row["number"]), std::string(row["number"]))},
-                   {"method", place("u_num")},
-                   {"steps", place("u_num_published_method")}};
-      if (!row["u_input_b"].empty() && row.number("u_input_b") > 0) {
-        const auto b = static_cast<double>(row.number("u_input_b"));
-        auto a = static_cast<double>(row.number("u_input_a"));
-        if (!(a > 0)) a = b;  // the time of the loss changes nothing
-        const double from = std::stod(on_axis(a)), to = std::stod(on_axis(b));
-        line["inputs"] = {{"from", fmt::format("{:.1f}", std::min(from, to))},
-                          {"wide", fmt::format("{:.1f}", std::abs(to - from))}};
-      }
-      rows.push_back(line);
-    }
-  return rows;
 }
 
 /// The theorems from rest at the decimals as printed: each quantity in both sets of equations, to
@@ -103,31 +65,22 @@ Json proven_json(const fs::path& csv) {
 }
 
 Json reasons_json(const fs::path& folder) {
-  const auto words = read_trials_in_words(folder);
+  const Json shares = rows_by(folder / "reasons-tried.csv", {"reason", "equations"});
   Json rows = Json::array();
-  for (const Reason& reason : read_reasons(folder / "reasons.csv")) {
-    std::string along = reason.quantity.substr(0, reason.quantity.find("_hz"));
-    std::ranges::replace(along, '_', ' ');
-    rows.push_back({{"cells",
-                     {reason.says, reason.place, along, reason.rule(),
-                      words.at({reason.id, "published"}), words.at({reason.id, "consistent"})}}});
+  for (const CsvRow& row : read_csv(folder / "reasons.csv")) {
+    const Json& of = shares.at(row["reason"]);
+    rows.push_back({{"says", row["says"]},
+                    {"place", row["place"]},
+                    {"as_printed", of.at("published").at("agree")},
+                    {"corrected", of.at("consistent").at("agree")}});
   }
-  return {{"header",
-           {"The text, in our words", "Place", "Quantity varied", "Our rule",
-            "Equations as printed", "Corrected"}},
-          {"rows", rows}};
+  return rows;
 }
 
 }  // namespace
 
-Json studies_json(const Sources& sources, const Json& names) {
-  const Json bars = uncertainty_json(sources.report / "uncertainty.csv", names);
-  Json decades = Json::array();
-  for (int exponent = -15; exponent <= 0; exponent += 3)
-    decades.push_back({{"exponent", exponent}, {"at", on_axis(std::pow(10, exponent))}});
-  Json all = {{"uncertainty", bars},
-              {"decades", decades},
-              {"reasons", reasons_json(sources.reference_data)},
+Json studies_json(const Sources& sources) {
+  Json all = {{"reasons", reasons_json(sources.reference_data)},
               {"proven", proven_json(sources.reference_data / "proven.csv")}};
   for (const auto& [title, folder, picture] :
        {std::tuple("Run time against error", "work-precision", "work-precision-2.svg"),
@@ -182,26 +135,6 @@ Json provenance_json(const Sources& sources) {
           {"commit", sources.commit},
           {"commit_date", sources.commit_date},
           {"command", "make deps report"}};
-}
-
-Json machine_json() {
-  std::string processor = "unknown";
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) processor = line.substr(line.find(": ") + 2);
-  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  char date[32];
-  std::strftime(date, sizeof date, "%Y-%m-%d %H:%M UTC", std::gmtime(&now));
-  return {{"date", date},
-          {"processor", processor},
-          {"compiler", ROTOR_COMPILER},
-          {"flags", ROTOR_FLAGS},
-          {"libraries",
-           fmt::format("Boost {}.{}, Eigen {}.{}.{}, fmt {}.{}, nlohmann-json {}.{}.{}",
-                       BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, EIGEN_WORLD_VERSION,
-                       EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION / 10000,
-                       FMT_VERSION / 100 % 100, NLOHMANN_JSON_VERSION_MAJOR,
-                       NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 }
 
 }  // namespace rotor

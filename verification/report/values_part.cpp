@@ -1,7 +1,10 @@
 /// The numbers in the page's texts.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "verification/report/document.hpp"
@@ -85,7 +88,34 @@ Json mass_loss_json() {
           {"off_axis_um", 1e6 * before.mass_centre().norm()}};
 }
 
+/// In percent with its standard error, or of how many if it is the same in all.
+std::string with_error(double percent, double count) {
+  if (percent == 0 || percent == 100) return fmt::format("{:.0f} % of {:.0f}", percent, count);
+  const double error = std::sqrt(percent * (100 - percent) / count);
+  return fmt::format("{:.{}f} +- {:.{}f} %", percent, error < 0.05 ? 2 : 1, error,
+                     error < 0.05 ? 2 : 1);
+}
+
 }  // namespace
+
+Json rows_by(const std::filesystem::path& csv, const std::vector<const char*>& keys) {
+  Json all;
+  for (const CsvRow& row : read_csv(csv)) {
+    Json* of = &all;
+    for (const char* key : keys)
+      if (std::string text = row[key]; !text.empty()) {
+        std::ranges::replace(text, '.', '_');
+        of = &(*of)[text];
+      }
+    for (const std::string& column : row.headings()) {
+      const Json number = Json::parse(row[column], nullptr, false);
+      (*of)[column] = number.is_number() ? number : Json(row[column]);
+    }
+    if (of->contains("runs"))
+      (*of)["agree"] = with_error(100 * of->at("agree").get<double>(), of->at("runs"));
+  }
+  return all;
+}
 
 Json values_json(const std::vector<Number>& numbers) {
   Json readings, corrected, printed, shares;
