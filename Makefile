@@ -276,8 +276,7 @@ engine: need-deps
 	@verification/report/engine/build.sh $(BUILD)
 explore: engine report ## paper: make the page with the engine: drag to rerun the accident
 
-check-explore: explore ## code: operate the page with the engine, compared with the program
-	@node verification/report/check_engine.mjs $(BUILD)/report/index.html $(ROTOR) $(BUILD)/check-report "$$(command -v chromium)"
+check-explore: explore check-report ## code: check the page with the engine, compared with the program
 
 portable: build ## code: build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)

@@ -7,7 +7,7 @@ page=$build/report/index.html
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 failed=0
 if [ -n "$browser" ] && [ -d "$build/check-report/node_modules/playwright-core" ]; then
-  node verification/report/check_page.mjs "$page" "$browser" || failed=1
+  node verification/report/check_page.mjs "$page" "$browser" "$build/rotor" || failed=1
 else
   echo "check-report: Chromium or playwright-core is missing: make deps-report installs both" >&2
   failed=1

@@ -1,37 +1,8 @@
-// What `make check-explore` does: operates the page with the engine in a headless browser, and compares
-// it with the program: node explore.mjs PAGE ROTOR NPM CHROMIUM, where NPM has node_modules.
+// The page with the engine, compared with the program: part of check_page.mjs.
 import { execFileSync, spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import path from "node:path";
-import { pathToFileURL } from "node:url";
 
-import { outcomes } from "./script/outcome.js";
-
-const [page_file, rotor, npm, executablePath] = process.argv.slice(2).map((name) => path.resolve(name));
-const require = createRequire(path.join(npm, "package.json"));
-const { chromium } = require("playwright-core");
-
-let failures = 0;
-function expect(holds, what) {
-  if (holds) return;
-  ++failures;
-  console.error(`FAILED: ${what}`);
-}
+let page, rotor, expect;
 const say = (text) => console.log(text);
-
-const browser = await chromium.launch({
-  executablePath,
-  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--disable-background-networking"],
-});
-const context = await browser.newContext({ viewport: { width: 1400, height: 1000 }, reducedMotion: "reduce" });
-const page = await context.newPage();
-page.on("console", (message) => expect(message.type() !== "error", `console: ${message.text()}`));
-page.on("pageerror", (error) => expect(false, `error on the page: ${error.stack}`));
-page.on("request", (request) =>
-  expect(/^(file|blob|data):/.test(request.url()), `the page asks the network for ${request.url()}`));
-
-const address = pathToFileURL(page_file).href;
 const text = (id) => page.textContent(`#${id}`);
 /// Waits until the pictures match the settings in the address.
 const shown = () => page.waitForFunction(
@@ -107,24 +78,6 @@ async function checkNumbers() {
   }
   say(`${settings.length} settings: every number as rotor run --json has it, within the error of the run; ` +
     `the largest difference is ${(100 * worst).toFixed(0)} % of it`);
-}
-
-/// The counts of outcomes add up to the number of draws.
-async function checkShares() {
-  await set({ friction: "0.08" });
-  await page.click("#sure");
-  await page.waitForFunction(() => document.querySelectorAll("#sureness p").length > 1, null, { timeout: 120_000 });
-  const shares = await text("sureness");
-  await page.click("#sure");
-  const count = Object.values(outcomes)
-    .map((words) => Number(shares.match(new RegExp(`In (\\d+) of 30 draws the rotor ${words}\\.`))?.[1] ?? 0))
-    .reduce((one, other) => one + other);
-  expect(count === 30, `the draws have ${count} outcomes, not 30`);
-  for (const what of ["Largest normal force", "Touch-downs"]) {
-    const [least, greatest, median] = shares.match(new RegExp(`${what}: (\\S+)(?: kN)? … (\\S+)(?: kN)?, median ([\\d.]*\\d)`))
-      ?.slice(1).map(Number) ?? [];
-    expect(least <= median && median <= greatest, `${what} from ${least} to ${greatest}, median ${median}`);
-  }
 }
 
 // ---- knobs, address, refusals
@@ -211,21 +164,8 @@ async function checkLongRuns() {
   say(`a long run is dropped, and the next one shown, in ${waited_s.toFixed(2)} s`);
 }
 
-async function checkFiles() {
-  await set({ friction: "0.2", from: "29.1" });
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
-  const ours = readFileSync(await download.path(), "utf8").split("\n");
-  const theirs = execFileSync(rotor, ["run", "--friction", "0.2", "--from", "29.1", "--trace", "-"],
-    { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }).split("\n");
-  const head = theirs.findIndex((line) => !line.startsWith("#")) + 1;
-  // Closed forms in it may differ in their last digits, like sines.
-  const headOf = (lines) => lines.slice(0, head).join("\n").replace(/\d+\.\d+(e[-+]?\d+)?/g, (number) => Number(number).toPrecision(9));
-  expect(headOf(ours) === headOf(theirs), "the head of the CSV is another one");
-  expect(Math.abs(ours.length - theirs.length) < 0.01 * theirs.length, `the CSV has ${ours.length} rows, not ${theirs.length}`);
-}
-
-try {
-  await page.goto(address);
+export async function checkEngine(of) {
+  ({ page, rotor, expect } = of);
   await shown();
   await page.click("#more > summary");
   await page.waitForSelector("#friction");
@@ -233,10 +173,4 @@ try {
   await checkKnobs();
   await checkRefusals();
   await checkLongRuns();
-  await checkFiles();
-  await checkShares();
-} finally {
-  await browser.close();
 }
-say(failures === 0 ? "The page agrees with the program." : `${failures} failures`);
-process.exitCode = failures === 0 ? 0 : 1;

@@ -3,17 +3,12 @@
 
 #include <algorithm>
 #include <regex>
-#include <set>
 
 #include "verification/report/engine/explorer.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
-
-std::vector<CsvRow> printed_inputs() {
-  return read_csv(fs::path(ROTOR_REFERENCE_DATA) / "printed-inputs.csv");
-}
 
 class Explore : public CommandLine {
  protected:
@@ -25,7 +20,7 @@ class Explore : public CommandLine {
   }
 
   Observer null_observer_;
-  Explorer explorer_{printed_inputs()};
+  Explorer explorer_;
 };
 
 /// The results of a run without its cost, which is higher if the motion between steps is observed.
@@ -84,15 +79,6 @@ TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
   }
 }
 
-// A window may start before the checkpoints of the last run.
-TEST_F(Explore, SavesTheTraceThatRotorRunWrites) {
-  for (const char* from : {"29.1", "27.9", "29.099"}) {
-    const Options options = {{"friction", "0.2"}, {"until", "29.11"}, {"from", from}};
-    EXPECT_EQ(rotor("run --trace t.csv" + as_arguments(options)).status, 0);
-    EXPECT_TRUE(explorer_.trace(options, null_observer_) == content("t.csv")) << from;  // megabytes
-  }
-}
-
 // The works of the energy balance over time: at the end they are those of the summary.
 TEST_F(Explore, TellsHowTheWorksGrow) {
   const Picture picture = explorer_.run({}, null_observer_);
@@ -108,49 +94,6 @@ TEST_F(Explore, TellsHowTheWorksGrow) {
     friction = picture.works.row(i)[5];
   }
   EXPECT_LT(friction, -1000);
-}
-
-/// What is drawn for these settings, as "quantity least greatest".
-std::set<std::string> drawn(const Options& options) {
-  std::set<std::string> all;
-  const Sweep sweep = over_printed_digits(settings_of(options).spec, printed_inputs(), 1);
-  for (const Draw& draw : sweep.sample.over)
-    all.insert(fmt::format("{} {} {}", draw.quantity, draw.a, draw.b));
-  return all;
-}
-
-// A value other than the printed one is not varied.
-TEST_F(Explore, DrawsThePrintedInputsThatAreInEffect) {
-  const auto all = drawn({});
-  EXPECT_TRUE(drawn({{"friction", "0.08"}}).contains("friction 0.075 0.085"));
-  EXPECT_EQ(drawn({{"clearance", "0.003"}}), all);
-  const std::vector<std::pair<Options, std::string>> without = {
-      {{{"friction", "0.15"}}, "friction 0.25 0.35"},
-      {{{"stator-radius", "0.063"}}, "clearance 0.0025 0.0035"},
-      {{{"unbalance-factor", "3"}}, "lost_mass 0.02475 0.02485"},
-      {{{"mass-loss-speed-hz", "100"}}, "mass_loss_time 29.05 29.15"},
-      {{{"start-speed-hz", "60"}}, "mass_loss_time 29.05 29.15"}};
-  for (const auto& [options, missing] : without) {
-    auto expected = all;
-    EXPECT_EQ(expected.erase(missing), 1U) << missing;
-    EXPECT_EQ(drawn(options), expected) << missing;
-  }
-}
-
-TEST_F(Explore, ShowsTheSamePartOfEachDraw) {
-  const Options options = {{"until", "29.12"}};
-  std::set<double> losses;
-  for (long n = 0; n < 3; ++n) {
-    const Picture draw = explorer_.draw(options, n, 3, null_observer_);
-    const double loss_s = draw.metadata["mass_loss_s"];
-    losses.insert(loss_s);
-    constexpr double rounding = 1e-9;
-    EXPECT_NEAR(draw.metadata["from_s"].get<double>() - loss_s, -0.02, rounding);
-    EXPECT_NEAR(draw.metadata["until_s"].get<double>() - loss_s, 0.02, rounding);
-    EXPECT_EQ(draw.metadata["summary"]["inputs"]["tolerance"], 1e-8);
-    EXPECT_EQ(draw.metadata["drawn"].size(), drawn({}).size());
-  }
-  EXPECT_EQ(losses.size(), 3U);
 }
 
 // The page's scripts read only existing columns of the motion and keys of the summary.

@@ -83,7 +83,7 @@ Table thinned(const Table& table) {
 }
 
 Json runs_json() {
-  Explorer explorer({});
+  Explorer explorer;
   Observer nobody;
   Json runs = Json::array();
   for (const Set& set : sets)

@@ -55,7 +55,6 @@ int main(const Arguments& arguments) {
   std::set<fs::path> seen;
   shown["style"] = content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
-  shown["printed_inputs"] = content_of(root / "reference-data/printed-inputs.csv");
   shown["engine"] = engine_json(build, room / "script", out / "engine.wasm.gz.base64");
   Json instrument = instrument_json(out);
   instrument["knobs"] = read_json(room / "knobs.json");

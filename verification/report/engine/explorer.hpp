@@ -1,10 +1,7 @@
 /// Runs for interactive use: fast, and repeated with changed settings.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "figures/record/columns.hpp"
+#include "figures/data/csv.hpp"
 #include "figures/results/json.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "verification/report/engine/settings.hpp"
@@ -20,36 +17,17 @@ struct Picture {
   Table works;   ///< time, and the works of EnergyBalance up to then, J
 };
 
-/// Keeps the run-ups of the last settings, so that knobs that act later need no new run-up. All
-/// functions throw std::exception with the messages of the command line, and call the monitor after
-/// each step.
+/// Keeps the run-ups of the last settings, so that knobs that act later need no new run-up.
 class Explorer {
  public:
-  explicit Explorer(std::vector<CsvRow> printed_inputs)
-      : printed_inputs_(std::move(printed_inputs)) {}
-
-  /// Largest distance of its curves from the motion, relative to their range: half a pixel.
+  /// Largest distance of its curves from the motion, relative to their range: half a pixel. Calls
+  /// the monitor after each step. Throws std::exception with the messages of the command line.
   Picture run(const Options& options, Observer& monitor, double closeness = 1e-3);
-
-  /// One of `count` draws over the rounding of the inputs: its outcome and its curves over time.
-  Picture draw(const Options& options, long n, long count, Observer& monitor);
-
-  /// What `rotor run --trace` writes.
-  std::string trace(const Options& options, Observer& monitor);
 
   /// The inputs: name, symbol, unit, meaning, and the paper's value, if there is one.
   Json describe_numbers() const;
 
  private:
-  /// What a picture shows, and how accurately.
-  struct Shot {
-    Scenario scenario;
-    double from_s, closeness;
-    const std::vector<const Column*>& columns;
-  };
-  Picture picture(const Shot& shot, Observer& monitor);
-
-  std::vector<CsvRow> printed_inputs_;
   RunUps run_ups_;
 };
 

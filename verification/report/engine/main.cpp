@@ -3,8 +3,6 @@
 #include <emscripten/bind.h>
 #include <emscripten/emscripten.h>
 
-#include <sstream>
-
 #include "verification/report/engine/explorer.hpp"
 
 namespace rotor {
@@ -43,33 +41,15 @@ val array(const Table& table) {
 
 class Engine {
  public:
-  explicit Engine(const std::string& printed_inputs) : explorer_(rows(printed_inputs)) {}
-
   val run(const std::string& options, val on_progress) {
     return answer(on_progress, [&](Observer& monitor) {
       return to_page(explorer_.run(read(options), monitor));
-    });
-  }
-  val draw(const std::string& options, int n, int count, val on_progress) {
-    return answer(on_progress, [&](Observer& monitor) {
-      return to_page(explorer_.draw(read(options), n, count, monitor));
-    });
-  }
-  val trace(const std::string& options, val on_progress) {
-    return answer(on_progress, [&](Observer& monitor) {
-      val result = val::object();
-      result.set("csv", explorer_.trace(read(options), monitor));
-      return result;
     });
   }
 
   std::string describe_numbers() const { return explorer_.describe_numbers().dump(); }
 
  private:
-  static std::vector<CsvRow> rows(const std::string& text) {
-    std::istringstream stream(text);
-    return read_csv(stream, "printed inputs");
-  }
   static Options read(const std::string& options) { return Json::parse(options).get<Options>(); }
   static val to_page(const Picture& picture) {
     val result = val::object();
@@ -99,9 +79,7 @@ class Engine {
 
 EMSCRIPTEN_BINDINGS(explore) {
   emscripten::class_<rotor::Engine>("Engine")
-      .constructor<std::string>()
+      .constructor<>()
       .function("run", &rotor::Engine::run)
-      .function("draw", &rotor::Engine::draw)
-      .function("trace", &rotor::Engine::trace)
       .function("describeNumbers", &rotor::Engine::describe_numbers);
 }

@@ -5,10 +5,8 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "figures/data/csv.hpp"
-#include "figures/sweep/sweep.hpp"
+#include "figures/input/scenario_spec.hpp"
 
 namespace rotor {
 
@@ -22,11 +20,5 @@ struct Settings {
 
 /// Throws InputError with the messages of the command line.
 Settings settings_of(const Options& options);
-
-/// The same settings with their printed inputs drawn from their rounding: the rows of
-/// reference-data/printed-inputs.csv whose printed value is the one in effect. Values that were
-/// changed are kept.
-Sweep over_printed_digits(const ScenarioSpec& spec, const std::vector<CsvRow>& printed_inputs,
-                          long count);
 
 }  // namespace rotor

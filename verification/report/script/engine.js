@@ -32,20 +32,13 @@ export class Engine {
   }
 
   /// An answer, or null if a newer request replaced it.
-  ask(request) {
+  ask(options) {
     return new Promise((resolve) => {
       this.#next?.resolve(null);
-      this.#next = { request, resolve };
+      this.#next = { options, resolve };
       if (!this.#asked) this.#send();
       else this.#patience ||= setTimeout(() => this.#restart(), patience_ms);
     });
-  }
-
-  /// Drops all requests.
-  drop() {
-    this.#next?.resolve(null);
-    this.#next = null;
-    if (this.#asked) this.#restart();
   }
 
   #start() {
@@ -55,11 +48,11 @@ export class Engine {
     worker.onmessage = ({ data }) => {
       if (data.numbers) this.#hear.onNumbers(data.numbers);
       else if (data.answer) this.#finish(data.answer);
-      else this.#hear.onProgress(data.progress, this.#asked?.request.options);
+      else this.#hear.onProgress(data.progress, this.#asked?.options);
     };
     worker.onerror = ({ message }) => this.#asked && this.#finish({ refusal: message });
     this.#worker = worker;
-    this.#started = compiled.then((wasm) => worker.postMessage({ wasm, printedInputs: textOf("printed-inputs") }));
+    this.#started = compiled.then((wasm) => worker.postMessage({ wasm }));
     this.#started.catch((error) => this.#hear.onFailure(error.message));
   }
 
@@ -73,7 +66,7 @@ export class Engine {
     this.#asked = this.#next;
     this.#next = null;
     const worker = this.#worker;
-    this.#started.then(() => worker.postMessage(this.#asked.request));
+    this.#started.then(() => worker.postMessage({ options: this.#asked.options }));
   }
 
   #finish(answer) {

@@ -31,10 +31,6 @@ export function whirlAt(motion, time_s) {
   return Math.atan2(x * y1 - y * x1, x * x1 + y * y1) / (4 * Math.PI * about_s);
 }
 
-/// O in axes that turn with the rotor: q1 and q2.
-export const inRotorAxes = ({ x_a_m: x, y_a_m: y, q3_rad: angle }) => [
-  x * Math.cos(angle) + y * Math.sin(angle), y * Math.cos(angle) - x * Math.sin(angle)];
-
 const contact_states = ["in flight", "sliding", "rolling", "in flight"];
 
 /// Times are in milliseconds after the mass loss.

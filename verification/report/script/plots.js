@@ -11,20 +11,19 @@ export class Plots {
   #canvas;
   #picture = null;
   #columns = [];
-  #ghosts = []; // pictures drawn behind, and the delay of each
   #part = [0, 1];
   #width = 0; // of the panels; the canvas has to lay out the page to know its own
   #time_s = 0;
   #still = document.createElement("canvas"); // everything except the time marker
-  #hear;
+  #onTime;
 
   panels = panels; // shown
 
-  /// `onTime(s)` is called with the time pointed at, `onPart(from, until)` with the part shown. Without
-  /// onTime the canvas is only a picture, whose axes fit the part shown.
-  constructor(canvas, { onTime, onPart = () => {} }) {
+  /// `onTime(s)` is called with the time pointed at. Without it the canvas is only a picture, whose axes fit
+  /// the part shown.
+  constructor(canvas, onTime) {
     this.#canvas = canvas;
-    this.#hear = { onTime, onPart };
+    this.#onTime = onTime;
     new ResizeObserver(() => this.paint()).observe(canvas);
     if (!onTime) return;
     const timeAt = ({ offsetX }) => this.#part[0] + ((offsetX - left) / this.#width) * (this.#part[1] - this.#part[0]);
@@ -35,11 +34,6 @@ export class Plots {
     canvas.addEventListener("pointermove", (event) => {
       if (canvas.hasPointerCapture(event.pointerId)) onTime(timeAt(event));
     });
-    canvas.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && !event.shiftKey) return; // the wheel scrolls the page
-      event.preventDefault();
-      this.stretch(event.deltaY < 0 ? 0.8 : 1.25, timeAt(event));
-    }, { passive: false });
     canvas.addEventListener("keydown", (event) => this.#press(event));
   }
 
@@ -49,25 +43,18 @@ export class Plots {
     this.#time_s = time_s;
     this.showPart(...part);
   }
-  showBehind(ghosts) {
-    this.#ghosts = ghosts;
-    this.paint();
-  }
   /// Shows a part of the run, at least a tenth of a millisecond.
   showPart(from_s, until_s) {
     const { from_s: least, until_s: greatest } = this.#picture;
     const length = Math.min(Math.max(until_s - from_s, 1e-4), greatest - least);
     const begin = Math.min(Math.max(from_s, least), greatest - length);
     this.#part = [begin, begin + length];
-    this.#hear.onPart(...this.#part);
     this.paint();
   }
-  stretch(factor, about_s = this.#time_s) {
-    const [from, until] = this.#part;
+  stretch(factor) {
+    const [from, until] = this.#part, about_s = this.#time_s;
     this.showPart(about_s + factor * (from - about_s), about_s + factor * (until - about_s));
   }
-  /// Whether it shows other than the part that a run is first shown with.
-  zoomed = false;
   get part() {
     return this.#part;
   }
@@ -90,7 +77,7 @@ export class Plots {
     if (to === undefined && !factor) return;
     event.preventDefault();
     if (factor) this.stretch(factor);
-    else this.#hear.onTime(to);
+    else this.#onTime(to);
   }
 
   paint() {
@@ -149,7 +136,7 @@ export class Plots {
       ctx.fillRect(x - 0.5, y, 1, 4);
       ctx.fillText(text, x, y + 16);
     }
-    ctx.fillText((loss_s === null ? "time, ms" : "time after the loss, ms") + (this.zoomed ? " (zoomed)" : ""), left + this.#width / 2, y + 31, width);
+    ctx.fillText((loss_s === null ? "time, ms" : "time after the loss, ms"), left + this.#width / 2, y + 31, width);
   }
 
   #paintPanel(ctx, panel, columns, y, height) {
@@ -157,15 +144,12 @@ export class Plots {
     let first = 0, last = times.length - 1;
     while (first < last && times[first + 1] < from) ++first;
     while (last > first && times[last - 1] > until) --last;
-    const ghosts = panel.stacked ? [] : this.#ghosts.map(({ picture, later_s }) =>
-      ({ times: picture.motion.time_s, later_s, values: panel.curves[0].of(picture) }));
     const stack = panel.stacked ? stacked(columns) : columns;
     let greatest = 0, least = 0;
     const meet = (value) => { greatest = Math.max(greatest, value); least = Math.min(least, value); };
     // Of the whole run: a zoom in time does not change the scale.
     for (const values of panel.stacked ? [stack.at(-1)] : stack)
-      (this.#hear.onTime ? values : values.slice(first, last + 1)).forEach(meet);
-    for (const { values } of ghosts) values.forEach(meet);
+      (this.#onTime ? values : values.slice(first, last + 1)).forEach(meet);
     const level = panel.level?.(this.#picture);
     if (level) meet(level.value);
     greatest += 0.06 * (greatest - least) || 1;
@@ -185,25 +169,19 @@ export class Plots {
     ctx.clip();
     ctx.lineJoin = "round";
     // Points within half a pixel of the last one drawn are left out.
-    const line = (of, values, later_s = 0, begin = 0, end = of.length - 1) => {
+    const line = (values) => {
       let last_x = -Infinity, last_y = 0;
-      for (let row = begin; row <= end; ++row) {
-        const x = this.#x(of[row] - later_s), y = place(values[row]);
-        if (Math.abs(x - last_x) < 0.5 && Math.abs(y - last_y) < 0.5 && row < end) continue;
+      for (let row = first; row <= last; ++row) {
+        const x = this.#x(times[row]), y = place(values[row]);
+        if (Math.abs(x - last_x) < 0.5 && Math.abs(y - last_y) < 0.5 && row < last) continue;
         ctx.lineTo(last_x = x, last_y = y);
       }
     };
-    for (const { times: of, values, later_s } of ghosts) {
-      ctx.strokeStyle = colour("draw");
-      ctx.beginPath();
-      line(of, values, later_s);
-      ctx.stroke();
-    }
     panel.curves.forEach(({ colour: name }, i) => {
       ctx.strokeStyle = ctx.fillStyle = colour(name);
       ctx.lineWidth = panel.stacked ? 0.75 : 1.75;
       ctx.beginPath();
-      line(times, stack[i], 0, first, last);
+      line(stack[i]);
       if (panel.stacked) {
         for (let row = last; row >= first; --row)
           ctx.lineTo(this.#x(times[row]), place(i > 0 ? stack[i - 1][row] : 0));

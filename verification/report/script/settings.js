@@ -9,39 +9,16 @@ export const optionOf = (name) => name.replaceAll("_", "-");
 export const textOf = (number) =>
   Math.abs(number) >= 1e5 ? number.toExponential().replace("+", "") : String(number);
 
-/// The least and the greatest magnification of an orbit.
-export const zooms = [0.5, 100];
-
-const number = (text) => (/^[+-]?\d+(\.\d+)?(e[+-]?\d+)?$/i.test(text) && Number.isFinite(Number(text)) ? Number(text) : undefined);
-const view_of = {
-  at: number, from: number, until: number, // ms
-  zoom: (text) => (number(text) >= zooms[0] && number(text) <= zooms[1] ? number(text) : undefined),
-  frame: (text) => (["ring", "stator", "rotating"].includes(text) ? text : undefined),
-};
-
-/// Settings from an address such as #friction=0.2&until=29.2, and after a slash the view. Anything that
-/// does not look like an option or number is left out, because an address is untrusted.
+/// Settings from an address such as #friction=0.2&until=29.2/. Anything that does not look like an option or
+/// number is left out, because an address is untrusted.
 export function settingsIn(hash) {
-  const [options = {}, texts = {}] = hash
-    .replace(/^#/, "")
-    .split("/")
-    .map((part) => Object.fromEntries([...new URLSearchParams(part)].filter(
-      ([option, text]) => /^[a-z-]+$/.test(option) && /^[\w.+-]*$/.test(text))));
+  const options = Object.fromEntries([...new URLSearchParams(hash.replace(/^#|\/.*/g, ""))].filter(
+    ([option, text]) => /^[a-z-]+$/.test(option) && /^[\w.+-]*$/.test(text)));
   if (options.equations === "corrected") options.equations = "consistent"; // as the program has it
-  const view = Object.entries(view_of).map(([name, of]) => [name, of(texts[name])]).filter(([, value]) => value !== undefined);
-  return [options, Object.fromEntries(view)];
+  return options;
 }
 
-/// The time and the part of a picture that a view states, if they lie in it; otherwise null.
-export function placeIn({ at, from, until }, { from_s, until_s, mass_loss_s }) {
-  const rounding_s = 1e-6; // of addresses
-  const in_s = (ms) => (mass_loss_s ?? 0) + ms / 1e3;
-  const lies_in = (ms) => in_s(ms) >= from_s - rounding_s && in_s(ms) <= until_s + rounding_s;
-  return { time_s: lies_in(at) ? in_s(at) : null,
-    part: lies_in(from) && lies_in(until) && from < until ? [in_s(from), in_s(until)] : null };
-}
-
-export const addressOf = (...parts) => "#" + parts.map((part) => new URLSearchParams(part).toString()).join("/");
+export const addressOf = (options) => "#" + new URLSearchParams(options);
 
 /// The two corrections of the equations by their own names, even if their common name was stated.
 export function corrections({ equations, ...others }) {

@@ -56,11 +56,10 @@ class Stage {
   constructor(figure) {
     const [rotor, curve] = figure.querySelectorAll("canvas");
     this.#rotor = new RotorView(rotor, figure.querySelector(".now"));
-    this.#plots = new Plots(curve, {});
+    this.#plots = new Plots(curve);
   }
-  show(picture, { panel, follows }, part) {
+  show(picture, { panel }, part) {
     this.#plots.panels = [stepPanels[panel]];
-    this.#plots.zoomed = follows;
     this.#plots.show(picture, part, part[0]);
     this.#rotor.show(picture, part[0]);
   }

@@ -10,24 +10,19 @@ self.onmessage = async ({ data }) => {
   }
   const { explorer } = await engine;
   const onProgress = (time_s) => self.postMessage({ progress: time_s });
-  const { kind, options, n, count } = data;
-  const text = JSON.stringify(options);
-  const answer =
-    kind === "draw" ? explorer.draw(text, n, count, onProgress)
-    : kind === "trace" ? explorer.trace(text, onProgress)
-    : explorer.run(text, onProgress);
+  const answer = explorer.run(JSON.stringify(data.options), onProgress);
   const picture = answer.metadata ? read(answer) : answer;
   self.postMessage({ answer: picture }, buffersOf(picture));
 };
 
-async function startEngine({ wasm, printedInputs }) {
+async function startEngine({ wasm }) {
   const module = await Module({
     instantiateWasm(imports, done) {
       WebAssembly.instantiate(wasm, imports).then(done);
       return {};
     },
   });
-  const explorer = new module.Engine(printedInputs);
+  const explorer = new module.Engine();
   self.postMessage({ numbers: JSON.parse(explorer.describeNumbers()) });
   return { explorer };
 }
