@@ -3,6 +3,13 @@
 override SHELL := bash
 .SHELLFLAGS    := -eo pipefail -c
 
+# Options are those of the command line. What is exported decides neither what is made nor what is tested.
+OPTIONS := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID TESTS PYTHON CXX
+$(if $(findstring e,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),$(error make -e: exported variables must not replace those of the Makefile))
+$(foreach name,$(OPTIONS),$(if $(filter environment,$(origin $(name))),$(warning \
+  exported $(name)=$(value $(name)) is ignored; write make $(name)=... instead)$(eval unexport $(name))$(eval undefine $(name))))
+unexport $(filter GTEST_% RC_% ROTOR_%,$(.VARIABLES))
+
 FORMAT    ?= svg
 EQUATIONS ?= both
 FIG       ?=
@@ -14,11 +21,11 @@ UNDER     ?=
 CASES     ?=
 RUNS      ?= 1000
 ID        ?=
+TESTS     ?=
 PYTHON    ?= $(firstword $(wildcard /usr/bin/python3) python3)
-OPTIONS   := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID PYTHON CXX
 
 # Options are text: neither make nor a shell runs what is in them. Other variables are no options.
-$(foreach name,$(OPTIONS),$(if $(filter command environment,$(origin $(name))),$(eval override $(name) := $$(strip $$(value $(name))))))
+$(foreach name,$(OPTIONS),$(if $(filter command,$(origin $(name))),$(eval override $(name) := $$(strip $$(value $(name))))))
 $(foreach name,$(filter-out $(OPTIONS),$(shell sed -n 's/^ *\([A-Za-z_]*\) *[:?]*=.*/\1/p' Makefile)),$(if \
   $(filter command,$(origin $(name))),$(error $(name) is not an option; options are: $(OPTIONS))))
 quote = '$(subst ','\'',$(1))'
@@ -36,7 +43,7 @@ ROTOR := $(BUILD)/rotor
 
 # CMake or Ninja has no escape for these.
 hash := \#
-$(foreach char,; " \ [ ] * ? < > | & ' ` ^ $(hash),$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake or Ninja cannot handle; move the checkout)))
+$(foreach char,; " \ [ ] * ? < > | & ' ` ^ $$ $(hash),$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake or Ninja cannot handle; move the checkout)))
 
 # Misspelt options are reported before anything is built.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
@@ -106,7 +113,7 @@ endef
 .PHONY: help deps need-deps program build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report site claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws contact-laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
-        sanitize portable deps-prove prove deps-validate validate clean
+        sanitize portable deps-prove prove deps-validate validate clean force
 
 help: ## start: list all targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \([a-z]*\): \(.*\)/\2\t\1\t\3/p' Makefile | awk -F '\t' '\
@@ -122,6 +129,7 @@ help: ## start: list all targets
 	@echo "  POINTS=40 along each axis (default 400)                         for maps"
 	@echo "  CASES=\"mu 0.3\": accidents with this in their names             for validate"
 	@echo "  RUNS=100, drawn with SEED=7, to 3, 6, 9 and 12 digits           for stress"
+	@echo "  TESTS=\"Contact*\": tests with such names                         for sanitize"
 	@echo "  SEED=7 HAND=50 COUNT=100 UNDER=\"model figures\": which changes  for mutants"
 
 deps: ## start: install the Debian packages that are missing
@@ -171,9 +179,9 @@ configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BU
 define build-target
 	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(patsubst $(home)%,%,$(elsewhere)); remove it: make clean))
 	$(if $(and $(2),$(shell command -v dpkg-query),$(call missing,$(3))),$(error Missing packages: $(call missing,$(3)) (make deps-$(2) installs them)))
-	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
+	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
 	  echo "$$log" >&2; $(if $(2),echo "Install $(3) anew for make $(2)." >&2; )exit 1; })
-	@cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|globbed directories/d'
+	@flock $(BUILD) cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|globbed directories/d'
 endef
 
 program: need-deps
@@ -188,19 +196,14 @@ figures: pictures ## start: redraw Figs. 2-17 into build/figures
 pictures: $(ASKED:%=$(DRAWN)/%.$(FORMAT))
 $(FIGURES): %: $(DRAWN)/%.$(FORMAT)
 
-# One process computes all data of a set, in a fraction of a second. Unchanged data keep their time stamp, and
-# so their pictures are not drawn again. Removed files are made again.
+# One process computes all data of a set, in a fraction of a second, and so damaged data are replaced each time.
+# Unchanged data keep their time stamp, and their pictures are not drawn again.
 define compute_data
-	@mkdir -p $(@D)/new && $(ROTOR) figure --out $(@D)/new --equations $(notdir $(@D))
-	@for csv in $(@D)/new/*.csv; do cmp -s $$csv $(@D)/$${csv##*/} || mv $$csv $(@D)/; done
-	@rm -rf $(@D)/new; touch $(@D)/.data
+	@mkdir -p $(@D) && new=$$(mktemp -d $(@D)/new.XXXXXX) && trap 'rm -rf "$$new"' EXIT && \
+	$(ROTOR) figure --out "$$new" --equations $(notdir $(@D)) 2>&1 | sed '/^data of .* written$$/d' >&2 && \
+	for csv in "$$new"/*.csv; do cmp -s "$$csv" $(@D)/$${csv##*/} || mv "$$csv" $(@D)/; done
 endef
-$(SETS:%=$(OUT)/%/.data): $(ROTOR) $(SCENES)
-	$(compute_data)
-$(FIGURES:%=$(OUT)/published/%.csv): $(OUT)/published/.data
-$(FIGURES:%=$(OUT)/consistent/%.csv): $(OUT)/consistent/.data
-$(foreach set,$(SETS),$(FIGURES:%=$(OUT)/$(set)/%.csv)):
-	$(if $(wildcard $@),,$(compute_data))
+$(foreach set,$(SETS),$(eval $(FIGURES:%=$(OUT)/$(set)/%.csv) &: $(ROTOR) $(SCENES) force; $$(compute_data)))
 
 STYLE := figures/paper/style.gp figures/paper/settings.awk
 $(DRAWN)/%.$(FORMAT): $(foreach set,$(SETS),$(OUT)/$(set)/%.csv) figures/paper/%.gp $(STYLE)
@@ -243,6 +246,10 @@ verify: build ## start: run all tests, and give the verdict on each claim
 	$(call build-target,all)
 	@verification/verify.sh $(BUILD)
 
+verify-%: build # the tests of one folder, such as verify-equations
+	$(call build-target,verify-$* map-theory accident)
+	@verification/tests.sh $(BUILD) verify-$*
+
 claim: build ## paper: print all that is known about one claim: make claim ID=speed; or list them
 	$(call build-target,report-numbers)
 	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
@@ -266,7 +273,7 @@ lint: need-deps ## code: check the format, and look for mistakes with clang-tidy
 sanitize: need-deps ## code: run the tests with sanitizers
 	@cmake --preset sanitize -B $(BUILD)/sanitize >$(BUILD)/sanitize.log 2>&1 || { cat $(BUILD)/sanitize.log >&2; exit 1; }
 	@cmake --build $(BUILD)/sanitize --target verification
-	@verification/tests.sh $(BUILD)/sanitize
+	@verification/tests.sh $(BUILD)/sanitize verification$(if $(TESTS), $(call quote,$(TESTS)))
 
 mpi: build ## code: build build/mpi/rotor, which mpirun runs on many machines
 	$(call build-target,rotor-mpi,mpi,$(MPI_PACKAGES))

@@ -3,14 +3,14 @@
 # The extension of OUTPUT, .svg, .pdf or .png, is its format; SETTINGS are for gnuplot, besides those that
 # style.gp needs. The user's locale and gnuplot settings have no effect.
 set -euo pipefail
-output=$1 settings=$2 figures=${0%/*}
+output=$1 settings=$2 figures=${0%/*} part=$1.$$ # of this process
 shift 2
 export LC_ALL=C.UTF-8
-trap 'rm -f "$output.part" "$output.once"' EXIT
-gnuplot -d -e "output = '$output.part'; format = '${output##*.}'; \
+trap 'rm -f "$part" "$part.once"' EXIT
+gnuplot -d -e "output = '$part'; format = '${output##*.}'; \
   reference_data = '$figures/../reference-data'; $settings" "$figures/paper/style.gp" "$@"
 # gnuplot does not report a full disk: a picture is complete if it has its end.
-if ! tail -c 16 "$output.part" | grep -aq '</svg>\|%%EOF\|IEND'; then
+if ! tail -c 16 "$part" | grep -aq '</svg>\|%%EOF\|IEND'; then
   echo "$output: gnuplot did not draw the whole picture" >&2
   exit 1
 fi
@@ -21,7 +21,7 @@ fi
 if [ "${output##*.}" = svg ]; then
   sed -zi "s/<image /<image style='image-rendering:pixelated' /g; s/<polygon /<polygon shape-rendering='crispEdges' /g
     s/<text>/<text xml:space=\"preserve\">/g; s/]]>/]]\&gt;/g; s/<g [^>]*>\n<\/g>\n//g; s/<title>[^<]*<\/title>\|<desc>[^<]*<\/desc>//g" \
-    "$output.part"
+    "$part"
   awk '
     function tenths(n, text) { text = sprintf("%g", n/10); sub(/^0\./, ".", text); sub(/^-0\./, "-.", text); return text }
     function step(dx, dy, down) { down = tenths(dy); return tenths(dx) (down ~ /^-/ ? "" : ",") down }
@@ -61,8 +61,8 @@ if [ "${output##*.}" = svg ]; then
         sub(/stroke="none"/, "stroke=\"white\" stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"", group)
       print group
     }
-    { print }' "$output.part" >"$output.once"
-  mv "$output.once" "$output.part"
+    { print }' "$part" >"$part.once"
+  mv "$part.once" "$part"
 fi
-mv "$output.part" "$output"
+mv "$part" "$output"
 echo "$output"

@@ -7,7 +7,7 @@ report=$build/report
 data=reference-data
 mkdir -p "$report"
 failed=0
-verification/tests.sh "$build" || failed=1
+verification/tests.sh "$build" verification || failed=1
 "$build/report-numbers" $data "$report" | tee "$report/report.txt" || failed=1
 "$build/random-rotors" 300 "$report" | tee -a "$report/report.txt" || failed=1
 echo "Runs that stop at their outcome against whole runs:" | tee -a "$report/report.txt"

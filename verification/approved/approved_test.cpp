@@ -31,7 +31,7 @@ class Approved : public CommandLine, public testing::WithParamInterface<std::str
       const auto [status, output] = shell("sources='" ROTOR_SOURCES "' theory='" ROTOR_MAP_THEORY
                                           "'\n. \"$sources/verification/approved/commands.sh\"\n" +
                                           command);
-      const std::string sources = std::regex_replace(ROTOR_SOURCES, std::regex(R"([.+$(){}])"),
+      const std::string sources = std::regex_replace(ROTOR_SOURCES, std::regex(R"([.+(){}])"),
                                                      R"(\$&)");  // make refuses other such letters
       now += std::regex_replace(output, std::regex("(^|[^\\w.])" + sources), "$1(sources)");
       if (!output.empty() && !output.ends_with('\n')) now += "\n(without a newline)\n";

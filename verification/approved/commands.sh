@@ -38,7 +38,7 @@ checkout() {
     "$sources"/figures/maps/map.gp "$sources"/figures/maps/shares.awk "$sources"/figures/maps/tolerance.sh figures/maps
 }
 make() {
-  said=$(env -i PATH="$PWD/bin" packages="$packages" make PYTHON=python3 "$@" 2>&1) && failed= || failed=1
+  said=$(env -i PATH="$PWD/bin" packages="$packages" $exported make PYTHON=python3 "$@" 2>&1) && failed= || failed=1
   echo "$said" | sed -E 's/Makefile:[0-9]+/Makefile/'
   [ -z "$failed" ]
 }

@@ -15,22 +15,28 @@ class Make : public CommandLine {
       fs::copy_file(fs::path(ROTOR_SOURCES) / file, folder_ / file);
     write("figures/paper/fig18.toml", "");
   }
+
+  void program(const std::string& file, const std::string& text) const {
+    write(file, "#!/bin/sh\n" + text);
+    fs::permissions(folder_ / file, fs::perms::owner_all);
+  }
 };
 
-// Removed data are written again, others are left alone; an incomplete picture is removed.
+// Removed and damaged data are written again, others are left alone; an incomplete picture is
+// removed.
 TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   fs::create_directories(folder_ / "build/figures");
   fs::create_directories(folder_ / "bin");
-  const auto program = [&](const std::string& file, const std::string& text) {
-    write(file, "#!/bin/sh\n" + text);
-    fs::permissions(folder_ / file, fs::perms::owner_all);
-  };
-  program("build/rotor", "echo data > $3/fig18.csv\n");
+  // Both programs run while another make makes the same figure.
+  const std::string another =
+      "[ -n \"$ANOTHER\" ] || ANOTHER=1 make -o build -o build/rotor fig18 || exit 1\n";
+  program("build/rotor", another + "echo data > $3/fig18.csv\n");
   write("figures/paper/fig18.gp", "");
   write("figures/paper/style.gp", "");
   write("figures/paper/settings.awk", "");
   const auto make_figure = [&](const std::string& end, const std::string& format = "svg") {
-    program("bin/gnuplot", "echo '<svg>" + end + "' > build/figures/fig18." + format + ".part\n");
+    program("bin/gnuplot", "part=$(expr \"$3\" : \"output = '\\([^']*\\)'\")\necho '<svg>" + end +
+                               "' > $part\n" + another);
     return shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18 FORMAT=" +
                  format);
   };
@@ -43,6 +49,9 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
     EXPECT_EQ(make_figure("</svg>").status, 0) << removed;
     EXPECT_TRUE(fs::exists(folder_ / removed));
   }
+  write("build/figures/published/fig18.csv", "da");
+  EXPECT_EQ(make_figure("</svg>").status, 0);
+  EXPECT_EQ(content("build/figures/published/fig18.csv"), "data\n");
   // The page is written again only if a picture is newer.
   fs::create_directories(folder_ / "build/report");
   fs::create_directories(folder_ / "verification/report");
@@ -64,10 +73,38 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg.part"));
 }
 
+// Only what stands on the command line decides which tests run, and how.
+TEST_F(Make, HeedsNothingThatIsExported) {
+  for (const char* folder : {"bin", "build/sanitize", "verification"})
+    fs::create_directories(folder_ / folder);
+  fs::copy_file(ROTOR_SOURCES "/verification/tests.sh", folder_ / "verification/tests.sh");
+  program("bin/cmake", "");
+  program("build/sanitize/verification",
+          "echo $1 $GTEST_FILTER $ROTOR_APPROVE $CXX > seen\n"
+          "echo '\"result\": \"COMPLETED\"' > ${2#--gtest_output=json:}\n");
+  for (const auto& [option, filter] : {std::pair("", "*"), {"TESTS='-A b'", "-A b"}}) {
+    const auto [status, output] = shell(
+        std::string("env -i PATH=\"$PWD/bin:$PATH\" GTEST_FILTER=None ROTOR_APPROVE=1 CXX=none "
+                    "TESTS=None make -o need-deps sanitize ") +
+        option);
+    EXPECT_EQ(status, 0) << output;
+    EXPECT_EQ(content("seen"), std::string("--gtest_filter=") + filter + '\n');
+  }
+}
+
+TEST_F(Make, RefusesFlagsThatChangeTheArithmetic) {
+  for (const char* flag : {"-ffast-math", "-Ofast"}) {
+    const auto [status, output] = shell(std::string("CXXFLAGS='-g ") + flag +
+                                        "' cmake -S '" ROTOR_SOURCES "' -B made -G Ninja");
+    EXPECT_NE(status, 0);
+    EXPECT_NE(output.find(std::string("CXXFLAGS with ") + flag), std::string::npos) << output;
+    fs::remove_all(folder_ / "made");
+  }
+}
+
 // MPI without its headers stops only a build that asks for it; CI=false is no CI.
 TEST_F(Make, DoesNotLookForOptionalPackagesUnasked) {
-  write("mpicxx", "#!/bin/sh\necho c++ -I/nowhere -lmpi\n");
-  fs::permissions(folder_ / "mpicxx", fs::perms::owner_all);
+  program("mpicxx", "echo c++ -I/nowhere -lmpi\n");
   const auto configure = [&](const std::string& with) {
     return shell("CI=false PATH=$PWD:$PATH cmake -S '" ROTOR_SOURCES
                  "' -B made -G Ninja -DROTOR_VERIFICATION=OFF -DHAS_QUADMATH=OFF -DROTOR_WITH=" +
@@ -107,19 +144,20 @@ TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
       << printed;
 }
 
-// Where a test fails or crashes, tests.sh returns an error.
+// Where a test fails or crashes, or none runs, tests.sh returns an error.
 TEST_F(Make, SaysThatTestsHaveFailed) {
-  const std::string run = "'" ROTOR_SOURCES "/verification/tests.sh' fake";
+  const std::string run = "'" ROTOR_SOURCES "/verification/tests.sh' fake verification";
   fs::create_directories(folder_ / "fake");
-  const std::string writes = "echo '{\"testsuites\": []}' > ${1#--gtest_output=json:}\n";
-  for (const auto& [program, fails] : {std::pair(writes, false),
-                                       {writes + "exit 1\n", true},
-                                       {"kill -SEGV $$\n", true},
-                                       {"exit 0\n", true}}) {
-    write("fake/verification", "#!/bin/sh\n" + program);
-    fs::permissions(folder_ / "fake/verification", fs::perms::owner_all);
-    EXPECT_EQ(shell(run).status != 0, fails) << program;
-    const bool crashed = program.find(writes) == std::string::npos;
+  const std::string empty = "echo '{\"testsuites\": []}' > ${2#--gtest_output=json:}\n",
+                    writes = "echo '\"result\": \"COMPLETED\"' > ${2#--gtest_output=json:}\n";
+  for (const auto& [text, fails] : {std::pair(writes, false),
+                                    {writes + "exit 1\n", true},
+                                    {empty, true},
+                                    {"kill -SEGV $$\n", true},
+                                    {"exit 0\n", true}}) {
+    program("fake/verification", text);
+    EXPECT_EQ(shell(run).status != 0, fails) << text;
+    const bool crashed = text.find("json") == std::string::npos;
     EXPECT_EQ(content("fake/report/tests-0.json").find("failures") != std::string::npos, crashed);
   }
 }
