@@ -1,6 +1,6 @@
 /// Eqs. (3), (4) and (15)-(25) against Lagrange's equation, with derivatives of the kinetic energy
 /// of Eq. (2) by automatic differentiation, and against Newton's laws, written independently of the
-/// model.
+/// model in verification/support.
 #include <gtest/gtest.h>
 
 #include <boost/math/differentiation/autodiff.hpp>
@@ -8,6 +8,8 @@
 
 #include "model/mechanics/contact.hpp"
 #include "model/mechanics/rotating_frame.hpp"
+#include "verification/support/newton.hpp"
+#include "verification/support/random_inputs.hpp"
 
 namespace rotor {
 namespace {
@@ -81,48 +83,26 @@ TEST_F(RandomMotion, ObeysLagrangesEquationForEveryGeneralisedForce) {
   }
 }
 
-// Newton's laws in the stator's frame, written independently: O at (x, y), mass centre C at
-// distance e in the direction of the angle, x downwards.
 TEST(NewtonsLaws, GiveTheSameAccelerationsInTheStatorsFrame) {
-  std::mt19937 random(3);
+  RandomInputs random(3);
+  std::mt19937 engine(3);
   std::uniform_real_distribution<double> draw(-1, 1);
   for (int n = 0; n < 1000; ++n) {
-    const Parameters p;
-    const Equations equations = n % 2 == 0 ? Equations::published : Equations::consistent;
-    const double w = 1000 * draw(random), angle = 10 * draw(random);
-    const State<double> q = {3.3e-3 * draw(random), 3.3e-3 * draw(random), angle,
-                             10 * draw(random),     10 * draw(random),     w};
-    const double c = std::cos(angle), s = std::sin(angle);
-
-    // Position and velocity of O in the stator's frame.
-    const double x = c * q[0] - s * q[1], y = s * q[0] + c * q[1];
-    const double vx = c * q[3] - s * q[4] - w * y, vy = s * q[3] + c * q[4] + w * x;
-    const double rho = std::hypot(x, y), delta = rho + p.rotor_radius - p.stator_radius;
-    const double nx = x / rho, ny = y / rho, rate = vx * nx + vy * ny;
-    const double slip = -vx * ny + vy * nx + p.rotor_radius * w;
-    double pressure = p.contact_stiffness * delta + p.contact_damping * rate;
-    if (delta <= 0 || pressure < 0) pressure = 0;
-    const double friction = (slip > 0 ? -1 : 1) * p.friction * pressure;
-
-    const double fx =
-        -p.support_stiffness * x - p.support_damping * vx - pressure * nx - friction * ny;
-    const double fy =
-        -p.support_stiffness * y - p.support_damping * vy - pressure * ny + friction * nx;
-    const double ex = p.eccentricity * c, ey = p.eccentricity * s;
-    // Moments about C: supports and F_n act at O, friction at K.
-    const double kx = p.rotor_radius * nx - ex, ky = p.rotor_radius * ny - ey;
-    double moment = p.torque;
-    const double sx = fx + friction * ny, sy = fy - friction * nx;  // all but friction
-    moment += -ex * sy + ey * sx + kx * friction * nx + ky * friction * ny;
-    // Gravity's moment about O_a: of the whole weight as printed, of C's offset if balanced.
-    moment += -p.mass * p.gravity * (equations == Equations::published ? y + ey : ey);
-    const double angular = moment / p.inertia;
-    // C's acceleration is that of O with the turn about it.
-    const double ox = fx / p.mass + angular * ey + w * w * ex;
-    const double oy = fy / p.mass - angular * ex + w * w * ey;
+    const Scenario scenario = random.scenario();
+    const Parameters& p = scenario.parameters;
+    const double w = 1000 * draw(engine), angle = 10 * draw(engine),
+                 reach = 1.1 * (p.stator_radius - p.rotor_radius);
+    const State<double> q = {reach * draw(engine), reach * draw(engine), angle,
+                             10 * draw(engine),    10 * draw(engine),    w};
+    const NewtonLaws laws{p, scenario.equations.gravity_moment, Body<double>::of(p), true};
+    const Newton x = in_stator_axes(q);
+    const NewtonRim rim = laws.rim(x);
+    const double pressure = rim.indentation <= 0 ? 0 : std::max(0., laws.pressure(rim));
+    const double friction = (rim.slip > 0 ? -1 : 1) * p.friction * pressure;
+    const Newton rates = laws.rates(x, rim, pressure, friction);
 
     const Body<double> body = Body<double>::of(p);
-    const Supports<double> supports(p, equations);
+    const Supports<double> supports(p, scenario.equations);
     const Ring<double> ring(p);
     const auto m = RotatingFrame<double>::motion(body, q);
     auto loads = supports.loads(body, m, true);
@@ -131,11 +111,16 @@ TEST(NewtonsLaws, GiveTheSameAccelerationsInTheStatorsFrame) {
     loads += ring.loads(k, {normal, ring.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1)});
     const auto a = acceleration(body, m, loads);
     const Vector<double> of_O = in_stator_frame(acceleration_of_centre(a, m), angle);
-    // Rounding of the largest term, and that of rho in the stiff spring: 8e8 N/m of 1e-18 m.
-    const double accuracy = 1e-12 * (1 + std::abs(ox) + std::abs(oy) + pressure / p.mass) + 5e-9;
-    EXPECT_NEAR(of_O.x(), ox, accuracy);
-    EXPECT_NEAR(of_O.y(), oy, accuracy);
-    EXPECT_NEAR(a.angular, angular, 1e-12 * std::abs(angular) + 100 * accuracy);
+    // Rounding of the largest terms, that of rho in the stiff spring among them.
+    const double stiffness = rim.indentation > 0 ? ring.law.tangent_stiffness(rim.indentation) : 0;
+    const double force = pressure * (1 + p.friction) + stiffness * rim.rho +
+                         p.support_stiffness * rim.rho + 10 * p.support_damping * (1 + w * w) +
+                         p.mass * (w * w * rim.rho + p.gravity);
+    const double accuracy = 1e-14 * force / p.mass,
+                 angular = 1e-14 * (force * (p.rotor_radius + rim.rho) + p.torque) / p.inertia;
+    EXPECT_NEAR(of_O.x(), rates[3], accuracy + angular * p.eccentricity);
+    EXPECT_NEAR(of_O.y(), rates[4], accuracy + angular * p.eccentricity);
+    EXPECT_NEAR(a.angular, rates[5], angular);
   }
 }
 

@@ -23,34 +23,13 @@ ShouldContinue for_steps(long most) {
   return [most, n = 0L](double /*time_s*/) mutable { return ++n < most; };
 }
 
-struct KnownRun {
-  Scenario scenario;
-  KnownValues values;
-};
-
-/// Thirty random runs that did not influence the rule, and six on which earlier rules failed.
-std::vector<KnownRun> known_runs() {
-  std::vector<KnownRun> runs;
-  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/random-runs.csv")) {
-    KnownRun& run = runs.emplace_back();
-    for (const std::string& name : row.headings()) {
-      const auto quantity = std::ranges::find(quantities(), name, &Quantity::name);
-      if (quantity != quantities().end())
-        quantity->in(run.scenario) = std::stod(row[name]);
-      else if (name == "equations")
-        run.scenario.equations = parse_name<Equations>(row[name]);
-      else
-        run.values[name] = row[name].empty() ? std::nullopt : std::optional(std::stod(row[name]));
-    }
-  }
-  return runs;
-}
+const std::string random_runs = ROTOR_REFERENCE_DATA "/random-runs.csv";
 
 class Digits : public testing::TestWithParam<int> {};
 
 TEST_P(Digits, OfRandomAndOfHardRunsAreAllTrue) {
   const int digits = GetParam();
-  const std::vector<KnownRun> runs = known_runs();
+  const std::vector<KnownRun> runs = known_runs(random_runs);
   ASSERT_EQ(runs.size(), 36U);
   double worst = 0;
   long had = 0;
@@ -70,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Numbers, Digits, testing::Values(3, 6, 9, 12));
 // Compared with the true error, the estimate is rarely too small, and never uselessly large.
 TEST(EstimatedError, IsAboveTheLargestTrueErrorOfRandomRuns) {
   int less = 0;
-  for (const auto& [scenario, values] : known_runs()) {
+  for (const auto& [scenario, values] : known_runs(random_runs)) {
     const Summary summary = summary_of(scenario);
     const double estimate = estimated_relative_error(scenario, summary, always);
     less += estimate < true_error(summary, scenario.parameters, values);

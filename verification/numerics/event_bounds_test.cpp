@@ -5,7 +5,7 @@
 #include <boost/numeric/odeint.hpp>
 
 #include "model/phases/flight.hpp"
-#include "verification/support/random_scenarios.hpp"
+#include "verification/support/random_inputs.hpp"
 
 namespace rotor {
 namespace {
@@ -30,7 +30,7 @@ FlightPoint later(FlightPoint at, double by) {
 // Over steps of no length, at any state in rolling, with eccentricities beyond the rim and dampers
 // that hold the rotor more than its springs as well.
 TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
-  RandomScenarios random(5);
+  RandomInputs random(5);
   std::mt19937_64 engine(6);
   std::uniform_real_distribution<double> any(-1, 1);
   int held = 0, slipping = 0, held_beyond = 0;
@@ -45,7 +45,7 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
       rotor.supports.damping = 5e3 * std::abs(any(engine));
     }
     const double rho = ring.clearance * (1 + 0.1 * std::abs(any(engine)));
-    const double direction = 3 * any(engine), speed = random.speed();
+    const double direction = 3 * any(engine), speed = two_pi * scenario.start_speed_Hz;
     const State<double> q = {
         rho * std::cos(direction), rho * std::sin(direction), 3 * any(engine), 0, 0, speed};
     const ContactChart<double> chart(rotor, q);
@@ -136,7 +136,7 @@ bool has_bounds(RotorSystem<double> rotor, const FlightChart<double>& chart,
 // A strong motor drives a rotor that mostly turns slowly at first, with so little inertia that the
 // damping of O takes up to half of its speed in a step.
 TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
-  RandomScenarios random(7);
+  RandomInputs random(7);
   std::mt19937_64 engine(8);
   std::uniform_real_distribution<double> any(-1, 1);
   int bounded = 0;
@@ -168,7 +168,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
 // synchronous motion that the chart subtracts, or about the steady response: bounds have both in
 // them.
 TEST(FlightBounds, AreNeverLessThanWhatIsReachedAboutTheSynchronousMotion) {
-  RandomScenarios random(9);
+  RandomInputs random(9);
   std::mt19937_64 engine(10);
   std::uniform_real_distribution<double> any(-1, 1);
   int bounded = 0, rippling = 0;
@@ -176,7 +176,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedAboutTheSynchronousMotion) {
     SCOPED_TRACE(n);
     const Scenario scenario = random.scenario();
     const RotorSystem<double> rotor(scenario.parameters, scenario.equations);
-    const double speed = random.speed(), e = rotor.body.eccentricity;
+    const double speed = two_pi * scenario.start_speed_Hz, e = rotor.body.eccentricity;
     FlightChart<double> chart(rotor, {-e, 0, 0, 0, 0, speed});
     FlightChart<double>::Unknowns turned_far = {0, 0, 40, 0, 0, 0};
     if (n % 2 == 0) chart.recentre(turned_far);

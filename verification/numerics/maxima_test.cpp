@@ -10,7 +10,7 @@
 #include "model/run/simulation.hpp"
 #include "model/scenario/observer.hpp"
 #include "verification/support/follow.hpp"
-#include "verification/support/random_scenarios.hpp"
+#include "verification/support/random_inputs.hpp"
 
 namespace rotor {
 namespace {
@@ -111,13 +111,13 @@ TEST(Maxima, AreNotHiddenByLooseTolerances) {
 
 // Of random rotors: rows, events and maxima come in the order of time, and no maximum is missed.
 TEST(Maxima, OfRandomRotorsAreFoundAndNothingRunsBackwards) {
-  RandomScenarios random(2);
+  RandomInputs random(2);
   long maxima = 0;
   for (int n = 0; n < 200; ++n) {
     SCOPED_TRACE(n);
     Scenario scenario = random.scenario();
     scenario.tolerance = std::pow(10, -4 - 2 * (n % 4));
-    const Instant first = mass_lost_at_speed(scenario, random.speed());
+    const Instant first = mass_lost_at_speed(scenario, two_pi * scenario.start_speed_Hz);
     double last_row_s = 0;
     Recorder recorder({},
                       {find_column("time_s"), find_column("rho_m"), find_column("normal_force_N")},

@@ -1,6 +1,9 @@
 /// The inputs of a run, its start, its mass loss and its end.
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
+#include <sstream>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
@@ -11,7 +14,8 @@
 #include "model/run/simulation.hpp"
 #include "model/scenario/instant.hpp"
 #include "verification/support/command_line.hpp"
-#include "verification/support/random_runs.hpp"
+#include "verification/support/contradiction.hpp"
+#include "verification/support/random_inputs.hpp"
 
 namespace rotor {
 namespace {
@@ -23,6 +27,18 @@ ScenarioSpec numbers(std::initializer_list<std::pair<const std::string, double>>
   ScenarioSpec spec;
   spec.numbers.insert(stated.begin(), stated.end());
   return spec;
+}
+
+TEST(RandomInputs, LeaveNoneOut) {
+  RandomInputs random(1);
+  std::map<std::string, std::set<std::string>> values;
+  for (int n = 0; n < 1000; ++n) {
+    std::istringstream options(options_of(random.rotor().stated));
+    for (std::string option, value; options >> option && option != "--no-mass-loss";)
+      if (options >> value) values[option].insert(value);
+  }
+  for (const std::string& name : varied_inputs())
+    EXPECT_FALSE(values[option_of(name)].empty()) << name;
 }
 
 TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
@@ -151,16 +167,6 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
 }
 
 /// Nothing that a stopped run reports differs from the whole run, other than where it ends.
-void expect_agreement(const RunResult& stopped, const RunResult& whole) {
-  const Json reported = to_json(stopped), all = to_json(whole);
-  for (const auto& field : summary_fields<double>) {
-    const std::string key(field.key);
-    if (field.scale != ErrorScale::exact && !reported[key].is_null()) {
-      EXPECT_EQ(reported[key], all[key]) << key;
-    }
-  }
-}
-
 RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
   Observer nobody;
   return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
@@ -215,24 +221,8 @@ TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
     change(scenario.parameters);
     const RunResult whole = result(scenario, {}), stopped = result(scenario, StopOn::outcome);
     EXPECT_EQ(whole.summary.outcome, outcome);
-    expect_agreement(stopped, whole);
+    EXPECT_EQ(contradiction(stopped, whole), "");
   }
-}
-
-// A run that stops when its outcome is decided has that of the whole run, and mostly ends earlier.
-TEST(StopsAtTheOutcome, DecideAsTheWholeRunDoes) {
-  RandomRuns random(7);
-  int sooner = 0;
-  for (int n = 0; n < 60; ++n) {
-    Scenario scenario = random.scenario();
-    scenario.until += 0.2;
-    SCOPED_TRACE(n);
-    const RunResult whole = result(scenario, {}), stopped = result(scenario, StopOn::outcome);
-    expect_agreement(stopped, whole);
-    EXPECT_EQ(stopped.early.stop_reached, stopped.end.last.time_s < scenario.until) << n;
-    sooner += stopped.early.stop_reached;
-  }
-  EXPECT_GT(sooner, 20);
 }
 
 // Clear of the ring a rotor is decided as soon as its vibration has decayed enough, with no event
@@ -247,7 +237,7 @@ TEST(StopsAtTheOutcome, MayBeInFlight) {
     p.stator_radius = p.rotor_radius + clearance;
     const RunResult whole = result(scenario, {}), stopped = result(scenario, StopOn::outcome);
     EXPECT_EQ(stopped.summary.outcome, outcome);
-    expect_agreement(stopped, whole);
+    EXPECT_EQ(contradiction(stopped, whole), "");
     EXPECT_LT(5 * stopped.end.counters.right_hand_sides, whole.end.counters.right_hand_sides);
   }
 }

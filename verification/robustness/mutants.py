@@ -35,7 +35,7 @@ WORK = ROOT / 'build' / 'mutants'
 TREE, BUILD = WORK / 'tree', WORK / 'build'
 WORKERS = os.cpu_count() or 1
 NOT_MET = {'verification/report/engine/main.cpp', 'figures/sweep/ranks.cpp'}  # run only in a browser, or under mpirun
-RANDOM_ROTORS = 'RandomRotors.KeepTheirBalances'  # make verify runs it in addition to the tests
+RANDOM_ROTORS = 'RandomRotors.MoveByNewtonsLaws'  # make verify runs it in addition to the tests
 MORE = 1.5  # times as many mechanical changes are tried as are asked for: some do not compile
 
 SWITCHES = '''#pragma once
@@ -320,7 +320,7 @@ class Tests:
             environment = {**os.environ, 'LC_ALL': 'C', 'RC_PARAMS': 'seed=1', 'ROTOR_MUTANT': str(number), 'TMPDIR': folder}
             if reached:
                 environment['ROTOR_REACHED'] = reached
-            command = [BUILD / 'random-rotors', '300', folder] if name == RANDOM_ROTORS else \
+            command = [BUILD / 'random-rotors', '200', folder] if name == RANDOM_ROTORS else \
                 [BUILD / 'verification', '--gtest_filter=' + name, '--gtest_fail_fast']
             process = subprocess.Popen(command, env=environment, cwd=folder, stdin=subprocess.DEVNULL,
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)

@@ -4,10 +4,29 @@
 
 #include <cmath>
 
+#include "figures/data/csv.hpp"
+#include "figures/input/scenario_spec.hpp"
 #include "figures/results/certified_result.hpp"
 #include "model/certified/computation.hpp"
 
 namespace rotor {
+
+std::vector<KnownRun> known_runs(const std::filesystem::path& file) {
+  std::vector<KnownRun> runs;
+  for (const CsvRow& row : read_csv(file)) {
+    ScenarioSpec spec;
+    KnownValues values;
+    for (const std::string& name : row.headings())
+      if (const NamedInput* const input = find_named_input(name))
+        input->state(spec, row[name]);
+      else if (find_input_quantity(name))
+        spec.numbers[name] = std::stod(row[name]);
+      else
+        values[name] = row[name].empty() ? std::nullopt : std::optional(std::stod(row[name]));
+    runs.push_back({stated_scenario(spec), values});
+  }
+  return runs;
+}
 
 std::string falsehood(const Comparison& found, int digits, const KnownValues& known,
                       double& worst) {

@@ -1,9 +1,11 @@
 /// Compares the results of `rotor run --digits` with more accurate ones.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "model/certified/comparison.hpp"
 
@@ -12,6 +14,18 @@ namespace rotor {
 /// By the names of for_each_named, and the counts among them; empty if the run has no such value.
 /// What is not among them is not known.
 using KnownValues = std::map<std::string, std::optional<double>>;
+
+/// A run with its values.
+struct KnownRun {
+  Scenario scenario;
+  KnownValues values;
+};
+
+/// Random runs, and from the thirty-first on those on which earlier rules failed: steps that all
+/// computations share, a touch-down just before the end, a velocity of O that is a small difference
+/// from that of the rim.
+std::vector<KnownRun> known_runs(const std::filesystem::path& file);
+constexpr std::size_t count_of_random_runs = 30;
 
 /// What is wrong in a run with guaranteed digits: an error that is too small, or a wrong printed
 /// digit; empty if nothing is. `worst` is raised to the largest true error relative to the claimed

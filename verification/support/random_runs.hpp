@@ -1,76 +1,67 @@
-/// Random whole runs: from steady motion through the mass loss to the end of the contacts, or of a
-/// limited time.
+/// Random whole runs, most of them with contact.
 #pragma once
 
-#include <stdexcept>
-
-#include "model/run/simulation.hpp"
-#include "model/scenario/instant.hpp"
 #include "verification/support/observers.hpp"
-#include "verification/support/random_scenarios.hpp"
+#include "verification/support/random_inputs.hpp"
 #include "verification/support/summary_of.hpp"
 
 namespace rotor {
 
 class RandomRuns {
  public:
-  explicit RandomRuns(unsigned seed) : rotors_(seed), random_(seed + 1) {}
+  /// Runs that take at most so many steps and events.
+  explicit RandomRuns(unsigned seed, const ScenarioSpec& fixed = {}, long most_steps = 20'000,
+                      long most_events = 400)
+      : inputs_(seed), fixed_(fixed), most_steps_(most_steps), most_events_(most_events) {}
 
-  /// A run that takes about a second in quadruple precision. A quarter is near the paper's
-  /// rotor, a quarter is near it but has enough friction to stick, a quarter just grazes or misses
-  /// the ring, and a quarter is arbitrary.
-  Scenario scenario() {
-    constexpr long most_steps = 300, most_events = 16;
+  /// Every second one is near the paper's, and every fourth one just grazes or misses the ring.
+  RandomInputs::Rotor rotor() {
     for (;; ++kind_) {
-      try {
-        const Scenario drawn = draw();
-        check(drawn);
-        EventRecorder recorder;
-        const RunEnd end = run(drawn, recorder);
-        const bool touches = recorder.count(Event::touch_down) > 0;
-        if (end.counters.steps > most_steps || end.counters.located_events > most_events) continue;
-        if (!touches && kind_ % 4 != 1 && between(0, 8) > 1) continue;
-        ++kind_;
-        return drawn;
-      } catch (const std::exception&) {  // no valid start
-      }
+      RandomInputs::Rotor drawn = inputs_.rotor(kind_ % 2 == 0 ? 0.3 : 1, fixed_);
+      if (kind_ % 4 == 3) graze(drawn);
+      Scenario scenario = drawn.scenario;
+      scenario.method = Method::event;
+      // Fixed steps take as many more as they are shorter than the contact's period.
+      if (drawn.scenario.method == Method::rk4 &&
+          scenario.until / std::min(scenario.step_rub, scenario.step_run_up) >
+              static_cast<double>(most_steps_))
+        continue;
+      Limited limited(most_steps_);
+      const RunEnd end = run(scenario, limited);
+      if (end.stopped || end.counters.located_events > most_events_) continue;
+      if (limited.count(Event::touch_down) == 0 && !inputs_.one_in(8)) continue;
+      ++kind_;
+      return drawn;
     }
   }
+  Scenario scenario() { return rotor().scenario; }
 
  private:
-  Scenario draw() {
-    Scenario drawn = rotors_.scenario();
-    Parameters& p = drawn.parameters;
-    const bool sticks = kind_ % 4 == 3, is_ours = kind_ % 4 == 0 || sticks;
-    if (is_ours) {
-      const auto varied = [&](double& value) { value *= between(0.8, 1.25); };
-      p = Parameters{};
-      for (double* of : {&p.mass, &p.inertia, &p.eccentricity, &p.support_stiffness, &p.torque,
-                         &p.contact_stiffness, &p.contact_damping})
-        varied(*of);
-      p.friction = sticks ? between(0.5, 3) : between(0.02, 0.4);
+  struct Limited : EventRecorder {
+    explicit Limited(long most_steps) : left(most_steps) {}
+    bool should_continue(const Progress& /*now*/) override { return --left >= 0; }
+    long left;
+  };
+
+  /// Makes the clearance about what the rotor reaches.
+  void graze(RandomInputs::Rotor& drawn) {
+    Scenario wide = drawn.scenario;
+    wide.parameters.stator_radius += 100 * wide.parameters.rotor_radius;
+    wide.method = Method::event;
+    const double furthest = summary_of(wide).max_displacement_m.value_or(0),
+                 off = inputs_.between(1e-10, 1e-2) * (inputs_.one_in(2) ? 1 : -1);
+    ScenarioSpec clearance;
+    clearance.numbers["clearance"] = furthest * (1 + off);
+    try {
+      const ScenarioSpec stated = drawn.stated.overridden_by(clearance);
+      drawn = {stated, scenario_of(stated)};
+    } catch (const std::exception&) {  // would touch at the start
     }
-    p.loses_mass = true;
-    p.mass_loss_time = between(1e-3, 1e-2);
-    drawn.start_speed_Hz = is_ours ? between(40, 200) : between(5, 300);
-    if (between(0, 4) < 1) p.motor_off_Hz = drawn.start_speed_Hz * (1 + between(1e-6, 1e-3));
-    drawn.until = p.mass_loss_time + between(2e-3, sticks ? 2e-2 : 5e-2);
-    if (kind_ % 4 == 1) {  // the clearance is about what the rotor reaches after its loss
-      Scenario wide = drawn;
-      wide.parameters.stator_radius = 100 * p.stator_radius;
-      const double furthest = summary_of(wide).max_displacement_m.value_or(0);
-      const double off = std::pow(10, -between(2, 10)) * (between(0, 2) < 1 ? 1 : -1);
-      p.stator_radius = p.rotor_radius + furthest * (1 + off);
-    }
-    return drawn;
   }
 
-  double between(double least, double greatest) {
-    return std::uniform_real_distribution<double>(least, greatest)(random_);
-  }
-
-  RandomScenarios rotors_;
-  std::mt19937_64 random_;
+  RandomInputs inputs_;
+  ScenarioSpec fixed_;
+  long most_steps_, most_events_;
   unsigned kind_ = 0;
 };
 
