@@ -15,13 +15,6 @@ fi
 
 tests=$(ROTOR=$build/rotor node --test verification/report/script.test.mjs) || { echo "$tests" >&2; failed=1; }
 
-# The data next to the page belong to the equations named by their folder.
-for set in published consistent; do
-  for figure in "$build/report/figures/$set"/fig*.csv; do
-    grep -q "^# .*equations $set" "$figure" || { echo "check-report: $figure does not have the $set equations" >&2; failed=1; }
-  done
-done
-
 if ! command -v hunspell >/dev/null; then
   echo "check-report: there is no hunspell: make deps-report installs it" >&2
   exit 1

@@ -11,7 +11,7 @@ const installed = createRequire(path.resolve(path.dirname(page_file), "../check-
 const { chromium } = installed("playwright-core");
 const axe = fs.readFileSync(installed.resolve("axe-core/axe.min.js"), "utf8");
 
-const most_bytes = 3.4e6, most_px = { 1440: 14e3, 360: 14e3 };
+const most_bytes = 2.5e6, most_px = { 1440: 14e3, 360: 14e3 };
 const pictures = fs.readdirSync("figures/paper").filter((file) => /^fig\d+\.toml$/.test(file)).length;
 const faults = [];
 const expect = (holds, fault) => { if (!holds) faults.push(fault); };

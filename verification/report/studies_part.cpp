@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "figures/data/csv.hpp"
 #include "verification/report/document.hpp"
@@ -13,18 +14,6 @@ namespace rotor {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending) {
-  std::vector<fs::path> found;
-  if (fs::is_directory(folder))
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().string().ends_with(ending)) found.push_back(entry.path());
-  // Numbers in names by their size: 1e-5 before 1e-13.
-  std::ranges::sort(found, {}, [](const fs::path& file) {
-    return std::pair(file.string().size(), file.string());
-  });
-  return found;
-}
 
 /// Suite and name of a test, without its parameters.
 std::string name_of(const Json& test) {
@@ -99,7 +88,10 @@ Json tests_json(const Sources& sources) {
   };
   std::map<std::string, Law> laws;
   long tests = 0, failed = 0;
-  for (const auto& file : files_of(sources.tests, ".json")) {
+  std::set<fs::path> files;
+  if (fs::is_directory(sources.tests))
+    for (const auto& entry : fs::directory_iterator(sources.tests)) files.insert(entry.path());
+  for (const fs::path& file : files) {
     if (!file.filename().string().starts_with("tests-")) continue;
     const Json results = read_json(file);
     for (const Json& suite : results.at("testsuites"))
