@@ -181,7 +181,7 @@ define build-target
 	$(if $(and $(2),$(shell command -v dpkg-query),$(call missing,$(3))),$(error Missing packages: $(call missing,$(3)) (make deps-$(2) installs them)))
 	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
 	  echo "$$log" >&2; $(if $(2),echo "Install $(3) anew for make $(2)." >&2; )exit 1; })
-	@flock $(BUILD) cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|globbed directories/d'
+	@flock $(BUILD) cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|Re-checking/d'
 endef
 
 program: need-deps

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <istream>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "figures/data/text.hpp"
 
@@ -116,6 +117,12 @@ long double CsvRow::number(std::string_view heading) const {
 
 void CsvRow::fail(std::string_view reason) const {
   throw std::runtime_error(fmt::format("{}: {}", place_, reason));
+}
+
+CsvRow read_row(const std::string& line, std::string place, CsvRow::Headings headings) {
+  std::istringstream stream(line);
+  int ignored = 0;
+  return {std::move(place), std::move(headings), next_row(stream, ignored)};
 }
 
 void read_csv(const std::filesystem::path& file, const std::function<void(const CsvRow&)>& take) {

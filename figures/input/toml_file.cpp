@@ -68,8 +68,8 @@ TomlFile::Keys input_keys() {
 
 }  // namespace
 
-TomlFile::TomlFile(std::filesystem::path file)
-    : file_(std::move(file)), content_(content_of(file_)) {
+TomlFile::TomlFile(const std::filesystem::path& file, const std::filesystem::path& name)
+    : file_(name.empty() ? file : name), content_(content_of(file)) {
   if (const long line = line_with_a_deep_key(content_); line > 0)
     throw InputError("{}:{}: a key has more than 200 parts", file_.string(), line);
   try {

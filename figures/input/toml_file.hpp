@@ -18,8 +18,9 @@ class TomlFile {
  public:
   using Keys = std::vector<std::string_view>;
 
-  /// Reads and parses a regular file of bounded size. All functions throw InputError.
-  explicit TomlFile(std::filesystem::path file);
+  /// Reads and parses a regular file of bounded size. All functions throw InputError, which refers
+  /// to the file by another name if there is one.
+  explicit TomlFile(const std::filesystem::path& file, const std::filesystem::path& name = {});
 
   const toml::table& root() const { return root_; }
   const std::filesystem::path& path() const { return file_; }

@@ -14,6 +14,7 @@
 
 #include "figures/program/commands.hpp"
 #include "figures/results/laws.hpp"
+#include "figures/results/version.hpp"
 #include "model/certified/comparison.hpp"
 
 namespace rotor {
@@ -372,7 +373,7 @@ int main(int argc, char** argv) {
       "Simulates an overcritical rotor that loses mass and rubs: the paper's figures,\n"
       "or your own case.",
       "rotor");
-  app.set_version_flag("--version", "rotor " ROTOR_VERSION);
+  app.set_version_flag("--version", fmt::format("rotor {}", version()));
   app.require_subcommand(1);
   app.formatter(std::make_shared<Help>());
   app.footer(

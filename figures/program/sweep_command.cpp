@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <regex>
@@ -136,10 +138,12 @@ class Writer {
           fmt::format("rotor: of {} points {} exceed a limit (column remarks), and {} have no "
                       "result or too few digits (column refusal)",
                       points_, remarked, refused));
+    has_results_ = refused < points_;
   }
 
   /// How many points have which outcome; a refused one has none.
   const std::string& counts() const { return counts_; }
+  bool has_results() const { return has_results_; }
 
  private:
   /// Fields before the outcome are numbers or names, without quotes.
@@ -151,14 +155,15 @@ class Writer {
   const Sweep& sweep_;
   long points_;
   std::string counts_;
+  bool has_results_ = false;
   Journal journal_;
   std::atomic<long> written_;
 };
 
 int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
-/// Rows by the values of what varies, with which they begin; those have no quotes.
-using KnownRows = std::map<std::string, std::string, std::less<>>;
+/// Rows by the numbers of their points.
+using KnownRows = std::map<long, std::string>;
 
 /// What is above the results, without what may differ: how many draws there are.
 std::string fixed_head(std::istream& results) {
@@ -171,34 +176,66 @@ std::string fixed_head(std::istream& results) {
   return text + line;
 }
 
-/// The rows of earlier results that are no refusals. Throws InputError if another sweep or version
-/// has written them.
+/// The rows of earlier results that are neither refusals nor damaged. Throws InputError if another
+/// sweep or version has written them, and std::runtime_error if the first one, computed anew,
+/// differs.
 KnownRows known_rows(const Sweep& sweep, const std::string& results) {
-  std::ifstream file(results);
+  std::ifstream file(results, std::ios::binary);
   std::istringstream wanted(sweep_head(sweep));
   if (!file) throw InputError("--retry: {}: there are no results yet", shown(results));
-  if (fixed_head(file) != fixed_head(wanted))
-    throw InputError(
-        "--retry: {}: has results of another sweep file or version of rotor; only the count of "
-        "draws may differ; without --retry all points are computed anew",
-        shown(results));
-  KnownRows known;
+  const std::string head = fixed_head(file), own = fixed_head(wanted);
+  if (head != own)
+    throw InputError("--retry: {}: {}", shown(results),
+                     difference(head, own,
+                                "only the count of draws may differ; without --retry all points "
+                                "are computed anew"));
+  // By the values of what varies, with which they begin; those have no quotes.
+  std::map<std::string, std::string> rows;
   for (std::string row; std::getline(file, row);) {
     std::size_t end = 0;
     for (std::size_t n = sweep.quantities().size(); n > 0; --n) end = row.find(',', end) + 1;
-    if (row.ends_with(',')) known.emplace(row.substr(0, end), row + '\n');
+    if (row.ends_with(',')) rows.emplace(row.substr(0, end), row);
+  }
+  const auto headings = std::make_shared<std::vector<std::string>>();
+  std::istringstream names(own.substr(own.rfind('\n') + 1));
+  for (std::string name; std::getline(names, name, ',');) headings->push_back(name);
+  const SweepPoints points(sweep);
+  SweepRows compute(sweep);
+  KnownRows known;
+  std::string damage;
+  long damaged = 0;
+  for (long n = 0; n < sweep.points(); ++n) {
+    const std::string values = fmt::format("{}", fmt::join(points(n).values, ","));
+    const auto found = rows.find(values + ',');
+    if (found == rows.end()) continue;
+    const std::string row = found->second + '\n', place = fmt::format("row {}", shown(values));
+    try {
+      compute.check(n, read_row(found->second, place, headings));
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {
+      if (++damaged == 1) damage = error.what();
+      continue;
+    }
+    if (known.empty() && !sweep.base.digits && compute(n) != row)
+      throw InputError(
+          "--retry: {}: {}: differs from what is computed now; without --retry all "
+          "points are computed anew",
+          shown(results), place);
+    known.emplace(n, row);
   }
   print_message(fmt::format("rotor: {} rows of {} are kept", known.size(), one_line(results)));
+  if (damaged > 0)
+    print_message(
+        fmt::format("rotor: {} rows of {} are damaged and computed anew, the first one: {}",
+                    damaged, one_line(results), damage));
   return known;
 }
 
 std::function<Work()> workers(const Sweep& sweep, KnownRows known = {}) {
   return [&sweep, known = std::move(known)]() -> Work {
-    return [&known, points = SweepPoints(sweep), rows = SweepRows(sweep)](long n) mutable {
-      std::string values;
-      if (!known.empty())
-        for (const std::string& value : points(n).values) values += value + ',';
-      const auto found = known.find(values);
+    return [&known, rows = SweepRows(sweep)](long n) mutable {
+      const auto found = known.find(n);
       return found == known.end() ? rows(n) : found->second;
     };
   };
@@ -235,6 +272,9 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
     print_message(fmt::format("rotor: {} points: {}", sweep.points(), writer->counts()));
   say_what_is_assumed(sweep);
   fmt::print("{}\n", one_line(options.out));
+  if (!writer->has_results())
+    throw std::runtime_error(
+        fmt::format("{}: no point has a result; column refusal says why", one_line(options.out)));
 }
 
 }  // namespace

@@ -19,15 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The sweep file that sweep_head repeats above the results.
+/// The sweep file that sweep_head repeats above the results, in the same lines.
 std::string sweep_above(const fs::path& results) {
   std::ifstream file(results);
   if (!file) throw InputError("{}: cannot be read", results.string());
   std::string text;
   for (std::string line; file.peek() == '#' && std::getline(file, line);)
-    if (line.starts_with("#   ")) text += line.substr(4) + '\n';
+    text += (line.starts_with("#   ") ? line.substr(4) : "") + '\n';
   if (file.bad()) throw InputError("{}: cannot be read", results.string());
-  if (text.empty())
+  if (text.find_first_not_of('\n') == std::string::npos)
     throw InputError(
         "{}: must be results of rotor sweep, with the sweep file above them; a run is drawn from "
         "its scene",
@@ -295,7 +295,7 @@ void plot_sweep(const PlotOptions& options) {
     source = drawing.file("sweep.toml");
     drawing.write("sweep.toml", sweep_above(options.file));
   }
-  const Sweep sweep = read_sweep(source);
+  const Sweep sweep = read_sweep(source, options.file);
   const PictureAxes axes = axes_of(sweep);
   const DrawnResult result = drawn_result(options.column, sweep);
   if (!has_results) {

@@ -5,6 +5,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/results/laws.hpp"
+#include "figures/results/version.hpp"
 
 namespace rotor {
 namespace {
@@ -35,7 +36,7 @@ std::string prediction(const Scenario& scenario) {
 }  // namespace
 
 std::string csv_head(const std::string& title, const Scene& scene, std::string_view names) {
-  std::vector<std::string> lines = {title, "rotor " ROTOR_VERSION};
+  std::vector<std::string> lines = {title, fmt::format("rotor {}", version())};
   for (const SceneRun& run : scene.runs)
     lines.push_back(fmt::format("{}: equations {}, method {}, {}", run.name,
                                 describe(run.scenario.equations), name_of(run.scenario.method),

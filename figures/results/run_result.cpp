@@ -8,6 +8,7 @@
 
 #include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
+#include "figures/results/version.hpp"
 #include "model/mechanics/contact.hpp"
 
 namespace rotor {
@@ -98,7 +99,8 @@ const std::vector<Circumstance>& circumstances() {
        number_or_null(), [](const A& a) { return json_of(a.estimated_relative_error); }},
       {"inputs", "All numbers of the scenario, in SI units; speeds in Hz", type("object"),
        inputs_of},
-      {"version", "Version of rotor", type("string"), [](const A&) { return Json(ROTOR_VERSION); }},
+      {"version", "Version of rotor, and its commit", type("string"),
+       [](const A&) { return Json(version()); }},
       {"schema",
        "Version of this schema; 3 had values of stopped runs that the rest could change, 2 had the "
        "keys of separation and collisions, 1 no outcome or inputs",

@@ -9,10 +9,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "figures/data/files.hpp"
+#include "figures/data/text.hpp"
 
 namespace rotor {
 namespace {
@@ -29,6 +31,23 @@ std::string line_of(std::uint64_t sum, std::string_view row) {
 }
 
 }  // namespace
+
+std::string difference(std::string_view head, std::string_view wanted, std::string_view advice) {
+  if (head.starts_with("\xef\xbb\xbf"))
+    return "starts with a byte-order mark, which another program has added: remove the mark";
+  std::istringstream heads[] = {std::istringstream(std::string(head)),
+                                std::istringstream(std::string(wanted))};
+  std::string its, other;
+  do {
+    std::getline(heads[0], its);
+    std::getline(heads[1], other);
+  } while (its == other && heads[0] && heads[1]);
+  if (its == other + '\r')
+    return "has lines that end in CR LF, as another program has written them: change them to LF";
+  return fmt::format(
+      "is of another sweep file or version of rotor: has \"{}\" instead of \"{}\"; {}", shown(its),
+      shown(other), advice);
+}
 
 Journal::Journal(const std::filesystem::path& file, std::string head, long most_rows)
     : file_(file),
@@ -68,8 +87,7 @@ off_t Journal::read_rows(const Take& take) {
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
   if (!stream.is_open() || stream.bad()) fail_by_errno("cannot be read");
-  if (!head_.starts_with(head))
-    fail("belongs to another sweep file or version of rotor; resume with that, or remove it");
+  if (!head_.starts_with(head)) fail(difference(head, head_, "resume with that, or remove it"));
   if (head != head_) return 0;
   sum_ = sum_with(first_sum, head);
   auto end = static_cast<off_t>(head.size());

@@ -12,6 +12,10 @@
 
 namespace rotor {
 
+/// Why a head is not the one that is wanted, and how to keep what is below it. The advice is for a
+/// head of another sweep.
+std::string difference(std::string_view head, std::string_view wanted, std::string_view advice);
+
 /// The journal of FILE is FILE.journal: the head, and the rows, each after a check sum of
 /// everything up to and including the row. All functions throw std::runtime_error.
 class Journal {

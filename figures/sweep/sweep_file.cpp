@@ -25,7 +25,7 @@ bool has_room(double from, double until, double steps) {
 
 class SweepReader : TomlFile {
  public:
-  explicit SweepReader(const std::filesystem::path& file) : TomlFile(file) {}
+  using TomlFile::TomlFile;
 
   Sweep read() {
     if (root().contains("run"))
@@ -293,6 +293,8 @@ class SweepReader : TomlFile {
 
 }  // namespace
 
-Sweep read_sweep(const std::filesystem::path& file) { return SweepReader(file).read(); }
+Sweep read_sweep(const std::filesystem::path& file, const std::filesystem::path& name) {
+  return SweepReader(file, name).read();
+}
 
 }  // namespace rotor

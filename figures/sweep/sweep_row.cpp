@@ -7,9 +7,10 @@
 #include <sstream>
 #include <utility>
 
-#include "figures/data/csv.hpp"
+#include "figures/data/text.hpp"
 #include "figures/results/certified_result.hpp"
 #include "figures/results/laws.hpp"
+#include "figures/results/version.hpp"
 #include "model/certified/comparison.hpp"
 
 namespace rotor {
@@ -32,13 +33,30 @@ std::string field(const Json& value, int digits) {
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
+bool has_laws(const std::vector<std::string>& columns) {
+  return std::any_of(columns.begin(), columns.end(),
+                     [](const std::string& column) { return !contains(result_columns(), column); });
+}
+
 std::string cells(Json summary, const Scenario& scenario, const std::vector<std::string>& columns) {
-  const auto is_law = [&](const std::string& column) { return !summary.contains(column); };
-  if (std::any_of(columns.begin(), columns.end(), is_law)) summary.update(laws_or_nulls(scenario));
+  if (has_laws(columns)) summary.update(laws_or_nulls(scenario));
   const int digits = asked_digits(summary);
   std::string row;
   for (const std::string& key : columns) row += field(summary.at(key), digits) + ',';
   return row;
+}
+
+/// Whether a cell can be a result with this JSON schema.
+bool is_possible(const std::string& cell, const Json& schema) {
+  const Json value = cell.empty() ? Json() : Json(cell);
+  if (schema.contains("enum")) return contains(schema["enum"], value);
+  const auto is = [&](const char* type) {
+    return schema["type"] == type || contains(schema["type"], type);
+  };
+  if (cell.empty()) return is("null");
+  if (is("boolean")) return cell == "true" || cell == "false";
+  return number_in(cell) &&
+         (is("number") || cell.find_first_not_of("0123456789") == std::string::npos);
 }
 
 /// The remarks about exceeded limits, as one field.
@@ -75,7 +93,7 @@ std::string column_of(const std::string& quantity) {
 
 std::string sweep_head(const Sweep& sweep) {
   std::vector<std::string> provenance = {
-      sweep.title.empty() ? "Sweep" : "Sweep: " + sweep.title, "rotor " ROTOR_VERSION,
+      sweep.title.empty() ? "Sweep" : "Sweep: " + sweep.title, fmt::format("rotor {}", version()),
       fmt::format("{} points, as this file has them, a row each:", sweep.points())};
   std::istringstream text(sweep.text);
   for (std::string line; std::getline(text, line);) {
@@ -119,6 +137,30 @@ std::string SweepRows::operator()(long n) {
   } catch (const std::exception& error) {
     return row + std::string(result_columns(sweep_).size() + 1, ',') +
            csv_field(one_line(error.what())) + '\n';
+  }
+}
+
+void SweepRows::check(long n, const CsvRow& row) {
+  static const Json schema = summary_schema()["properties"];
+  const std::vector<std::string>& columns = result_columns(sweep_);
+  const ScenarioSpec spec = points_(n).spec;
+  RunResult inputs{};
+  inputs.scenario = has_laws(columns) ? scenario_of(spec, run_ups_) : stated_scenario(spec);
+  inputs.early.stop_on = sweep_.stop_on;
+  std::vector<std::string> known = {"stop_on", "equations", "velocity_jump", "gravity_moment",
+                                    "method"};
+  if (!spec.digits) known.emplace_back("tolerance");
+  Json determined = to_json(inputs, &known);
+  if (has_laws(columns)) determined.update(laws_or_nulls(inputs.scenario));
+  for (const std::string& column : columns) {
+    const std::string& cell = row[column];
+    if (!determined.contains(column)) {
+      const bool has_no_digit = spec.digits && cell.empty();
+      if (!has_no_digit && !is_possible(cell, schema[column]))
+        row.fail(fmt::format("{} cannot be \"{}\"", column, shown(cell)));
+    } else if (const std::string its = field(determined[column], 0); cell != its) {
+      row.fail(fmt::format("{} must be \"{}\", not \"{}\"", column, its, shown(cell)));
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 /// A point of a sweep as a row of its results.
 #pragma once
 
+#include "figures/data/csv.hpp"
 #include "figures/results/run_result.hpp"
 #include "figures/sweep/sweep.hpp"
 
@@ -27,6 +28,10 @@ class SweepRows {
   /// The values that vary, the summary of the run, the limits that it exceeds, and why the run was
   /// refused. Throws Interrupted.
   std::string operator()(long n);
+
+  /// Throws std::runtime_error if a row, which is no refusal, cannot be that of a point: by the
+  /// schema of the results, or by what the inputs determine.
+  void check(long n, const CsvRow& row);
 
  private:
   const Sweep& sweep_;

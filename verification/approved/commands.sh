@@ -3,8 +3,8 @@ export LC_ALL=C
 
 rotor() { "$rotor" "$@"; }
 
-# Blanks numbers, except those within names (q1_m) and after "paper" and "Fig.".
-numbers() { sed -E '/^(paper|Fig\.)/!s/(^|[^A-Za-z0-9_.])[-+−]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?([^A-Za-z0-9_]|$)/\1N\4/g'; }
+# Blanks the version, and numbers except those within names (q1_m) and after "paper" and "Fig.".
+numbers() { sed -E 's/[0-9]+(\.[0-9]+){2} \([^)]+\)/(version)/;/^(paper|Fig\.)/!s/(^|[^A-Za-z0-9_.])[-+−]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?([^A-Za-z0-9_]|$)/\1N\4/g'; }
 
 # Writes a scene, or a sweep, and runs the program on it.
 scene() { printf '%b\n' "$1" >scene.toml && shift && rotor run --scene scene.toml "$@"; }

@@ -112,6 +112,11 @@ TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
   EXPECT_GT(parts, 0);  // some, but not all
   shell("sed -i '$d' map.csv");
   expect_refusal("plot map.csv", "map.csv: has 41 rows; the sweep file above them has 42 points");
+  shell("sed -i 's/^#   count = .*/#   count = 0/' map.csv");
+  expect_refusal(
+      "plot map.csv",
+      fmt::format("rotor: map.csv:{}: count: must be at least 1",
+                  shell("grep -n 'count = 0' map.csv | cut -d: -f1 | tr -d '\\n'").output));
   const auto [bins, sample_draws] =
       drawn("sample", " -e 'set print \"bins\"; print $bins' && cp bins",
             "--column rolling_onset_speed_Hz");

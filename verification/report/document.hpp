@@ -17,7 +17,7 @@ struct Sources {
   std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions
   std::filesystem::path report{};          ///< next to the page: figures in both sets, studies
   std::filesystem::path tests{};           ///< tests-*.json of GoogleTest
-  std::string commit{}, commit_date{};
+  std::string commit_date{};
 };
 
 Json document(const Sources& sources);

@@ -1,5 +1,5 @@
 /// Writes the reviewer's page, index.html, into the folder OUT that has its data:
-///   report-page SOURCES BUILD OUT COMMIT DATE
+///   report-page SOURCES BUILD OUT DATE
 #include <fmt/format.h>
 
 #include <regex>
@@ -39,10 +39,10 @@ Json engine_json(const fs::path& build, const fs::path& scripts, const fs::path&
 }
 
 int main(const Arguments& arguments) {
-  if (arguments.size() != 5)
+  if (arguments.size() != 4)
     throw std::runtime_error(
-        "needs the folders of the sources, of what was built and of the page, the commit and its "
-        "date");
+        "needs the folders of the sources, of what was built and of the page, and the date of the "
+        "commit");
   const fs::path root = arguments[0], build = arguments[1], out = arguments[2],
                  room = root / "verification/report";
   Json shown = document({.texts = room / "texts.json",
@@ -50,8 +50,7 @@ int main(const Arguments& arguments) {
                          .reference_data = root / "reference-data",
                          .report = out,
                          .tests = build / "report",
-                         .commit = arguments[3],
-                         .commit_date = arguments[4]});
+                         .commit_date = arguments[3]});
   std::set<fs::path> seen;
   shown["style"] = content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);

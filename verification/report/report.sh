@@ -33,9 +33,7 @@ done
 mkdir -p "$out/contact-laws"
 cp verification/paper/contact-laws.svg reference-data/contact-laws.csv "$out/contact-laws"
 (cd "$out" && sha256sum claims.csv map.csv figures/*/*.csv >SHA256SUMS)
-commit=$(git rev-parse HEAD 2>/dev/null || echo unknown)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)
-[ -z "$(git status --porcelain 2>/dev/null)" ] || commit="$commit with changes"
-"$build/report-page" . "$build" "$out" "$commit" "$date"
+"$build/report-page" . "$build" "$out" "$date"
 rm -f "$out/engine.wasm.gz.base64"
 echo "$out/index.html"

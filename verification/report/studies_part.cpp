@@ -8,6 +8,7 @@
 #include <set>
 
 #include "figures/data/csv.hpp"
+#include "figures/results/version.hpp"
 #include "verification/report/document.hpp"
 
 namespace rotor {
@@ -123,8 +124,7 @@ Json tests_json(const Sources& sources) {
 }
 
 Json provenance_json(const Sources& sources) {
-  return {{"version", ROTOR_VERSION},
-          {"commit", sources.commit},
+  return {{"version", version()},
           {"commit_date", sources.commit_date},
           {"command", "make deps report"}};
 }

@@ -7,4 +7,4 @@ command -v em++ >/dev/null || { echo "Without em++, which make deps-explore inst
 export NODE_PATH=/usr/share/nodejs
 mkdir -p "$work"
 emcmake cmake --preset browser -B "$work" >"$work/cmake.log" 2>&1 || { cat "$work/cmake.log" >&2; exit 1; }
-cmake --build "$work" --target engine | sed -u '/no work to do\|globbed directories/d'
+cmake --build "$work" --target engine | sed -u '/no work to do\|Re-checking/d'
