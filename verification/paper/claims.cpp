@@ -258,9 +258,9 @@ std::string to_csv(const std::vector<Number>& numbers) {
     for (std::size_t set = 0; set < sets.size(); ++set) {
       const Verdict verdict = verdict_of(n, set);
       for (const Reading& r : n.readings)
-        csv += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g},{},{},{},{},{},{},{},{}\n", n.claim,
-                           n.id, n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
-                           n.allowed().greatest(), sets[set].name, verdict.says,
+        csv += fmt::format("{},{},{},{},{},{},{:.6g},{},{},{},{},{},{},{},{},{}\n", n.claim, n.id,
+                           n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
+                           cell(n.allowed().greatest()), sets[set].name, verdict.says,
                            cell(verdict.off_a), cell(verdict.off_b), r.name,
                            cell(r.in[set].converged), cell(r.in[set].by_rk4), csv_field(n.reason));
     }

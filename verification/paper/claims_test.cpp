@@ -252,6 +252,7 @@ TEST(Policy, AllowsTheNumbersOfItsTableAndHasNoOtherRule) {
   EXPECT_EQ(allowed("", "few").least(), rules.at("few").at(0));
   EXPECT_EQ(allowed("", "few").greatest(), rules.at("few").at(1));
   EXPECT_EQ(allowed("", "major").least(), rules.at("major").at(0));
+  EXPECT_TRUE(allowed("", "major").holds(1e6));  // a change, of which 100 % is no limit
   EXPECT_NEAR(allowed("770", "about").half, 7.7 * rules.at("about").at(0), 1e-9);
   EXPECT_NEAR(allowed("0.02", "about").half, 0.005, 1e-12);  // whose digit allows more
   EXPECT_NEAR(allowed("1e-4 to 3e-4", "range").least(), 0.5e-4, 1e-12);

@@ -50,7 +50,7 @@ Allowed allowed(const std::string& printed, const std::string& rule, double word
   if (rule == "minor") return {0, 10 * words};
   if (rule == "slight" || rule == "agrees") return {0, 5 * words};
   if (rule == "negligible") return {0, words};
-  if (rule == "major") return {100, 50 * words};
+  if (rule == "major") return {100, 50 * words, true};
   if (rule == "unchanged") return {0, 1e-6};
   throw std::invalid_argument("there is no rule " + rule);
 }

@@ -8,12 +8,15 @@ namespace rotor {
 
 struct Allowed {
   double middle, half;  ///< half of the width
+  bool is_open_above = false;
 
   double least() const { return middle - half; }
-  double greatest() const { return middle + half; }
+  double greatest() const { return is_open_above ? INFINITY : middle + half; }
   bool holds(double value) const { return off(value) <= 1; }
-  /// The distance of a value from the middle, relative to half the width.
-  double off(double value) const { return std::abs(value - middle) / half; }
+  /// The distance of a value from the middle, relative to half the width; 0 on an open side.
+  double off(double value) const {
+    return is_open_above && value > middle ? 0 : std::abs(value - middle) / half;
+  }
 };
 
 /// `words` multiplies the widths of words. Throws std::invalid_argument for an unknown rule or an

@@ -68,9 +68,10 @@ std::string range_of(const Stored& stored) {
 /// middle quarter; beyond it the scale is logarithmic, up to a thousand times the allowance.
 constexpr double most_times = 1e3;
 double place(const Allowed& allowed, double value) {
-  const double off = (value - allowed.middle) / allowed.half, times = std::abs(off);
-  const double decades = std::log10(std::clamp(times, 1., most_times));
-  return std::round(500 + std::copysign(125 * (std::min(times, 1.) + decades), off)) / 10;
+  const double off = allowed.off(value), decades = std::log10(std::clamp(off, 1., most_times));
+  return std::round(500 +
+                    std::copysign(125 * (std::min(off, 1.) + decades), value - allowed.middle)) /
+         10;
 }
 Json mark(const Allowed& allowed, const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) return {};
