@@ -127,6 +127,7 @@ std::string wrapped(std::string text, const std::string& meaning, std::size_t mo
 }
 
 std::string duration(double seconds) {
+  if (seconds < 1) return fmt::format("{:.1g} s", seconds);
   if (seconds < 100) return fmt::format("{:.0f} s", seconds);
   if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 172'800) return fmt::format("{:.0f} h", seconds / 3600);

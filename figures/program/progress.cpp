@@ -33,13 +33,16 @@ ProgressLine::~ProgressLine() {
 }
 
 bool RunProgress::should_continue(const Progress& now) {
-  constexpr long seldom = 256;  // reading a clock is not free
-  if (++steps_ % seldom == 0)
+  constexpr int seldom = 256;  // reading a clock is not free
+  if (++steps_ % seldom == 0) {
+    steps_left_ = seldom * (until_s_ - now.time_s) / (now.time_s - last_s_);
+    last_s_ = now.time_s;
     line_.update([&](double elapsed_s) {
       return fmt::format("at {:.6g} s of {:.6g} s after {} steps in {}; about {} to go", now.time_s,
                          until_s_, steps_, duration(elapsed_s),
-                         duration(elapsed_s * (until_s_ - now.time_s) / now.time_s));
+                         duration(elapsed_s * steps_left_ / static_cast<double>(steps_)));
     });
+  }
   return Interruptible::should_continue(now);
 }
 

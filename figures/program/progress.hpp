@@ -34,9 +34,13 @@ class RunProgress : public Interruptible {
 
   bool should_continue(const Progress& now) override;
 
+  /// How many steps the run still takes, if they are as long as the last ones: in a rub they are
+  /// shorter than in the run-up.
+  double steps_left() const { return steps_left_; }
+
  private:
   ProgressLine line_;
-  double until_s_;
+  double until_s_, last_s_ = 0, steps_left_ = 0;
   long steps_ = 0;
 };
 

@@ -48,10 +48,9 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<dou
        {std::pair(clearance, "clearance"), std::pair(p.rotor_radius, "rotor's radius")})
     if (indentation > large * length)
       all.push_back(
-          {fmt::format(
-               "the ring is indented by {}{:.3g} times the {}: the model's linear contact is "
-               "valid only below {}",
-               at_least ? "at least " : "", indentation / length, name, large),
+          {fmt::format("the ring is indented by {}{:.3g} times the {}: the contact law is "
+                       "valid only below {}",
+                       at_least ? "at least " : "", indentation / length, name, large),
            Remark::Of::limit});
   return all;
 }

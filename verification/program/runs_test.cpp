@@ -8,6 +8,7 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
 #include "figures/input/scenario_spec.hpp"
+#include "figures/program/progress.hpp"
 #include "figures/results/run_result.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "model/mechanics/mass_loss.hpp"
@@ -299,6 +300,15 @@ TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
     EXPECT_EQ(stopped["outcome"], whole["outcome"]) << run;
     EXPECT_EQ(stopped["first_contact_s"], whole["first_contact_s"]) << run;
   }
+}
+
+// Those of the rub are shorter than those of the run-up.
+TEST(RunProgress, CountsTheStepsThatAreLeft) {
+  constexpr double until_s = 29.4, loss_s = 29.1, in_rub_s = 1e-6;
+  RunProgress progress(until_s);
+  for (int n = 0; n < 1000; ++n) progress.should_continue({loss_s * n / 1000, 0, 0});
+  for (int n = 0; n < 2000; ++n) progress.should_continue({loss_s + n * in_rub_s, 0, 0});
+  EXPECT_NEAR(progress.steps_left(), (until_s - loss_s) / in_rub_s, 3000);
 }
 
 }  // namespace
