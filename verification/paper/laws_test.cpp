@@ -110,7 +110,7 @@ TEST_F(LawsOfTheAccident, AreNotTrustedOutsideTheirRegion) {
            {"--friction 0.1", "friction is 0.1, not above 0.19, up to which"},
            {laboratory + "--start-speed-hz 35", "forward rub can last at any friction"},
            {"--contact-stiffness 3e5 --support-damping 200", "dry whip"},
-           {"--contact-damping 1e5", "the ring's damping ratio"},
+           {"--contact-damping 1e5", "the ring's damping ratio is 0.793, not below 0.5"},
            {"--start-speed-hz 140 --torque 50 --motor-off-hz 1000", "the motor adds"},
            {"--torque 0.01 --motor-off-hz 20 --clearance 1.5e-3 --support-damping 1 "
             "--mass-loss-time 200",

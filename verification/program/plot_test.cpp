@@ -114,19 +114,23 @@ TEST_F(Plot, SaysAndShowsWhatASweepStates) {
   }
 }
 
-// Also where the rows of the panels alternate.
+// Also where the rows of the panels alternate. Listed values have none: they are in any order.
 TEST_F(Plot, DrawsTheLineOfASweepInEachPanel) {
-  write("s.toml",
-        "columns = [\"outcome\", \"peak_force_to_rolling_N\"]\n[parameters]\nstart_speed_hz = "
-        "150\nuntil = 0.01\n"
-        "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.2\npoints = 11\n"
-        "[[axis]]\nquantity = \"equations\"\nvalues = [\"published\", \"consistent\"]\n");
-  ASSERT_EQ(rotor("plot s.toml").status, 0);
-  const std::string picture = content("s.svg");
-  for (const std::string of : {"a", "b"}) {  // after a gap, a path goes on with an M
-    const auto from = picture.find("gnuplot_plot_1" + of), to = picture.find("gnuplot_plot_2" + of);
-    ASSERT_LT(from, to);
-    EXPECT_EQ(std::ranges::count(picture.substr(from, to - from), 'M'), 1);
+  for (const auto& [axis, lines] :
+       {std::pair("from = 0.1\nto = 0.2\npoints = 11\n", 1), {"values = [0.1, 0.2, 0.15]\n", 0}}) {
+    write("s.toml",
+          "columns = [\"outcome\", \"peak_force_to_rolling_N\"]\n[parameters]\nstart_speed_hz = "
+          "150\nuntil = 0.01\n[[axis]]\nquantity = \"friction\"\n" +
+              std::string(axis) +
+              "[[axis]]\nquantity = \"equations\"\nvalues = [\"published\", \"consistent\"]\n");
+    ASSERT_EQ(rotor("plot s.toml").status, 0);
+    const std::string picture = content("s.svg");
+    for (const std::string of : {"a", "b"}) {  // after a gap, a path goes on with an M
+      const auto from = picture.find("gnuplot_plot_1" + of),
+                 to = picture.find("gnuplot_plot_2" + of);
+      ASSERT_LT(from, to);
+      EXPECT_EQ(std::ranges::count(picture.substr(from, to - from), 'M'), lines);
+    }
   }
 }
 

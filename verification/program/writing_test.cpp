@@ -6,6 +6,7 @@
 #include <map>
 
 #include "figures/data/csv.hpp"
+#include "figures/data/files.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -279,6 +280,16 @@ TEST_F(Writing, SaysWhyAFileCannotBeWritten) {
 }
 
 // Read-only files, and the file from which the runs are read.
+TEST_F(Writing, ReportsThatItsTargetHasBecomeAFolder) {
+  {
+    OutputFile file(folder_ / "t.csv");
+    file.write("x");
+    fs::create_directory(folder_ / "t.csv");
+    EXPECT_THROW(file.commit(), std::runtime_error);
+  }
+  remove("t.csv");
+}
+
 TEST_F(Writing, ReplacesNothingThatItHadBetterKeep) {
   write("t.csv", "precious");
   // A user who may write anywhere, as in containers, gives up that right for this test.
