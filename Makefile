@@ -111,7 +111,7 @@ endef
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps program build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
-        check-report deps-report site claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
+        check-report deps-report claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws contact-laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
         sanitize portable deps-prove prove deps-validate validate clean force
 
@@ -260,8 +260,6 @@ report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## 
 	@verification/report/report.sh $(BUILD)
 check-report: report ## code: check the page in a browser, its links and its spelling
 	@verification/report/check.sh $(BUILD)
-site: verify report ## paper: collect page, pictures, data and maps for a static host
-	@verification/report/site.sh $(BUILD)
 
 approve: build ## code: rewrite approved texts and marked numbers; read the change
 	$(call build-target,verification)

@@ -4,6 +4,7 @@
 
 #include <kainjow/mustache.hpp>
 #include <regex>
+#include <sstream>
 
 namespace rotor {
 namespace {
@@ -41,53 +42,38 @@ std::string in_print(std::string number) {
   return number;
 }
 
-/// A number in all forms that a text may use.
-data forms_of(double number) {
-  object forms;
-  for (const char digits : std::string("01234")) {
-    const int count = digits - '0';
-    forms[std::string("f") + digits] = in_print(fmt::format("{:.{}f}", number, count));
-    forms[std::string("p") + digits] = in_print(fmt::format("{:.{}f}", 100 * number, count));
-    if (count > 0)
-      forms[std::string("s") + digits] = in_print(fmt::format("{:.{}g}", number, count));
-  }
-  return forms;
+/// In a form such as f1 or p1; empty for one that there is not.
+std::string in_form(const std::string& form, double number) {
+  static const std::regex known("[fp]([0-4])");
+  std::smatch found;
+  if (!std::regex_match(form, found, known)) return "";
+  return in_print(fmt::format("{:.{}f}", form[0] == 'p' ? 100 * number : number, form[1] - '0'));
 }
 
-data for_texts(const Json& value) {
-  if (value.is_number()) return forms_of(value.get<double>());
-  if (value.is_string()) return value.get<std::string>();
-  object all;
-  if (!value.is_object()) return all;  // no text uses it
-  for (const auto& [key, item] : value.items())
-    if (!item.is_null()) all[key] = for_texts(item);
-  return all;
-}
-
-/// Whether a placeholder of a text, such as published.peak_kN.f1, has a value.
-bool has_value(const data& values, const std::string& place) {
-  const data* at = &values;
+/// What stands at a place such as published.peak_kN.f1; empty if nothing does.
+std::string text_at(const std::string& place, const Json& values) {
+  const Json* at = &values;
   std::istringstream names(place);
-  for (std::string name; at && std::getline(names, name, '.');)
-    at = at->is_object() ? at->get(name) : nullptr;
-  return at && at->is_string();
+  for (std::string name; std::getline(names, name, '.');) {
+    if (at->is_number()) return names.eof() ? in_form(name, at->get<double>()) : "";
+    if (!at->contains(name)) return "";
+    at = &at->at(name);
+  }
+  return at->is_string() ? at->get<std::string>() : "";
 }
 
-std::string with_numbers(const std::string& text, const data& values) {
+std::string with_numbers(const std::string& text, const Json& values) {
   static const std::regex place("\\{\\{([^}]*)\\}\\}");
-  for (std::sregex_iterator at(text.begin(), text.end(), place), end; at != end; ++at)
-    if (!has_value(values, (*at)[1]))
+  std::string all;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator at(text.begin(), text.end(), place), end; at != end; ++at) {
+    const std::string found = text_at((*at)[1], values);
+    if (found.empty())
       throw std::invalid_argument(fmt::format("nothing is known of {} in: {}", (*at).str(), text));
-  mustache with_places(text);
-  with_places.set_custom_escape([](const std::string& plain) { return plain; });
-  return with_places.render(values);
-}
-
-Json with_numbers(const Json& texts, const data& values) {
-  if (texts.is_string()) return with_numbers(texts.get<std::string>(), values);
-  Json all = texts;
-  for (auto& item : all) item = with_numbers(item, values);
-  return all;
+    all.append(rest, (*at)[0].first).append(found);
+    rest = (*at)[0].second;
+  }
+  return all.append(rest, text.cend());
 }
 
 data for_page(const Json& value) {
@@ -112,7 +98,10 @@ data for_page(const Json& value) {
 }  // namespace
 
 Json with_numbers(const Json& texts, const Json& values) {
-  return with_numbers(texts, for_texts(values));
+  if (texts.is_string()) return with_numbers(texts.get<std::string>(), values);
+  Json all = texts;
+  for (Json& item : all) item = with_numbers(item, values);
+  return all;
 }
 
 std::string render(const std::string& page_template,

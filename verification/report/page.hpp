@@ -8,9 +8,9 @@
 
 namespace rotor {
 
-/// Texts with numbers for their placeholders: {{peak.f1}} has one digit after the point, and in
-/// percent {{peak.p1}}; {{peak.s3}} has three digits. Throws std::invalid_argument, with the text,
-/// for a placeholder without a value.
+/// Texts with numbers for their placeholders: {{peak.f1}} has one digit after the point,
+/// {{peak.p1}} as well, in percent. Throws std::invalid_argument, with the text, for a placeholder
+/// without a value.
 Json with_numbers(const Json& texts, const Json& values);
 
 /// The template, rendered, with those that it includes by name. Items of lists know whether they

@@ -68,8 +68,9 @@ TEST(ReportTexts, NameTestsThatExist) {
 }
 
 TEST(WithNumbers, PutsInWhatAPlaceAsksFor) {
-  const Json values = {{"peak", {{"kN", 454.836}}}, {"drop", -1.25}, {"printed", "455"}};
-  EXPECT_EQ(with_numbers(Json("{{peak.kN.f1}} kN, {{peak.kN.s2}}"), values), "454.8 kN, 4.5e+02");
+  const Json values = {
+      {"peak", {{"kN", 454.836}}}, {"drop", -1.25}, {"share", 0.025}, {"printed", "455"}};
+  EXPECT_EQ(with_numbers(Json("{{peak.kN.f1}} kN, {{share.p1}} %"), values), "454.8 kN, 2.5 %");
   EXPECT_EQ(with_numbers(Json("{{drop.f2}} of {{printed}}"), values), "\u22121.25 of 455");
   EXPECT_THROW(with_numbers(Json("{{peak.MN.f1}}"), values), std::invalid_argument);
   EXPECT_THROW(with_numbers(Json("{{peak.kN}}"), values), std::invalid_argument);

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What `make report` does once everything is built and drawn: collects the files of the page in a folder,
-# and writes the page. `report.sh BUILD OUT archive` leaves out what differs between machines.
+# and writes the page: report.sh BUILD
 set -euo pipefail
-build=$1 out=${2:-$1/report} kind=${3:-this-machine}
+build=$1 out=$1/report
 rm -rf "$out/figures"
 mkdir -p "$out/figures/published" "$out/figures/consistent"
 cp "$build"/figures/fig[0-9][0-9].svg "$out/figures"
@@ -19,10 +19,8 @@ rm -f "$out/engine.wasm.gz.base64"
   gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"
 # Unexpected verdicts fail `make verify`, not the page, which shows them.
 "$build/report-numbers" reference-data "$out" >/dev/null || true
-# Studies that were made; an archive excludes run times and noise of the machine.
-studies=(maps)
-[ "$kind" = archive ] || studies+=(work-precision:bench stability:stress-results)
-for study in "${studies[@]}"; do
+# Studies that were made.
+for study in maps work-precision:bench stability:stress-results; do
   from=$build/${study#*:} to=$out/${study%:*}
   rm -rf "$to"
   if compgen -G "$from/*.svg" >/dev/null; then
