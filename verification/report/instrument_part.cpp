@@ -97,10 +97,7 @@ Json runs_json() {
       run["motion"] = quantised(picture.motion, picture.metadata["motion"], until_s);
       run["works"] = quantised(thinned(picture.works), picture.metadata["works"], until_s);
       for (Json& event : run["events"])
-        event = {{"event", event["event"]},
-                 {"time_s", event["time_s"]},
-                 {"normal_force_N", event["normal_force_N"]},
-                 {"slip_velocity_m_per_s", event["slip_velocity_m_per_s"]}};
+        event = {{"event", event["event"]}, {"time_s", event["time_s"]}};
       runs.push_back(run);
     }
   return runs;

@@ -9,7 +9,7 @@ import test from "node:test";
 
 import { panels, stepPanels, ticks } from "./script/curves.js";
 import { inMilliseconds, inWords, stateAt, whirlAt } from "./script/motion.js";
-import { numbersOf, outcomes, sentence, textsOf } from "./script/outcome.js";
+import { numbersOf, outcomes, sentence } from "./script/outcome.js";
 import { stacked } from "./script/plots.js";
 import { column, Recorded } from "./script/recorded.js";
 import { forceTip } from "./script/rotor.js";
@@ -30,11 +30,6 @@ test("numbers are in their units", () => {
   const words = sentence(summary);
   for (const part of ["7 times", "29.1046 s", "454.8 kN", "29.1277 s, 23.1 ms after", "Remark: the ring is round."])
     assert.ok(words.includes(part), words);
-});
-
-test("forces of events are magnitudes", () => {
-  assert.deepEqual(textsOf({ time_s: 29.1, event: "break_away", normal_force_N: -12340, slip_velocity_m_per_s: -1.5 }),
-    ["29.1000 s", "break-away", "12.3 kN", "-1.50 m/s"]);
 });
 
 test("a state is that between two rows, in milliseconds after the loss", () => {

@@ -7,7 +7,7 @@ const lost = (picture, cause) => scaled(gained(picture, cause), -1);
 /// The panels: curves, or areas stacked from below, in the panel's unit.
 export const panels = [
   {
-    title: "normal force", unit: "kN", share: 0.4, events: true,
+    title: "normal force", unit: "kN", share: 0.4,
     curves: [{ label: "normal force", colour: "first", of: ({ motion }) => scaled(motion.normal_force_N, -1e-3) }],
   },
   {

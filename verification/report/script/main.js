@@ -4,7 +4,7 @@ import { Engine, isEmbedded } from "./engine.js";
 import { Knobs } from "./knobs.js";
 import { OutcomeMap, outcomes } from "./map.js";
 import { inWords, stateAt } from "./motion.js";
-import { sentence, showEvents, showNumbers } from "./outcome.js";
+import { sentence, showNumbers } from "./outcome.js";
 import { Plots } from "./plots.js";
 import { Recorded } from "./recorded.js";
 import { RotorView } from "./rotor.js";
@@ -65,7 +65,6 @@ function show(answer) {
   if (!same_part) time_s = story.at(-1).time_s;
   at("outcome").textContent = sentence(picture.summary);
   at("summary").textContent = JSON.stringify(picture.summary, null, 2);
-  showEvents(at("events"), picture.events);
   showNumbers(at("numbers"), picture.summary);
   showStory();
   say("");

@@ -58,26 +58,3 @@ export function showNumbers(body, summary) {
     return row;
   }));
 }
-
-const names = {
-  mass_loss: "mass loss", touch_down: "touch-down", release: "release", ring_clear: "ring clear",
-  renewed_contact: "renewed contact", rolling_onset: "onset of rolling",
-  slip_reversal: "slip reversal", break_away: "break-away", motor_off: "motor off",
-};
-export const nameOfEvent = (event) => names[event];
-
-/// Time, name, force as a magnitude, slip.
-export const textsOf = (at) => [inSeconds(at.time_s), nameOfEvent(at.event), inKilonewton(-at.normal_force_N),
-  at.slip_velocity_m_per_s === null ? "–" : `${at.slip_velocity_m_per_s.toFixed(2)} m/s`];
-
-export function showEvents(body, events) {
-  body.replaceChildren(...events.map((at) => {
-    const row = document.createElement("tr");
-    for (const text of textsOf(at)) {
-      const cell = document.createElement("td");
-      cell.textContent = text;
-      row.append(cell);
-    }
-    return row;
-  }));
-}
