@@ -32,15 +32,24 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return last.back();
 }
 
-/// Number of bytes of a control character, or of one that XML does not allow, at the start of a
-/// text; 0 if there is none.
-std::size_t control_length(std::string_view text) {
+/// Number of bytes of the letter in UTF-8 at the start of a text; 0 if there is none, or if XML
+/// does not allow it or it is a control character.
+std::size_t letter_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
   };
-  if (byte(0) < 0x20 || byte(0) == 0x7f) return 1;
-  if (byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) < 0xa0) return 2;
-  return byte(0) == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe ? 3 : 0;
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return first < 0x20 || first == 0x7f ? 0 : 1;
+  const std::size_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0U) != 0x80) return 0;
+  const bool is_overlong = first < 0xc2 || (first == 0xe0 && second < 0xa0) ||
+                           (first == 0xf0 && second < 0x90),
+             is_beyond = first > 0xf4 || (first == 0xf4 && second >= 0x90),
+             is_half_a_pair = first == 0xed && second >= 0xa0,
+             is_control = (first == 0xc2 && second < 0xa0) ||
+                          (first == 0xef && second == 0xbf && byte(2) >= 0xbe);
+  return is_overlong || is_beyond || is_half_a_pair || is_control ? 0 : length;
 }
 
 }  // namespace
@@ -48,11 +57,10 @@ std::size_t control_length(std::string_view text) {
 std::string one_line(std::string_view text) {
   std::string line;
   while (!text.empty()) {
-    const std::size_t control = control_length(text), length = std::max<std::size_t>(control, 1);
-    for (const char c : text.substr(0, length))
-      line +=
-          control > 0 ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
-    text.remove_prefix(length);
+    const std::size_t length = letter_length(text);
+    line += length > 0 ? std::string(text.substr(0, length))
+                       : fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return line;
 }

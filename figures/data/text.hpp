@@ -10,8 +10,8 @@
 
 namespace rotor {
 
-/// The text as one line that may be shown anywhere: control characters are made visible. A line
-/// without any does not change.
+/// The text as one line that may be shown anywhere: control characters, and bytes that are not
+/// UTF-8, are made visible. A line without any does not change.
 std::string one_line(std::string_view text);
 
 /// The same, shortened for messages.

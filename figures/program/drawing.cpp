@@ -111,8 +111,19 @@ Drawing::~Drawing() {
   ::close(folder_.descriptor);
 }
 
-std::string Drawing::heading(const std::string& title) const {
-  return title.empty() ? one_line(name_) : title;
+std::string Drawing::headings(const std::string& title, std::string conditions,
+                              std::size_t most) const {
+  long lines = 1;
+  for (std::size_t begin = 0; conditions.size() - begin > most; ++lines) {
+    std::size_t end = conditions.rfind(", ", begin + most - 1);
+    if (end == std::string::npos || end < begin) end = conditions.find(", ", begin);
+    if (end == std::string::npos) break;
+    conditions[end + 1] = '\n';
+    begin = end + 2;
+  }
+  return fmt::format("heading = {}; conditions = {}; lines = {}\n",
+                     numbered(title.empty() ? one_line(name_) : title), numbered(conditions),
+                     lines);
 }
 
 void Drawing::write(const std::string& name, std::string_view text) const {

@@ -1,5 +1,5 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, besides what style.gp needs:
-#   heading, conditions, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...
+#   heading, conditions in a number of lines, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...
 # Each run has a data file for each panel in gnuplot's folder, named after the column that is drawn upwards.
 
 gap(i) = value(sprintf("clearance_mm%d", i))
@@ -19,14 +19,14 @@ named = entries > most_rows*columns ? most_rows*columns - 2 : entries - 1
 entries = entries > named + 1 ? named + 2 : entries
 rows = (entries + columns - 1)/columns
 key_x(k) = 0.5 + key_width*(k % columns - 0.5*(entries < columns ? entries : columns))
-key_y(k) = 0.89 - 0.034*(k/columns)
+key_y(k) = 0.916 - 0.026*lines - 0.034*(k/columns)
 do for [k = 0:entries - 1] {
   says = k < named ? shortened(name(k + 1), longest_name) : k == named ? "clearance" : sprintf("and %d more runs", runs - named)
   set label says at screen key_x(k) + 0.035, screen key_y(k) noenhanced font small
   if (k < named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linetype k + 1 linewidth wide(k + 1) }
   if (k == named) { set arrow from screen key_x(k), screen key_y(k) rto screen 0.03, screen 0 nohead linestyle clearance }
 }
-top = 0.885 - 0.034*rows; bottom = 0.1; between = 0.13
+top = 0.911 - 0.026*lines - 0.034*rows; bottom = 0.1; between = 0.13
 height = 0.5*(top - bottom - between)
 
 # Axes end at tics, which are 1, 2 or 5 times a power of ten apart. Their labels have enough digits to differ. There
@@ -72,7 +72,7 @@ left = 0.055 + letter*widest
 time_letters = show(least_time_s, most_time_s, 8, 0.44 - left); right = 0.01 + 0.5*letter*time_letters
 
 set label shortened(heading, 80) at screen 0.5,screen 0.97 center noenhanced
-set label shortened(conditions, 140) at screen 0.5,screen 0.93 center noenhanced font small
+set label conditions at screen 0.5,screen 0.93 center noenhanced font small
 set multiplot layout 2,2 margins left,1 - right,bottom,top spacing left + right,between
 unset key
 if (changes(least_time_s, most_time_s)) { low = least_time_s; high = most_time_s }

@@ -11,8 +11,9 @@
 namespace rotor {
 namespace {
 
-/// What the runs of a scene share.
-std::string conditions_of(const std::vector<SceneRun>& runs) {
+/// What the runs of a scene share, as far as they are drawn.
+std::string conditions_of(const Scene& scene) {
+  const std::vector<SceneRun>& runs = scene.runs;
   ScenarioSpec shared = runs.front().stated;
   bool have_same_equations = true;
   for (const SceneRun& run : runs) {
@@ -23,6 +24,8 @@ std::string conditions_of(const std::vector<SceneRun>& runs) {
       return its == run.stated.numbers.end() || its->second != number.second;
     });
   }
+  if (const auto until = shared.numbers.find("until"); until != shared.numbers.end())
+    until->second = std::min(until->second, scene.window.from_s + scene.window.length_s);
   return conditions(shared, have_same_equations);
 }
 
@@ -52,8 +55,7 @@ void plot_motion(const Scene& scene, const PlotOptions& options, const std::stri
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
   std::string settings =
-      fmt::format("heading = {}; conditions = {}; runs = {}\n",
-                  numbered(drawing.heading(scene.title)), numbered(shared), scene.runs.size());
+      drawing.headings(scene.title, shared) + fmt::format("runs = {}\n", scene.runs.size());
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
     const SceneRun& run = scene.runs[n - 1];
     const Parameters& p = run.scenario.parameters;
@@ -86,7 +88,7 @@ void plot(const PlotOptions& stated) {
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
-  const std::string shared = conditions_of(scene.runs);
+  const std::string shared = conditions_of(scene);
   options.spectrum ? plot_spectrum(scene, options, shared) : plot_motion(scene, options, shared);
   say_what_is_assumed(scene.runs);
 }

@@ -1,5 +1,5 @@
 # Spectra of displacement and force in the stator's frame. `rotor plot --spectrum` sets, besides what style.gp needs:
-#   heading, conditions, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
+#   heading, conditions in a number of lines, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
 # Each run has a data file in gnuplot's folder: amplitudes by frequency, which is negative for backward whirl.
 
 data(i) = sprintf("run%d.csv", i)
@@ -17,10 +17,10 @@ lowest = 0.8/(until_s1 - from_s1); highest = 0.25*samples1/(until_s1 - from_s1)
 set logscale xy
 set format x "%g"; set format y "10^{%T}"
 set mxtics 10
-top = 0.8 - 0.035*runs; bottom = 0.17; between = 0.05; height = 0.5*(top - bottom - between)
+top = 0.826 - 0.026*lines - 0.035*runs; bottom = 0.17; between = 0.05; height = 0.5*(top - bottom - between)
 set multiplot
 set label 1 shortened("Spectrum: ".heading, 80) at screen 0.5,0.975 center noenhanced
-set label 2 shortened(conditions, 140) at screen 0.5,0.938 center noenhanced font small
+set label 2 conditions at screen 0.5,0.938 center noenhanced font small
 rolling = 0    # the first run that rolls
 do for [i = 1:runs] { rolling = !rolling && of("rolls", i) ? i : rolling }
 set label 3 "Flat-top window: a circle at a steady frequency has its radius as height. Dashed: f; dotted: 2f".(rolling ? ", the whirl while rolling and f_n" : " and f_n") \
@@ -28,9 +28,9 @@ set label 3 "Flat-top window: a circle at a steady frequency has its radius as h
 do for [i = 0:runs] {
   if (i > 0) { void = fill(i) }
   tint = i > 0 ? i : 4
-  set label (i > 0 ? cells[1] : heads[1]) at screen table_x[1],screen 0.895 - 0.035*i left noenhanced font small textcolor linetype tint
+  set label (i > 0 ? cells[1] : heads[1]) at screen table_x[1],screen 0.921 - 0.026*lines - 0.035*i left noenhanced font small textcolor linetype tint
   do for [k = 2:6] {
-    set label (i > 0 ? cells[k] : heads[k]) at screen table_x[k],screen 0.895 - 0.035*i right noenhanced font small
+    set label (i > 0 ? cells[k] : heads[k]) at screen table_x[k],screen 0.921 - 0.026*lines - 0.035*i right noenhanced font small
   }
 }
 

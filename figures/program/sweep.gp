@@ -1,5 +1,5 @@
 # A sweep: curves over one axis, maps over two, distributions of a sample. `rotor plot` sets, besides what style.gp needs:
-#   heading; conditions; dimensions, the number of axes, and draws, the number at each of their points
+#   heading; conditions in a number of lines; dimensions, the number of axes, and draws, the number at each of their points
 #   for each axis its x_name, the places x_least and x_greatest of its ends, whether its values x_are_listed, and x_tics of a
 #   list or of powers of ten; likewise for y
 #   panels, their number, and if there are several their names panel0, panel1, ...
@@ -20,11 +20,11 @@ name_beside(n, text, at) = sprintf("set label %d '%s' at screen %g, screen %g ce
 is_map = dimensions == 2
 if (is_map && panels < 3) { eval "set terminal ".square }
 rows = is_map ? has_outcome + has_value : has_value + (dimensions == 1 && has_outcome && (draws > 1 || !has_value))
-top = 0.89; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.13 : 0.1; right = is_map ? 0.84 : 0.965; gap = 0.05
+top = 0.916 - 0.026*lines; bottom = has_outcome ? 0.19 : 0.11; left = is_map ? 0.13 : 0.1; right = is_map ? 0.84 : 0.965; gap = 0.05
 height = (top - bottom)/rows; width = (right - left - gap*(panels - 1))/panels
 set multiplot
 set label 1 shortened(heading, 80) at screen 0.5,0.975 center noenhanced
-set label 5 shortened(conditions, is_map && panels < 3 ? 110 : 140) at screen 0.5,0.938 center noenhanced font small
+set label 5 conditions at screen 0.5,0.938 center noenhanced font small
 set tics front out
 if (is_map) { unset grid }
 unset key; unset colorbox

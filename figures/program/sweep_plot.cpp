@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <unordered_map>
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
@@ -143,9 +144,9 @@ constexpr const char* usual_result = "peak_force_to_rolling_N";
 
 /// A run without contact has no largest force, which is drawn as 0. One that stopped in rolling has
 /// none either, since the rest of it could raise it: that is left out.
-bool is_zero(const std::string& result, std::string_view outcome) {
-  return (result == usual_result || result == "peak_normal_force_N") && !outcome.empty() &&
-         outcome != name_of(Outcome::rolling);
+bool is_zero(const std::string& result, std::optional<Outcome> outcome) {
+  return (result == usual_result || result == "peak_normal_force_N") && outcome &&
+         outcome != Outcome::rolling;
 }
 
 /// What is drawn beside the outcome.
@@ -207,10 +208,68 @@ class Mean {
 constexpr std::array coded_outcomes = {Outcome::no_contact, Outcome::undecided, Outcome::freed,
                                        Outcome::bouncing,   Outcome::sliding,   Outcome::rolling};
 
-std::size_t code_of(std::string_view name) {
-  const auto* const found = std::find_if(coded_outcomes.begin(), coded_outcomes.end(),
-                                         [&](Outcome outcome) { return name_of(outcome) == name; });
-  return static_cast<std::size_t>(found - coded_outcomes.begin());
+/// What a row of results has to draw.
+struct DrawnRow {
+  std::optional<Outcome> outcome;
+  double value = NAN;
+
+  std::size_t code() const {
+    const auto* const found =
+        std::find(coded_outcomes.begin(), coded_outcomes.end(), outcome.value_or(Outcome::stalled));
+    return static_cast<std::size_t>(found - coded_outcomes.begin());
+  }
+};
+
+DrawnRow drawn_row(const CsvRow& row, const DrawnResult& result, double unit) {
+  constexpr double most = 1e300;  // gnuplot's axes are wider than their values
+  DrawnRow drawn;
+  if (result.has_outcome && !row["outcome"].empty()) try {
+      drawn.outcome = parse_name<Outcome>(row["outcome"]);
+    } catch (const InputError& error) {
+      row.fail(fmt::format("outcome: {}", error.what()));
+    }
+  if (!result.has_value) return drawn;
+  if (const std::string& cell = row[result.key]; !cell.empty()) {
+    const auto value = number_in(cell);
+    if (!value || !(std::abs(*value / unit) < most))
+      row.fail(fmt::format("{}: must be a number below {} in magnitude, not \"{}\"", result.key,
+                           most * unit, shown(cell)));
+    drawn.value = *value / unit;
+  } else if (is_zero(result.key, drawn.outcome)) {
+    drawn.value = 0;
+  }
+  return drawn;
+}
+
+/// What to draw of each point of a sweep, in the order of its file. Rows may have another order.
+std::vector<DrawnRow> drawn_rows(const fs::path& results, const Sweep& sweep,
+                                 const DrawnResult& result, double unit) {
+  const auto name = [](const std::vector<std::string>& values) {
+    return fmt::format("{}", fmt::join(values, ","));
+  };
+  const SweepPoints points(sweep);
+  std::unordered_multimap<std::string, long> left;  // numbers of points by what varies
+  for (long n = 0; n < sweep.points(); ++n) left.emplace(name(points(n).values), n);
+  std::vector<std::string> columns = sweep.quantities(), values(columns.size());
+  std::transform(columns.begin(), columns.end(), columns.begin(), column_of);
+  std::vector<DrawnRow> drawn(left.size());
+  read_csv(results, [&](const CsvRow& row) {
+    std::transform(columns.begin(), columns.end(), values.begin(), [&](const auto& column) {
+      const auto number = number_in(row[column]);  // 150.0 is 150
+      return number ? fmt::format("{}", *number) : row[column];
+    });
+    const auto its = left.extract(name(values));
+    if (!its)
+      row.fail(
+          fmt::format("is no point of the sweep file above the results, or one that an earlier "
+                      "row has: {} = {}",
+                      fmt::join(columns, ","), shown(name(values))));
+    drawn[static_cast<std::size_t>(its.mapped())] = drawn_row(row, result, unit);
+  });
+  if (!left.empty())
+    throw InputError("{}: has {} rows; the sweep file above them has {} points", results.string(),
+                     drawn.size() - left.size(), sweep.points());
+  return drawn;
 }
 
 /// Writes a table for each panel, so that gnuplot reads each number once: x and y, the code of the
@@ -218,26 +277,21 @@ std::size_t code_of(std::string_view name) {
 /// share that rolls instead of the code. Returns what else gnuplot needs.
 std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const DrawnResult& result,
                          const fs::path& results, const Sweep& sweep) {
-  const auto drawn = label_and_unit(result.key);
+  const auto [label, unit] = label_and_unit(result.key);
   std::vector<std::string> panels(axes.panels.of.size());
   std::array<long, coded_outcomes.size() + 1> seen{};
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   const long draws = axes.is_map() ? sweep.sample.count : 1;
   Mean outcome, value;
   long n = 0;
-  read_csv(results, [&](const CsvRow& row) {
-    const std::string name = result.has_outcome ? row["outcome"] : "";
-    const std::size_t code = code_of(name);
-    ++seen[code];
+  for (const DrawnRow& row : drawn_rows(results, sweep, result, unit)) {
+    ++seen[row.code()];
     if (draws == 1)
-      outcome.add(static_cast<double>(code));
-    else if (!name.empty())  // a refused point has no outcome
-      outcome.add(name == name_of(Outcome::rolling) ? 1 : 0);
-    if (result.has_value && !row[result.key].empty())
-      value.add(static_cast<double>(row.number(result.key)) / drawn.second);
-    else if (is_zero(result.key, name))
-      value.add(0);
-    if (++n % draws != 0) return;
+      outcome.add(static_cast<double>(row.code()));
+    else if (row.outcome)  // a refused point has none
+      outcome.add(row.outcome == Outcome::rolling ? 1 : 0);
+    value.add(row.value);
+    if (++n % draws != 0) continue;
     const auto place = [&](std::size_t axis) {
       return axis < axes.numbers.size() ? axes.numbers[axis].at(n - 1) : 0;
     };
@@ -246,10 +300,7 @@ std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const 
     greatest = std::fmax(greatest, its_value);
     fmt::format_to(std::back_inserter(panels[static_cast<std::size_t>(axes.panels.at(n - 1))]),
                    "{},{},{},{}\n", place(0), place(1), its_outcome, its_value);
-  });
-  if (n != sweep.points())
-    throw InputError("{}: has {} rows; the sweep file above them has {} points", results.string(),
-                     n, sweep.points());
+  }
   for (std::size_t p = 0; p < panels.size(); ++p)
     drawing.write(fmt::format("panel{}.csv", p), panels[p]);
   const bool is_empty = least > greatest;
@@ -257,7 +308,7 @@ std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const 
       "result_name = '{}'; has_outcome = {}; has_value = {}; is_empty = {}; least = {:#}; greatest "
       "= "
       "{:#}; array seen[{}] = [{}]\n",
-      drawn.first, result.has_outcome ? 1 : 0, result.has_value ? 1 : 0,
+      label, result.has_outcome ? 1 : 0, result.has_value ? 1 : 0,
       result.has_value && is_empty ? 1 : 0, is_empty ? 0 : least, is_empty ? 0 : greatest,
       seen.size(), fmt::join(seen, ", "));
 }
@@ -297,6 +348,7 @@ void plot_sweep(const PlotOptions& options) {
   }
   const Sweep sweep = read_sweep(source, options.file);
   const PictureAxes axes = axes_of(sweep);
+  const bool is_square = axes.is_map() && axes.panels.of.size() < 3;
   const DrawnResult result = drawn_result(options.column, sweep);
   if (!has_results) {
     results = drawing.file("sweep.csv");
@@ -309,11 +361,9 @@ void plot_sweep(const PlotOptions& options) {
           "plot NAME.csv draws its results");
     }
   }
-  drawing.finish(
-      axes.settings + write_panels(drawing, axes, result, results, sweep) +
-          fmt::format("heading = {}; conditions = {}\n", numbered(drawing.heading(sweep.title)),
-                      numbered(conditions_of(sweep))),
-      "sweep.gp");
+  drawing.finish(axes.settings + write_panels(drawing, axes, result, results, sweep) +
+                     drawing.headings(sweep.title, conditions_of(sweep), is_square ? 110 : 140),
+                 "sweep.gp");
   say_what_is_assumed(sweep);
 }
 

@@ -114,6 +114,69 @@ TEST_F(Plot, SaysAndShowsWhatASweepStates) {
   }
 }
 
+// All that is stated, in whole items, and as far as it is drawn.
+TEST_F(Plot, SaysWhatIsDrawnInWholeItems) {
+  const std::vector<std::string> items = {
+      "mass = 2 kg",         "inertia = 0.0016 kg m^2",       "eccentricity = 0.02 mm",
+      "friction = 0.25",     "support stiffness = 10000 N/m", "contact stiffness = 1e+09 N/m",
+      "clearance = 2 mm",    "support damping = 10 N s/m",    "lost mass = 0.012 kg",
+      "rotor radius = 40 mm"};
+  write("s.toml",
+        "[parameters]\nequations = \"corrected\"\nmass = 2\ninertia = 1.6e-3\neccentricity = "
+        "2e-5\nsupport_stiffness = 1e4\nsupport_damping = 10\ncontact_stiffness = 1e9\nfriction = "
+        "0.25\nrotor_radius = 0.04\nclearance = 2e-3\nlost_mass = 0.012\nstart_speed_hz = "
+        "120\nuntil = 0.03\n");
+  ASSERT_EQ(rotor("plot s.toml --until 0.01").status, 0);
+  const DrawnPicture picture(content("s.svg"));
+  EXPECT_EQ(picture.clipped, std::vector<std::string>());
+  const auto shows = [&](const std::string& item) {
+    return std::ranges::any_of(picture.texts, [&](const auto& text) {
+      return (", " + text + ",").find(", " + item + ",") != std::string::npos;
+    });
+  };
+  for (const std::string& item : items) EXPECT_TRUE(shows(item)) << item;
+  EXPECT_TRUE(shows("until = 0.01 s"));
+  EXPECT_FALSE(shows("until = 0.03 s"));
+}
+
+// A row belongs to the point of its values, wherever it is; what belongs to none is refused.
+TEST_F(Plot, PlacesRowsByTheirValues) {
+  write("s.toml",
+        "columns = [\"outcome\", \"peak_force_to_rolling_N\"]\n[parameters]\nstart_speed_hz = "
+        "150\nuntil = 0.01\n[[axis]]\nquantity = \"clearance\"\nfrom = 2e-3\nto = 3e-3\npoints = "
+        "3\n[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n");
+  ASSERT_EQ(rotor("sweep s.toml --out s.csv").status, 0);
+  const std::string change =
+      "sed -n '/^#/p;/^clearance/p' s.csv >b.csv; sed '/^#/d;/^clearance/d' ";
+  const auto drawn = [&](const std::string& command) {
+    shell(change + command + " >>b.csv");
+    EXPECT_EQ(rotor("plot b.csv --out b.svg").status, 0);
+    return content("b.svg");
+  };
+  EXPECT_TRUE(drawn("s.csv | sort -t, -k2 -r") == drawn("s.csv"));
+  for (const auto& [edit, complaint] :
+       {std::pair("2d;1p",
+                  "is no point of the sweep file above the results, or one that an earlier"),
+        {"1s/^0.002/0.007/", "is no point of the sweep file above the results"},
+        {"1s/bouncing/bounce/", ": outcome: must be one of: "},
+        {"1s/,[0-9.]*,,$/,-inf,,/", ": peak_force_to_rolling_N: must be a number below"},
+        {"1s/,[0-9.]*,,$/,1e305,,/", ": peak_force_to_rolling_N: must be a number below"}}) {
+    shell(change + "s.csv | sed '" + edit + "' >>b.csv");
+    expect_refusal("plot b.csv", complaint);
+  }
+}
+
+// Also of a name that is not UTF-8. iconv reads nothing else.
+TEST_F(Plot, DrawsLettersOnly) {
+  write("a.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.001\n");
+  for (const std::string name : {"\xff", "\xc3(", "\xed\xa0\x80", "\xc0\xaf", "\xef\xbf\xbe"}) {
+    fs::copy_file(folder_ / "a.toml", folder_ / (name + ".toml"));
+    ASSERT_EQ(rotor("plot '" + name + ".toml' --out a.svg").status, 0);
+    EXPECT_EQ(shell("iconv -f UTF-8 -t UTF-16 a.svg >a.txt").status, 0) << name;
+    EXPECT_EQ(content("a.svg").find("\xef\xbf\xbe"), std::string::npos);
+  }
+}
+
 // Also where the rows of the panels alternate. Listed values have none: they are in any order.
 TEST_F(Plot, DrawsTheLineOfASweepInEachPanel) {
   for (const auto& [axis, lines] :
