@@ -1,4 +1,4 @@
-/// The names of choices, events and outcomes in options, scene files and CSV.
+/// The names of choices and events, and those of outcomes, in options, scene files and CSV.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "figures/data/text.hpp"
+#include "figures/input/words.hpp"
 #include "model/results/stop_on.hpp"
 
 namespace rotor {
@@ -45,14 +46,11 @@ inline constexpr auto names_of<StopOn> = std::to_array<Named<StopOn>>({{"outcome
                                                                        {"rolling", StopOn::rolling},
                                                                        {"rest", StopOn::rest}});
 template <>
-inline constexpr auto names_of<Outcome> =
-    std::to_array<Named<Outcome>>({{"rolling", Outcome::rolling},
-                                   {"sliding", Outcome::sliding},
-                                   {"stalled", Outcome::stalled},
-                                   {"freed", Outcome::freed},
-                                   {"no_contact", Outcome::no_contact},
-                                   {"bouncing", Outcome::bouncing},
-                                   {"undecided", Outcome::undecided}});
+inline constexpr auto names_of<Outcome> = [] {
+  std::array<Named<Outcome>, outcomes.size()> names;
+  for (std::size_t n = 0; n < names.size(); ++n) names[n] = {outcomes[n].name, outcomes[n].outcome};
+  return names;
+}();
 template <>
 inline constexpr auto names_of<Event> =
     std::to_array<Named<Event>>({{"none", Event::none},

@@ -1,18 +1,83 @@
-/// Names in the words of people. figures/paper/style.gp and the page have the same words.
+/// What people are shown of outcomes, equations and results, in text, pictures and on the page:
+/// their words and colours. `make approve` writes figures/paper/palette.gp and the page's words.js
+/// from here.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
+#include "model/results/outcome.hpp"
+
 namespace rotor {
 
-/// What pictures and summaries call equations by their name, "mixed" included.
+/// An outcome: its name in files, its colour on paper and light pages and on dark ones, what
+/// follows "The rotor", and its definition.
+struct OutcomeInWords {
+  Outcome outcome;
+  std::string_view name, light, dark, sentence, meaning;
+};
+
+/// In the order of pictures. Their colours differ in lightness, so also in grey.
+inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
+    {{Outcome::no_contact, "no_contact", "#f7f7f5", "#20262c", "does not touch the ring",
+      "there was no contact, and the free rotor cannot reach the ring at this speed"},
+     {Outcome::undecided, "undecided", "#efe0a0", "#453d1f",
+      "has not touched the ring so far, but contact is possible",
+      "there was no contact, but one is possible"},
+     {Outcome::freed, "freed", "#a2c8e4", "#3b5a73",
+      "has touched the ring and is clear of it again",
+      "there were contacts, but the free rotor cannot reach the ring at this speed"},
+     {Outcome::bouncing, "bouncing", "#78aad2", "#4d7ea3",
+      "bounces, and further contacts are possible", "there were contacts, and more are possible"},
+     {Outcome::sliding, "sliding", "#2e5f8c", "#a9cfec", "slides along the ring without leaving it",
+      "the last contact has lasted longer than a natural period of the contact"},
+     {Outcome::rolling, "rolling", "#cc6c24", "#d98742", "has come to roll along the ring",
+      "rolling has set in, whatever followed"},
+     {Outcome::stalled, "stalled", "#333333", "#ebebe6",
+      "is stalled below 1.5 times its critical speed: the motor cannot raise it",
+      "the motor hardly raises the speed, which is below 1.5 times the critical speed, and no "
+      "backward whirl along the ring brakes it"}});
+
+struct EquationsInWords {
+  std::string_view name, light, dark, words, short_words;
+};
+
+inline constexpr auto sets_in_words = std::to_array<EquationsInWords>(
+    {{"published", "#0072b2", "#56b4e9", "equations as printed", "as printed"},
+     {"consistent", "#b34700", "#f0934f", "corrected equations", "corrected"}});
+
+/// What summaries call equations by their name, "mixed" and "corrected" included.
 constexpr std::string_view equations_in_words(std::string_view name) {
-  return name == "published"                           ? "equations as printed"
-         : name == "consistent" || name == "corrected" ? "corrected equations"
-                                                       : "equations corrected in part";
+  for (const EquationsInWords& set : sets_in_words)
+    if (name == set.name || name == set.short_words) return set.words;
+  return "equations corrected in part";
 }
+
+/// A result by its key, as short summaries show it; and whether the table of several runs does.
+struct ResultInWords {
+  std::string_view key, label;
+  bool is_in_table = false;
+};
+
+inline constexpr auto results_in_words = std::to_array<ResultInWords>({
+    {"speed_at_mass_loss_Hz", "speed at the mass loss"},
+    {"speed_ratio_at_mass_loss", "speed over the critical speed"},
+    {"touch_downs", "touch-downs", true},
+    {"first_contact_s", "first contact", true},
+    {"rolling_onset_s", "onset of rolling", true},
+    {"rolling_onset_speed_Hz", "speed at the onset of rolling"},
+    {"rolling_onset_force_N", "force at the onset of rolling"},
+    {"peak_normal_force_N", "largest normal force", true},
+    {"peak_time_s", "time of the largest force"},
+    {"max_displacement_m", "largest displacement"},
+    {"peak_bearing_force_N", "largest force on the bearings"},
+    {"whirl_frequency_Hz", "mean whirl in the last rolling"},
+    {"rolling_until_s", "end of rolling"},
+    {"final_time_s", "end of the run"},
+    {"final_speed_Hz", "speed at the end", true},
+});
 
 /// A name with spaces, without the unit of a speed.
 inline std::string name_in_words(std::string_view name) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "figures/program/commands.hpp"
@@ -33,68 +32,59 @@ void print_values(const Json& object, int digits, std::FILE* to, const std::stri
 
 /// Several runs, one row each.
 void print_table(const Json& runs, std::FILE* to) {
-  const std::vector<std::pair<const char*, const char*>> columns = {
-      {"run", "run"},
-      {"outcome", "outcome"},
-      {"touch_downs", "touch-downs"},
-      {"first_contact_s", "contact, s"},
-      {"rolling_onset_s", "rolling, s"},
-      {"peak_normal_force_N", "force, N"},
-      {"final_speed_Hz", "f at end, Hz"}};
-  std::vector<std::string> lines(runs.size() + 1);
-  for (const auto& [key, label] : columns) {
-    std::vector<std::string> cells = {label};
-    for (const Json& run : runs) cells.push_back(text_of(run.at(key), asked_digits(run)));
+  std::vector<std::string> lines(runs.size() + 2);  // heads have two
+  const auto add = [&](std::string_view key, const std::string& label) {
+    const std::size_t last = label.rfind(' ', label.find(',')) + 1;  // word, with its unit
+    std::vector<std::string> cells = {label.substr(0, last), label.substr(last)};
+    for (const Json& run : runs)
+      cells.push_back(text_of(run.at(std::string(key)), asked_digits(run)));
     std::size_t width = 0;
     for (const std::string& cell : cells) width = std::max(width, cell.size());
     for (std::size_t n = 0; n < cells.size(); ++n)
-      lines[n] += fmt::format("{:<{}}", cells[n], key == columns.back().first ? 0 : width + 2);
-  }
-  for (const std::string& line : lines) fmt::print(to, "{}\n", line);
+      lines[n] += fmt::format("{:<{}}", cells[n], width + 2);
+  };
+  add("run", "run");
+  add("outcome", "outcome");
+  for (const auto& [key, label, is_in_table] : results_in_words)
+    if (is_in_table)
+      add(key, fmt::format("{}{}", label,
+                           key.ends_with("_N")    ? ", N"
+                           : key.ends_with("_s")  ? ", s"
+                           : key.ends_with("_Hz") ? ", Hz"
+                                                  : ""));
+  for (const std::string& line : lines)
+    fmt::print(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
 }
 
-/// A result in the units of people, with four digits.
-std::string in_unit(double value, double of_unit, const char* unit) {
-  return fmt::format("{:.4g} {}", value / of_unit, unit);
+/// A result in the unit of people that follows from its key's, with four digits.
+std::string in_print(std::string_view key, double value) {
+  const auto shown = [](double number, const char* unit) {
+    return fmt::format("{:.4g}{}", number, unit);
+  };
+  const bool is_small = std::abs(value) < 1;
+  if (key.ends_with("_N"))
+    return std::abs(value) < 1e3 ? shown(value, " N") : shown(value / 1e3, " kN");
+  if (key.ends_with("_s")) return is_small ? shown(1e3 * value, " ms") : shown(value, " s");
+  if (key.ends_with("_m")) return shown(1e3 * value, " mm");
+  return shown(value, key.ends_with("_Hz") ? " Hz" : "");
 }
-
-std::string force(double newtons) {
-  return std::abs(newtons) < 1000 ? in_unit(newtons, 1, "N") : in_unit(newtons, 1e3, "kN");
-}
-std::string elapsed(double seconds) {
-  return std::abs(seconds) < 1 ? in_unit(seconds, 1e-3, "ms") : in_unit(seconds, 1, "s");
-}
-std::string millimetres(double metres) { return in_unit(metres, 1e-3, "mm"); }
-std::string hertz(double value) { return in_unit(value, 1, "Hz"); }
 
 /// What becomes of the rotor.
 std::string outcome_of(const Json& run) {
-  const auto outcome = parse_name<Outcome>(run.at("outcome").get<std::string>());
+  const auto name = run.at("outcome").get<std::string>();
   const auto number = [&](const char* key) { return run.at(key).get<double>(); };
-  const Json& inputs = run.at("inputs");
-  const auto touch_downs = run.at("touch_downs_to_rolling").get<long>();
-  const std::string times = fmt::format("{} time{}", touch_downs, touch_downs == 1 ? "" : "s");
-  using enum Outcome;
-  switch (outcome) {
-    case rolling:
-      return fmt::format("The rotor comes to roll on the ring {} after the first contact, at {}",
-                         elapsed(number("rolling_onset_s") - number("first_contact_s")),
-                         hertz(number("rolling_onset_speed_Hz")));
-    case sliding:
-      return "The rotor slides along the ring";
-    case stalled:
-      return "The rotor stalls below 1.5 times its critical speed";
-    case freed:
-      return fmt::format("The rotor touches the ring {} and comes free", times);
-    case bouncing:
-      return fmt::format("The rotor has touched the ring {}, and may touch it again", times);
-    case no_contact:
-      return fmt::format("The rotor does not touch the ring; the clearance is {}",
-                         millimetres(inputs.at("stator_radius").get<double>() -
-                                     inputs.at("rotor_radius").get<double>()));
-    default:
-      return "The rotor has not touched the ring yet, but still may";
-  }
+  const auto* const its = std::find_if(outcomes.begin(), outcomes.end(),
+                                       [&](const OutcomeInWords& of) { return of.name == name; });
+  std::string sentence = fmt::format("The rotor {}", its->sentence);
+  if (its->outcome == Outcome::rolling)
+    sentence += fmt::format(" {} after the first contact, at {}",
+                            in_print("_s", number("rolling_onset_s") - number("first_contact_s")),
+                            in_print("_Hz", number("rolling_onset_speed_Hz")));
+  if (its->outcome == Outcome::no_contact)
+    sentence += fmt::format("; the clearance is {}",
+                            in_print("_m", run.at("inputs").at("stator_radius").get<double>() -
+                                               run.at("inputs").at("rotor_radius").get<double>()));
+  return sentence;
 }
 
 void say_what_is_assumed(bool leaves_equations_open, const std::vector<std::string>& of_paper) {
@@ -119,43 +109,24 @@ void print_summary(const Json& run, bool as_json, std::FILE* to) {
 void print_brief(const Json& run, std::FILE* to) {
   const double loss_s = run.at("inputs").at("mass_loss_time").get<double>();
   const bool loses = run.at("mass_loss_reached") == true;  // may be open
-  const auto instant = [&](double time_s) {
-    return loses && time_s >= loss_s ? elapsed(time_s - loss_s) + " after the mass loss"
-                                     : in_unit(time_s, 1, "s");
+  const auto text = [&](std::string_view key, double value) {
+    if (!key.ends_with("_s")) return in_print(key, value);
+    return loses && value >= loss_s ? in_print(key, value - loss_s) + " after the mass loss"
+                                    : fmt::format("{:.4g} s", value);
   };
-  const auto ratio = [](double value) { return fmt::format("{:.4g}", value); };
-  struct Row {
-    const char *label, *key;
-    std::function<std::string(double)> text;
-  };
-  const std::vector<Row> rows = {{"speed at the mass loss", "speed_at_mass_loss_Hz", hertz},
-                                 {"  over the critical speed", "speed_ratio_at_mass_loss", ratio},
-                                 {"first contact", "first_contact_s", instant},
-                                 {"touch-downs", "touch_downs", ratio},
-                                 {"onset of rolling", "rolling_onset_s", instant},
-                                 {"  rotation speed", "rolling_onset_speed_Hz", hertz},
-                                 {"  normal force", "rolling_onset_force_N", force},
-                                 {"largest normal force", "peak_normal_force_N", force},
-                                 {"  at", "peak_time_s", instant},
-                                 {"largest displacement", "max_displacement_m", millimetres},
-                                 {"largest force on the bearings", "peak_bearing_force_N", force},
-                                 {"mean whirl in the last rolling", "whirl_frequency_Hz", hertz},
-                                 {"end of rolling", "rolling_until_s", instant},
-                                 {"end of the run", "final_time_s", instant},
-                                 {"  rotation speed", "final_speed_Hz", hertz}};
   const Json& whole = run.at("peak_normal_force_N");  // empty in a run that stops early
   const Json& peak = whole.is_null() ? run.at("peak_force_to_rolling_N") : whole;
   fmt::print(to, "{}{}.\n", outcome_of(run),
              peak.is_null()
                  ? ""
                  : fmt::format("; largest normal force {}{}", whole.is_null() ? "so far " : "",
-                               force(peak.get<double>())));
+                               in_print("_N", peak.get<double>())));
   for (const Json& remark : run.at("remarks"))
     fmt::print(to, "Note: {}.\n", remark.get<std::string>());
   fmt::print(to, "\n");
-  for (const Row& row : rows)
-    if (const Json& value = run.at(row.key); !value.is_null())
-      fmt::print(to, "  {:<31} {}\n", row.label, row.text(value.get<double>()));
+  for (const ResultInWords& result : results_in_words)
+    if (const Json& value = run.at(std::string(result.key)); !value.is_null())
+      fmt::print(to, "  {:<31} {}\n", result.label, text(result.key, value.get<double>()));
   fmt::print(to, "  {}\n", equations_in_words(run.at("equations").get<std::string>()));
   if (run.contains("energy_J")) print_values(Json{{"energy_J", run["energy_J"]}}, 0, to, "  ");
   fmt::print(to, "\nAll results: --all, or --json with all digits.\n");

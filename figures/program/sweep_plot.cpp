@@ -204,19 +204,16 @@ class Mean {
   long count_ = 0;
 };
 
-/// Outcomes by their code in style.gp; the code after the last one is that of stalled, or of none.
-constexpr std::array coded_outcomes = {Outcome::no_contact, Outcome::undecided, Outcome::freed,
-                                       Outcome::bouncing,   Outcome::sliding,   Outcome::rolling};
-
 /// What a row of results has to draw.
 struct DrawnRow {
   std::optional<Outcome> outcome;
   double value = NAN;
 
+  /// The place of its outcome among `outcomes`; of none that of stalled.
   std::size_t code() const {
-    const auto* const found =
-        std::find(coded_outcomes.begin(), coded_outcomes.end(), outcome.value_or(Outcome::stalled));
-    return static_cast<std::size_t>(found - coded_outcomes.begin());
+    std::size_t n = 0;
+    while (outcomes[n].outcome != outcome.value_or(Outcome::stalled)) ++n;
+    return n;
   }
 };
 
@@ -279,7 +276,7 @@ std::string write_panels(const Drawing& drawing, const PictureAxes& axes, const 
                          const fs::path& results, const Sweep& sweep) {
   const auto [label, unit] = label_and_unit(result.key);
   std::vector<std::string> panels(axes.panels.of.size());
-  std::array<long, coded_outcomes.size() + 1> seen{};
+  std::array<long, outcomes.size()> seen{};
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   const long draws = axes.is_map() ? sweep.sample.count : 1;
   Mean outcome, value;

@@ -1,6 +1,7 @@
 #include "figures/results/run_result.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <numbers>
 #include <type_traits>
@@ -109,6 +110,14 @@ const std::vector<Circumstance>& circumstances() {
   return all;
 }
 
+/// In the order in which they are decided.
+std::string meanings_of_outcomes() {
+  std::vector<std::string> all(outcomes.size());
+  for (const OutcomeInWords& its : outcomes)
+    all[static_cast<std::size_t>(its.outcome)] = fmt::format("{} ({})", its.name, its.meaning);
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 /// The schema of a result of this type.
 template <class T>
 Json allowed(T Summary::* /*of*/, bool may_be_open) {
@@ -168,10 +177,14 @@ Json summary_schema() {
   };
   describe("run", "Name of the run, if there are several", type("string"));
   for (const auto& field : summary_fields<double>) {
-    describe(field.key, field.meaning,
-             std::visit(
-                 [&](auto member) { return allowed(member, field.settled != Settled::once_known); },
-                 field.value));
+    describe(
+        field.key,
+        std::holds_alternative<Outcome Summary::*>(field.value)
+            ? fmt::format("{}, the first that holds: {}", field.meaning, meanings_of_outcomes())
+            : std::string(field.meaning),
+        std::visit(
+            [&](auto member) { return allowed(member, field.settled != Settled::once_known); },
+            field.value));
     required.push_back(field.key);
   }
   for (const Circumstance& said : circumstances()) {

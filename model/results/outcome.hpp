@@ -9,17 +9,8 @@
 
 namespace rotor {
 
-/// The outcome is the first of these that holds at the end of a run:
-enum class Outcome {
-  rolling,     ///< rolling has set in, whatever followed
-  stalled,     ///< the motor hardly raises the speed, which is below 1.5 times the critical speed,
-               ///< and no backward whirl along the ring brakes it
-  sliding,     ///< the last contact has lasted longer than a natural period of the contact
-  freed,       ///< there were contacts, but the free rotor cannot reach the ring at this speed
-  no_contact,  ///< there was no contact, and the free rotor cannot reach the ring at this speed
-  bouncing,    ///< there were contacts, and more are possible
-  undecided,   ///< there was no contact, but one is possible
-};
+/// The outcome is the first of these that holds at the end of a run, see BasicOutcomeWatch::outcome().
+enum class Outcome { rolling, stalled, sliding, freed, no_contact, bouncing, undecided };
 
 /// The farthest that O can get from O_a, m, while the rotor stays clear of the ring and keeps its
 /// speed: the steady response to the unbalance plus a vibration about it that can only decay. The

@@ -90,16 +90,7 @@ inline constexpr auto summary_fields = [] {
   constexpr Settled loss = Settled::by_loss, contacts = Settled::by_contacts, end = Settled::by_end;
   constexpr auto rho = [](const Of& s) { return S(Vector<S>(s.final_q1_m, s.final_q2_m).norm()); };
   return std::to_array<SummaryField<S>>({
-      {"outcome",
-       "How the run ended, in one word, the first that holds: rolling (rolling has set in, "
-       "whatever followed), stalled (the motor hardly raises the speed, which is below 1.5 times "
-       "the critical speed, and no backward whirl along the ring brakes it), sliding (the last "
-       "contact has lasted longer than a natural period of the contact), freed (there were "
-       "contacts, but the free rotor cannot reach the ring at this speed), no_contact (there was "
-       "no contact, and the free rotor cannot reach the ring), "
-       "bouncing (there were contacts, and more are possible), undecided (there was no contact, "
-       "but one is possible)",
-       &Of::outcome},
+      {"outcome", "How the run ended, in one word", &Of::outcome},
       {"first_contact_s", "Time of the first touch-down", &Of::first_contact_s},
       {"touch_downs_to_rolling",
        "Number of touch-downs until rolling sets in, or all of them if it does not",

@@ -41,6 +41,11 @@ Json instrument_json(const std::filesystem::path& report);
 /// standard error.
 Json rows_by(const std::filesystem::path& csv, const std::vector<const char*>& keys);
 
+/// Words and colours: figures/paper/palette.gp, script/words.js, and properties before page.css.
+std::string palette_of_gnuplot();
+std::string words_of_page();
+std::string tints_of_page();
+
 /// The numbers of verdicts in each set of equations, in words and as a mark.
 Json verdicts_json(const Json& claims);
 

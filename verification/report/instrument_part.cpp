@@ -138,8 +138,8 @@ Json laws_json(const Equations& equations) {
   return lines;
 }
 
-/// Outcomes by their first letters, row after row; "-" for a rotor that touches the ring or stalls
-/// before the loss.
+/// Outcomes by their places among `outcomes`, row after row; a rotor that touches the ring before
+/// the loss has no result, which counts as stalled.
 Json maps_json(const std::filesystem::path& csv) {
   std::map<std::string, Json> maps;
   for (const CsvRow& row : read_csv(csv)) {
@@ -149,9 +149,10 @@ Json maps_json(const std::filesystem::path& csv) {
                     .first->second;
     if (map["to"].is_null() || point[1] != map["to"][1]) map["cells"].push_back("");
     map["to"] = point;
-    const std::string outcome = row["outcome"];
-    map["cells"].back().get_ref<std::string&>() +=
-        outcome.empty() || outcome == "stalled" ? '-' : outcome[0];
+    const std::string name = row["outcome"].empty() ? "stalled" : row["outcome"];
+    std::size_t code = 0;
+    while (outcomes.at(code).name != name) ++code;
+    map["cells"].back().get_ref<std::string&>() += std::to_string(code);
   }
   for (const Set& set : sets) maps.at(set.name)["laws"] = laws_json(set.equations);
   return maps;

@@ -52,7 +52,7 @@ int main(const Arguments& arguments) {
                          .tests = build / "report",
                          .commit_date = arguments[3]});
   std::set<fs::path> seen;
-  shown["style"] = content_of(room / "page.css");
+  shown["style"] = tints_of_page() + content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
   shown["engine"] = engine_json(build, room / "script", out / "engine.wasm.gz.base64");
   Json instrument = instrument_json(out);

@@ -2,7 +2,7 @@
 import { onColoursChanged } from "./colours.js";
 import { Engine, isEmbedded } from "./engine.js";
 import { Knobs } from "./knobs.js";
-import { OutcomeMap, outcomes } from "./map.js";
+import { letters, OutcomeMap } from "./map.js";
 import { inWords, stateAt } from "./motion.js";
 import { sentence, showNumbers } from "./outcome.js";
 import { Plots } from "./plots.js";
@@ -213,10 +213,10 @@ const views = {
 for (const [id, act] of Object.entries(views)) at(id).addEventListener("click", act);
 
 const cells = Object.values(maps).flatMap((of) => of.cells).join("");
-at("map-key").replaceChildren(...Object.entries(outcomes).filter(([letter]) => cells.includes(letter)).map(([letter, name]) => {
+at("map-key").replaceChildren(...Object.entries(letters).filter(([letter]) => cells.includes(letter)).map(([, name]) => {
   const item = document.createElement("li");
-  item.className = `outcome-${letter === "-" ? "none" : letter}`;
-  item.textContent = name;
+  item.style.setProperty("--of", `var(--${name})`);
+  item.textContent = name.replace("_", " ") + (name === "stalled" ? ", or no result" : "");
   return item;
 }));
 // A phone shows counts of claims and names of figures first; what a reader opens survives a reload, and a

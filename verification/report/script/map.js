@@ -1,11 +1,10 @@
 // The map of outcomes over speed and friction, with the laws' lines and a pin for each of the paper's cases.
 import { cleared, colour } from "./colours.js";
 import { ticks } from "./curves.js";
+import { outcomes } from "./words.js";
 
-/// Outcomes by the letters of the map's cells, in the words and colours of figures/paper/style.gp.
-export const outcomes = {
-  n: "no contact", u: "undecided", f: "freed", b: "bouncing", s: "sliding", r: "rolling", "-": "stalled, or no result",
-};
+/// Outcomes by the letters of the map's cells.
+export const letters = Object.fromEntries(Object.keys(outcomes).map((name, n) => [n, name]));
 const laws = {
   contact: { dash: [], name: "contact", width: 2 }, whirl: { dash: [9, 3, 2, 3], name: "backward whirl", width: 2 },
   forward: { dash: [8, 4], name: "forward rub ends", width: 2 }, force: { dash: [2, 3], name: "300 kN", width: 2 },
@@ -110,7 +109,7 @@ export class OutcomeMap {
   /// Each cell is centred on its point, with edges on whole pixels so that it is not blended with others.
   #paintCells(ctx, { width, height }) {
     const rows = this.#maps[this.#set].cells, count = rows[0].length;
-    const inks = Object.fromEntries(Object.keys(outcomes).map((letter) => [letter, colour(`outcome-${letter === "-" ? "none" : letter}`)]));
+    const inks = Object.fromEntries(Object.entries(letters).map(([letter, name]) => [letter, colour(name)]));
     const edge = (n, of, length) => Math.round((length * (n - 0.5)) / (of - 1));
     ctx.save();
     ctx.beginPath();

@@ -1,15 +1,5 @@
 // The outcome of a run, in words and numbers.
-
-/// Completes the sentence "The rotor ...", by the outcome of the summary.
-export const outcomes = {
-  rolling: "has come to roll along the ring",
-  stalled: "is stalled below 1.5 times its critical speed: the motor cannot raise it",
-  sliding: "slides along the ring without leaving it",
-  freed: "has touched the ring and is clear of it again",
-  no_contact: "does not touch the ring",
-  bouncing: "bounces, and further contacts are possible",
-  undecided: "has not touched the ring so far, but contact is possible",
-};
+import { outcomes, results } from "./words.js";
 
 /// With a number of significant digits.
 export const digits = (value, count) => Number(value.toPrecision(count)).toString();
@@ -29,24 +19,13 @@ export function sentence(summary) {
   return parts.concat(summary.remarks.map((remark) => `Remark: ${remark}.`)).join(" ");
 }
 
-/// Rows of the table of numbers: name, value in the summary, and format.
-const rows = [
-  ["outcome", (s) => s.outcome.replace("_", " ")],
-  ["touch-downs", (s) => String(s.touch_downs)],
-  ["first contact", (s) => s.first_contact_s, inSeconds],
-  ["onset of rolling", (s) => s.rolling_onset_s, inSeconds],
-  ["speed then", (s) => s.rolling_onset_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
-  ["largest normal force", (s) => s.peak_normal_force_N, inKilonewton],
-  ["when", (s) => s.peak_time_s, inSeconds],
-  ["largest displacement", (s) => s.max_displacement_m, (rho) => `${(1e3 * rho).toFixed(3)} mm`],
-  ["whirl, mean of rolling", (s) => s.whirl_frequency_Hz, (f) => `${f.toFixed(1)} Hz`],
-  ["speed at the loss", (s) => s.speed_at_mass_loss_Hz, (f) => `${f.toFixed(2)} Hz`],
-  ["speed at the end", (s) => s.final_speed_Hz, (f) => `${f.toFixed(2)} Hz`],
-];
+/// A result in the unit that follows from its key's.
+const inUnit = { s: inSeconds, N: inKilonewton, m: (rho) => `${(1e3 * rho).toFixed(3)} mm`, Hz: (f) => `${f.toFixed(2)} Hz` };
+const inText = (key, value = null) => value === null ? "–" : (inUnit[key.split("_").at(-1)] ?? ((count) => String(+count.toFixed(3))))(value);
 
 /// Each number's name and text.
-export const numbersOf = (summary) => rows.map(([name, of, shown = String]) =>
-  [name, of(summary) === null ? "–" : shown(of(summary))]);
+export const numbersOf = (summary) => [["outcome", summary.outcome.replace("_", " ")]].concat(
+  Object.entries(results).map(([key, label]) => [label, inText(key, summary[key])]));
 
 /// Fills a table's body, one row per number.
 export function showNumbers(body, summary) {

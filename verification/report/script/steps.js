@@ -2,7 +2,8 @@
 import { stepPanels } from "./curves.js";
 import { onColoursChanged } from "./colours.js";
 import { stateAt } from "./motion.js";
-import { inKilonewton, outcomes } from "./outcome.js";
+import { inKilonewton } from "./outcome.js";
+import { outcomes } from "./words.js";
 import { Plots } from "./plots.js";
 import { RotorView } from "./rotor.js";
 import { inSet } from "./settings.js";

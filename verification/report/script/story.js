@@ -1,5 +1,6 @@
 // A run as a story: the kinds of motion that follow each other, and its moments in sentences.
-import { digits, outcomes } from "./outcome.js";
+import { digits } from "./outcome.js";
+import { outcomes } from "./words.js";
 
 /// Intervals of flight, impacts, sliding and rolling, s.
 export function bandsOf({ events, from_s, until_s }) {

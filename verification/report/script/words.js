@@ -1,0 +1,27 @@
+// Written by `make approve` from figures/input/words.hpp.
+export const outcomes = {
+ "no_contact": "does not touch the ring",
+ "undecided": "has not touched the ring so far, but contact is possible",
+ "freed": "has touched the ring and is clear of it again",
+ "bouncing": "bounces, and further contacts are possible",
+ "sliding": "slides along the ring without leaving it",
+ "rolling": "has come to roll along the ring",
+ "stalled": "is stalled below 1.5 times its critical speed: the motor cannot raise it"
+};
+export const results = {
+ "speed_at_mass_loss_Hz": "speed at the mass loss",
+ "speed_ratio_at_mass_loss": "speed over the critical speed",
+ "touch_downs": "touch-downs",
+ "first_contact_s": "first contact",
+ "rolling_onset_s": "onset of rolling",
+ "rolling_onset_speed_Hz": "speed at the onset of rolling",
+ "rolling_onset_force_N": "force at the onset of rolling",
+ "peak_normal_force_N": "largest normal force",
+ "peak_time_s": "time of the largest force",
+ "max_displacement_m": "largest displacement",
+ "peak_bearing_force_N": "largest force on the bearings",
+ "whirl_frequency_Hz": "mean whirl in the last rolling",
+ "rolling_until_s": "end of rolling",
+ "final_time_s": "end of the run",
+ "final_speed_Hz": "speed at the end"
+};
