@@ -201,12 +201,12 @@ $(FIGURES): %: $(DRAWN)/%.$(FORMAT)
 define compute_data
 	@mkdir -p $(@D) && new=$$(mktemp -d $(@D)/new.XXXXXX) && trap 'rm -rf "$$new"' EXIT && \
 	$(ROTOR) figure --out "$$new" --equations $(notdir $(@D)) 2>&1 | sed '/^data of .* written$$/d' >&2 && \
-	for csv in "$$new"/*.csv; do cmp -s "$$csv" $(@D)/$${csv##*/} || mv "$$csv" $(@D)/; done
+	for file in "$$new"/*; do cmp -s "$$file" $(@D)/$${file##*/} || mv "$$file" $(@D)/; done
 endef
-$(foreach set,$(SETS),$(eval $(FIGURES:%=$(OUT)/$(set)/%.csv) &: $(ROTOR) $(SCENES) force; $$(compute_data)))
+$(foreach set,$(SETS),$(eval $(foreach end,csv var,$(FIGURES:%=$(OUT)/$(set)/%.$(end))) &: $(ROTOR) $(SCENES) force; $$(compute_data)))
 
-STYLE := figures/paper/style.gp figures/paper/settings.awk
-$(DRAWN)/%.$(FORMAT): $(foreach set,$(SETS),$(OUT)/$(set)/%.csv) figures/paper/%.gp $(STYLE)
+STYLE := $(filter-out figures/paper/fig%,$(wildcard figures/paper/*.gp))    # what figures share
+$(DRAWN)/%.$(FORMAT): $(foreach set,$(SETS),$(OUT)/$(set)/%.csv $(OUT)/$(set)/%.var) figures/paper/%.gp $(STYLE)
 	@figures/draw.sh $@ "$(foreach set,$(SETS),data_$(set) = '$(OUT)/$(set)/$*.csv';)" figures/paper/$*.gp
 $(DRAWN)/fig13.$(FORMAT) $(DRAWN)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
 figures/paper/%.gp:

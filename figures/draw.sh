@@ -8,7 +8,7 @@ shift 2
 export LC_ALL=C.UTF-8
 trap 'rm -f "$part" "$part.once"' EXIT
 gnuplot -d -e "output = '$part'; format = '${output##*.}'; \
-  reference_data = '$figures/../reference-data'; $settings" "$figures/paper/style.gp" "$@"
+  figures = '$figures'; reference_data = '$figures/../reference-data'; $settings" "$figures/paper/style.gp" "$@"
 # gnuplot does not report a full disk: a picture is complete if it has its end.
 if ! tail -c 16 "$part" | grep -aq '</svg>\|%%EOF\|IEND'; then
   echo "$output: gnuplot did not draw the whole picture" >&2

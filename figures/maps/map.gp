@@ -18,11 +18,13 @@ if (rows == 2) { eval "set terminal ".square }
 kN(force) = force eq "" ? NaN : real(force)/1e3
 
 # gnuplot reads numbers much faster than a table with all its names.
-nth(name) = value("column_".name)
-result = nth(shows eq "outcome" ? "outcome" : "peak_force_to_rolling_N")
-panel = points_of_sweep/(2*rows)
+stats data using (0) name "all" nooutput
+panel = int(all_records - 1)/(2*rows)    # without the header row
+nth(name) = int(sum [k = 1:all_columns] (columnhead(k) eq name ? k : 0))
+stats data every ::0::0 using (result = nth(shows eq "outcome" ? "outcome" : "peak_force_to_rolling_N"), \
+  x_column = nth(abscissa), y_column = nth(ordinate), 0) nooutput
 rows_of(p) = sprintf("< awk -F, -v OFS=, '!/^#/ && n++ > %d { print $%d, $%d, $%d } n > %d { exit }' '%s'", \
-  p*panel, result, nth(abscissa), nth(ordinate), (p + 1)*panel, data)
+  p*panel, result, x_column, y_column, (p + 1)*panel, data)
 first_of(p) = sprintf("< awk '!/^#/ && (!n++ || n > %d) { print } n > %d { exit }' '%s'", 1 + p*panel, 1 + p*panel, data)
 
 # Lines on which a closed form equals the quantity it is compared with: contours of no excess. A plane without any
@@ -118,7 +120,7 @@ do for [i = 1:forms] {
   if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line[i], meaning[i]) }
 }
 do for [c = 0:6] {
-  colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", outcome_tint[c + 1], outcome_words(c))
+  colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", outcome_tint[c + 1], outcome_words[c + 1])
 }
 set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox

@@ -1,8 +1,8 @@
 # q1, q2 and rho while the rotor runs up through its critical speed.
 set title caption(2, "Start-up: generalised coordinates and displacement of O", \
   sprintf("M_{mot} = %g N m, e_x = %g mm, critical speed %.1f Hz", number("run", "torque"), \
-  1e3*number("run", "eccentricity"), critical_Hz("run")))
-stats data using (follow(column("speed_Hz"), column("time_s"), critical_Hz("run"))) nooutput
+  1e3*number("run", "eccentricity"), number("run", "critical_speed_Hz")))
+eval find_critical("run")
 set arrow from crossing,graph 0 to crossing,graph 1 nohead linestyle reading
 set multiplot layout 3,1 margins 0.1,0.97,0.11,0.86 spacing 0,0.05
 set format x ""

@@ -1,24 +1,16 @@
-# F_n for high, intermediate and low friction, one above the other.
+# F_n for high, intermediate and low friction.
 set title caption(3, "Radial component F_n of the impact force", \
   sprintf("%s, f_{max} = %g Hz, %s; grey: %s by the %s, steps of %g μs", loss("mu = 0.3"), \
     number("mu = 0.3", "motor_off_hz"), stiffness("mu = 0.3"), short_of(equations), by_method("mu = 0.3 by rk4"), \
     1e6*number("mu = 0.3 by rk4", "step_rub")))
 fixed_data = data
-set multiplot layout 3,1 margins 0.115,0.97,0.11,0.87 spacing 0,0.035
-set ytics -600,200,0
-set ylabel "F_n, kN"
-set format x ""
-force(name) = of_run(name, "normal_force_N")/1e3
 runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
+load figures."/paper/forces.gp"
 do for [i = 1:3] {
-  name = word(runs, i)
-  unset label; unset arrow
+  @begin_panel
   set label "{/:Bold ".friction(name)."}" at graph (i < 3 ? 0.5 : 0.985),0.84 right
-  if (i == 1) { set label "paper: 400–450 kN in rolling, largest 455 kN" at graph 0.985,first -455 right offset 0,0.7 \
-                  textcolor rgb grey boxed front
-                set arrow from graph 0,first -455 to graph 1,first -455 nohead linestyle published }
-  if (i == 2) { unset title }
-  if (i == 3) { set xlabel "t, s" offset 0,0.4; set format x "%.2f"; eval table(0.02, 0.7, 18)
+  if (i == 1) { eval level(-455, published).says("paper: 400–450 kN in rolling, largest 455 kN", 0.985, -455, "right offset 0,0.7 boxed front") }
+  if (i == 3) { eval table(0.02, 0.7, 18)
     do for [n = 1:3] { eval row(n, "largest |F_n|, ".friction(word(runs, n)), n == 1 ? "455 kN" : "") } }
   do for [set in sets] {
     eval use(set)
@@ -27,14 +19,10 @@ do for [i = 1:3] {
       stats data using (follow(-force(name), of_run(name, "time_s"), 100)) nooutput
       eval label_curve(short_of(set), crossing, -280, is_printed(set) == (i == 1) ? "right offset -1,0" : "left offset 1.5,0")
     } else {
-      do for [n = 1:3] {
-        stats data using (force(word(runs, n))) name "F" nooutput
-        eval ours_in(n, sprintf("%.1f kN", -F_min))
-      }
+      do for [n = 1:3] { eval ours_in(n, sprintf("%.1f kN", kN(word(runs, n)))) }
     }
   }
   fixed = name." by rk4"
   plot [29.1:29.35] [-720:0] fixed_data using (of_run(fixed, "time_s")):(force(fixed)) \
-  with lines linestyle fixed_steps linewidth beneath notitle, \
-    @each_set using (of_run(name, "time_s")):(force(name)) @layered
+  with lines linestyle fixed_steps linewidth beneath notitle, @force_curves
 }

@@ -6,19 +6,17 @@ runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
 set xlabel "t, s"
 set ylabel "f, Hz"
 set format x "%.2f"
-set arrow from graph 0,first 45 to graph 1,first 45 nohead linestyle published
-set label "paper: 45 Hz at the onset of rolling, ".friction("mu = 0.3") at graph 0.985,first 45 right offset 0,0.7 \
-  textcolor rgb grey boxed front
+eval level(45, published).says("paper: 45 Hz at the onset of rolling, ".friction("mu = 0.3"), 0.985, 45, "right offset 0,0.7 boxed front")
 fixed_data = data
 do for [set in sets] {
   eval use(set)
   do for [name in runs] {
     at_Hz = name eq "mu = 0.08" ? 100 : 88
     stats data using (follow(-of_run(name, "speed_Hz"), of_run(name, "time_s"), -at_Hz)) nooutput
-    says = friction(name).", ".short_of(set)
-    if (name eq "mu = 0.08") { eval label_curve(says, crossing, at_Hz, is_printed(set) ? "left offset 1,0.5" : "right offset -1,-0.5") }
+    of_run_and_set = friction(name).", ".short_of(set)
+    if (name eq "mu = 0.08") { eval label_curve(of_run_and_set, crossing, at_Hz, is_printed(set) ? "left offset 1,0.5" : "right offset -1,-0.5") }
     else {                                         # along the steep curves, between them
-      set label says at crossing,at_Hz center rotate by 90 offset (name eq "mu = 0.3" && is_printed(set) ? -1.1 : 0.9),0 \
+      set label of_run_and_set at crossing,at_Hz center rotate by 90 offset (name eq "mu = 0.3" && is_printed(set) ? -1.1 : 0.9),0 \
         font small textcolor rgb tint_of(set)
     }
   }

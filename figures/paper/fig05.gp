@@ -11,14 +11,11 @@ eval row(2, "first contact to rolling", "23 ms")
 eval row(3, "from then to largest |F_n|", "0")
 do for [set in sets] {
   eval use(set)
-  stats data using "time_s":(@force) name "F" nooutput
-  stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name set nooutput
-  stats data using (column("contact_state") > 0 ? column("time_s") : NaN) name "contact" nooutput
-  onset = value(set."_min")
+  onset = number("run", "rolling_onset_s"); eval set."_onset = onset"
   set arrow from onset,graph 0 to onset,graph 1 nohead linestyle reading
-  eval ours_in(1, sprintf("%.1f kN", -F_min_y))
-  eval ours_in(2, sprintf("%.1f ms", 1e3*(onset - contact_min)))
-  eval ours_in(3, sprintf("%.2f ms", 1e3*(F_pos_min_y - onset)))
+  eval ours_in(1, sprintf("%.1f kN", 1e-3*number("run", "peak_normal_force_N")))
+  eval ours_in(2, sprintf("%.1f ms", 1e3*(onset - number("run", "first_contact_s"))))
+  eval ours_in(3, sprintf("%.2f ms", 1e3*(number("run", "peak_time_s") - onset)))
   eval label_curve(sprintf("%s:\nslipping stops\nat %.4f s", short_of(set), onset), onset, -270, "left offset 0.6,1")
 }
 set multiplot
@@ -30,5 +27,5 @@ set lmargin at screen 0.17; set rmargin at screen 0.5; set bmargin at screen 0.2
 set xlabel "ms after slipping stops" offset 0,0.8
 set xtics 0.4 format "%g"; set ytics -450,100
 set arrow from 0,graph 0 to 0,graph 1 nohead linestyle reading
-plot [-0.4:0.8] [-480:-260] @each_set using (1e3*(column("time_s") - value(set."_min"))):(@force) \
+plot [-0.4:0.8] [-480:-260] @each_set using (1e3*(column("time_s") - value(set."_onset"))):(@force) \
     @layered

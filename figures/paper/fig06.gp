@@ -8,9 +8,9 @@ T = "kinetic_energy_J"
 watch(t, state) = (state > 0 && !touching ? (touch_downs = touch_downs + 1, \
   continuous = touch_downs == 6 ? t : continuous) : 0, touching = state > 0, 0)
 do for [of_text in "4000 3000 1050"] {
-  set arrow from graph 0,first of_text to graph 1,first of_text nohead linestyle published
+  eval level(real(of_text), published)
 }
-set label "paper: 4000 J" at graph 0.99,first 4000 right offset 0,0.6 textcolor rgb grey
+eval says("paper: 4000 J", 0.99, 4000, "right offset 0,0.6")
 eval table(0.02, 0.51, 20)
 eval row(1, "at the mass loss", "4000 J"); eval row(2, "after it", "")
 eval row(3, "lost in collisions", "1000 J"); eval row(4, "lost in sliding", "1950 J")
@@ -20,8 +20,7 @@ gap = 4e-4                                         # s, of the brackets from the
 t_1 = number("run", "mass_loss_time")
 do for [set in sets] {
   eval use(set)
-  stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
-  onset = rolling_min; touch_downs = 0; touching = 0; continuous = NaN
+  onset = number("run", "rolling_onset_s"); touch_downs = 0; touching = 0; continuous = NaN
   stats data using (watch(column("time_s"), column("contact_state"))) nooutput
   stats data using (column("time_s") == onset ? column(T) : NaN) name "left" nooutput
   stats data using (column("time_s") == continuous ? column(T) : NaN) name "ahead" nooutput

@@ -11,15 +11,13 @@ early(c) = column("time_s") < 29.125 ? 1e3*column(c) : NaN
 do for [set in sets] {
   eval use(set)
   unset label; unset arrow
-  stats data using (column("contact_state") == 2 ? column("time_s") : NaN) name "rolling" nooutput
-  onset = rolling_min; t0 = NaN; q0 = NaN; crossings = 0
+  onset = number("run", "rolling_onset_s"); t0 = NaN; q0 = NaN; crossings = 0
   stats data using (cross(column("time_s"), column("q1_m"))) nooutput
   set title sprintf("{/:Bold %s}: frequency of q_1 in the first %d periods of rolling %.0f Hz, paper: about 770 Hz", \
     words_of(set), crossings - 1, (crossings - 1)/(last - first)) textcolor rgb tint_of(set) offset 0,-0.5
   set arrow from onset,graph 0 to onset,graph 1 nohead linestyle reading
   set label sprintf("rolling from %.4f s", onset) at onset,-4.5 right offset -0.6,0 textcolor rgb grey boxed front
-  set arrow from graph 0,first 3.5 to graph 1,first 3.5 nohead linestyle published
-  set label "paper: ρ ≈ 3.5 mm" at graph 0.985,first 3.5 right offset 0,0.7 textcolor rgb grey boxed front
+  eval level(3.5, published).says("paper: ρ ≈ 3.5 mm", 0.985, 3.5, "right offset 0,0.7 boxed front")
   # Labels where each extends furthest in the first sixth.
   stats data using "time_s":(early("q1_m")) name "q" nooutput
   stats data using "time_s":(early("rho_m")) name "rho" nooutput

@@ -15,19 +15,18 @@ turn(x, y) = (turned = x_1 == x_1 ? turned + atan2(x_1*y - y_1*x, x_1*x + y_1*y)
 do for [set in from_below] {                       # so that the picture is of the first
   eval use(set)
   # The state at the onset: the first row.
-  stats data every ::0::0 using "time_s" name "t" nooutput
   stats data every ::0::0 using "x_a_m" name "x" nooutput
   stats data every ::0::0 using "y_a_m" name "y" nooutput
   stats data every ::0::0 using "rho_m" name "rho" nooutput
-  stats data every ::0::0 using "speed_Hz" name "f" nooutput
-  rho = rho_max; f_rol = f_max*r/rho               # Eq. (26)
+  f = number("run", "rolling_onset_speed_Hz")
+  rho = rho_max; f_rol = f*r/rho                   # Eq. (26)
   v_O = 2*pi*f_rol*rho                             # m/s, against the sense of rotation
   x_1 = NaN; y_1 = NaN; turned = 0
   stats data using (turn(column("x_a_m"), column("y_a_m"))) nooutput
   stats data using "time_s" name "window" nooutput
   length = window_max - window_min
-  eval ours_in(1, sprintf("%.5f", t_max)); eval ours_in(2, sprintf("%.3f mm", 1e3*rho))
-  eval ours_in(3, sprintf("%.2f Hz", f_max)); eval ours_in(4, sprintf("%.1f Hz", f_rol))
+  eval ours_in(1, sprintf("%.5f", number("run", "rolling_onset_s"))); eval ours_in(2, sprintf("%.3f mm", 1e3*rho))
+  eval ours_in(3, sprintf("%.2f Hz", f)); eval ours_in(4, sprintf("%.1f Hz", f_rol))
   eval ours_in(5, sprintf("%.2f m/s", v_O)); eval ours_in(6, sprintf("%.1f Hz", -turned/(2*pi*length)))
 }
 eval row(6, sprintf("mean whirl of O in the next %.1f ms", 1e3*length), "")

@@ -1,13 +1,11 @@
 # The beginning of Fig. 14.
-stats data using "speed_Hz" name "f" nooutput
 t_1 = number("run", "mass_loss_time")
-stats data using (follow(column("time_s"), column("speed_Hz"), t_1)) nooutput
-set title caption(15, "Displacement ρ of O, beginning of Fig. 14: ".loss("run").sprintf(", f = %.1f Hz", crossing), \
-  motor("run", f_max)."; ".dotted("run"))
+set title caption(15, "Displacement ρ of O, beginning of Fig. 14: ".loss("run").sprintf(", f = %.1f Hz", \
+  number("run", "speed_at_mass_loss_Hz")), motor("run")."; ".dotted("run"))
 set xlabel "t, s"
 set ylabel "ρ, mm"
 eval mark_instant("t_1", t_1)
-set arrow from graph 0,first clearance_of("run") to graph 1,first clearance_of("run") nohead linestyle clearance
+eval level(clearance_of("run"), clearance)
 eval table(0.55, 0.86, 10)
 eval row(1, "largest ρ", "no contact"); eval row(2, "reached at", "")
 do for [set in sets] {

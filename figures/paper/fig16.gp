@@ -1,23 +1,14 @@
-# The trajectory of O in the stator's frame, gravity downwards.
+# The trajectory of O in the interval of Fig. 15.
+run = "run"
+load figures."/paper/trajectory.gp"
 stats data using "time_s" name "window" nooutput
-t_1 = number("run", "mass_loss_time")
 set multiplot layout 1,words(sets) margins 0.08,0.98,0.12,0.84 spacing 0.08,0 \
-  title caption(16, "Trajectory of O in the stator's frame O_ax_ay_a", \
-  sprintf("%g–%g s, ", window_min, window_max).loss("run")."; ".dotted("run"))
-mm(c) = column(c)*1e3
-set size ratio -1
-set xlabel "y_a, mm"
-set ylabel "x_a (down), mm"
-set object 1 circle at 0,0 size clearance_of("run") fillstyle empty border linecolor rgb black linewidth 1.2 dashtype (1,5)
+  title caption(16, subject, sprintf("%g–%g s, ", window_min, window_max).loss(run)."; ".dotted(run))
+end = window_max
 do for [set in sets] {
   eval use(set)
-  unset label; unset arrow
-  set title "{/:Bold ".words_of(set)."}" textcolor rgb tint_of(set) offset 0,-0.5
-  eval place_at("run", t_1, 0)
-  set label "mass loss" at y_1,x_1 left point linestyle lost offset 0.5,1.6 front
-  eval place_at("run", t_1 + 8e-3, 1e-5)
-  set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
-  eval place_at("run", window_max - 0.05, 1e-5)
-  set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front
-  plot [-4:4] [4:-4] data using (mm("y_a_m")):(mm("x_a_m")) with lines linestyle ours linewidth 1 notitle
+  eval begin_panel("0.5,1.6")
+  eval show_sense(t_1 + 8e-3, 1e-5)
+  eval show_sense(end - 0.05, 1e-5)
+  plot @orbit
 }

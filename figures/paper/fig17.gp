@@ -7,21 +7,20 @@ set xlabel "t, s"
 set ylabel "ρ, mm"
 mark_height = 0.7
 eval mark_instant("t_1", t_1)
-eval mark_critical("a")
-set arrow from graph 0,first clearance_of("a") to graph 1,first clearance_of("a") nohead linestyle clearance
+eval find_critical("a")
+eval mark_instant("critical speed", crossing)
+eval level(clearance_of("a"), clearance)
 rho(name) = of_run(name, "rho_m")*1e3
 eval table(0.52, 0.86, 14)
 eval row(1, "f at t_1", sprintf("%g Hz", paper_Hz)); eval row(2, sprintf("%g Hz reached at", paper_Hz), "")
 eval row(3, "largest ρ, solid", "no contact"); eval row(4, "largest ρ, dashed", "no contact")
 do for [set in sets] {
   eval use(set)
-  stats data using (follow(of_run("a", "time_s"), of_run("a", "speed_Hz"), t_1)) nooutput
-  eval ours_in(1, sprintf("%.1f Hz", crossing))
+  eval ours_in(1, sprintf("%.1f Hz", number("a", "speed_at_mass_loss_Hz")))
   stats data using (follow(of_run("a", "speed_Hz"), of_run("a", "time_s"), paper_Hz)) nooutput
   eval ours_in(2, sprintf("%.2f s", crossing))
   stats data using (of_run("a", "time_s")):(rho("a")) name "a" nooutput
-  stats data using (rho("b")) name "b" nooutput
-  eval ours_in(3, sprintf("%.2f mm", a_max_y)); eval ours_in(4, sprintf("%.2f mm", b_max))
+  eval ours_in(3, sprintf("%.2f mm", a_max_y)); eval ours_in(4, sprintf("%.2f mm", 1e3*number("b", "max_displacement_before_loss_m")))
   eval label_curve(short_of(set), is_printed(set) ? a_pos_max_y : t_1, is_printed(set) ? a_max_y : 1.75, \
     is_printed(set) ? "center offset 1,0.7" : "right offset -0.5,0")
 }

@@ -88,10 +88,16 @@ void estimate_rotor(const CaseOptions& options);
 /// The scene with the runs that were requested.
 Scene scene_of(const CaseOptions& options, RunUps& run_ups);
 
-/// One table per run, by the scenes' numbers: runs what the scenes need, and thins the curves.
+/// What the runs of a scene give.
+struct SceneData {
+  std::vector<NamedTable> curves;
+  std::vector<Summary> results;
+};
+
+/// By the scenes' numbers: runs what the scenes need, and thins the curves.
 /// Throws Interrupted when it is interrupted, and InputError if no part of a run lies in a window
 /// or digits are requested.
-std::map<int, std::vector<NamedTable>> compute_tables(const std::map<int, Scene>& scenes);
+std::map<int, SceneData> compute(const std::map<int, Scene>& scenes);
 
 /// Each name and value on its own line, or as JSON.
 void print_summary(const Json& run, bool as_json, std::FILE* to);

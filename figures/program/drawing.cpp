@@ -74,12 +74,6 @@ Draft new_folder() {
 
 }  // namespace
 
-std::string numbered(std::string_view text) {
-  std::string numbers;
-  for (const char c : text) numbers += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
-  return '"' + numbers + '"';
-}
-
 DrawnUnit drawn_unit(std::string_view si) {
   return si == "m" ? DrawnUnit{"mm", 1e-3} : si == "N" ? DrawnUnit{"kN", 1e3} : DrawnUnit{si, 1};
 }

@@ -8,11 +8,9 @@
 #include "figures/data/files.hpp"
 #include "figures/input/scenario_spec.hpp"
 #include "figures/input/words.hpp"
+#include "figures/results/provenance.hpp"
 
 namespace rotor {
-
-/// A text for gnuplot as the octal numbers of its bytes: no part of it can act as a command.
-std::string numbered(std::string_view text);
 
 /// The unit in which pictures show an SI unit, and its value in that: kN for N, mm for m.
 struct DrawnUnit {

@@ -37,16 +37,15 @@ std::map<int, Scene> read_scenes(const FigureOptions& options) {
 
 void write_figures(const FigureOptions& options) {
   const std::map<int, Scene> scenes = read_scenes(options);
-  const auto file_of = [&](int number) {
-    return fs::path(options.out) / fmt::format("fig{:02}.csv", number);
-  };
-
-  const auto tables = compute_tables(scenes);
+  const auto data = compute(scenes);
   FileTransaction files;
-  for (const auto& [number, scene] : scenes)
-    files.write(file_of(number),
+  for (const auto& [number, scene] : scenes) {
+    const std::string file = (fs::path(options.out) / fmt::format("fig{:02}", number)).string();
+    files.write(file + ".csv",
                 csv_head(fmt::format("Fig. {}: {}", number, scene.title), scene, "run") +
-                    csv_rows(tables.at(number)));
+                    csv_rows(data.at(number).curves));
+    files.write(file + ".var", variables(scene, data.at(number).results));
+  }
   files.commit();
   print_message(fmt::format("data of {} figure(s) written", scenes.size()));
 }

@@ -1,9 +1,10 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, besides what style.gp needs:
-#   heading, conditions in a number of lines, runs, the names run1, run2, ..., clearance_mm1, clearance_mm2, ...
+#   heading, conditions in a number of lines, and what it writes beside the data of a figure
 # Each run has a data file for each panel in gnuplot's folder, named after the column that is drawn upwards.
 
-gap(i) = value(sprintf("clearance_mm%d", i))
-name(i) = greek(value(sprintf("run%d", i)))
+runs = known_runs
+gap(i) = 1e3*(of("stator_radius", i) - of("rotor_radius", i))
+name(i) = greek(of("run", i))
 data(i, c) = sprintf("run%d-%s.csv", i, c)
 greater(a, b) = a > b ? a : b
 wide(i) = 1 + greater(0, (runs < 4 ? runs : 4) - i)    # width of a run over which others are drawn

@@ -6,7 +6,6 @@
 #include "figures/input/toml_file.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/provenance.hpp"
-#include "model/mechanics/contact.hpp"
 
 namespace rotor {
 namespace {
@@ -51,21 +50,14 @@ std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
 /// Force, speed, displacement and orbit.
 void plot_motion(const Scene& scene, const PlotOptions& options, const std::string& shared) {
   const Drawing drawing(options.file, options.out);
-  const std::vector<NamedTable> tables = std::move(compute_tables({{1, scene}}).at(1));
+  const SceneData data = std::move(compute({{1, scene}}).at(1));
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
-  std::string settings =
-      drawing.headings(scene.title, shared) + fmt::format("runs = {}\n", scene.runs.size());
-  for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
-    const SceneRun& run = scene.runs[n - 1];
-    const Parameters& p = run.scenario.parameters;
+  for (std::size_t n = 1; n <= scene.runs.size(); ++n)
     for (const Panel& panel : panels)
       drawing.write(fmt::format("run{}-{}.csv", n, panel.column),
-                    rows_of(panel.columns, scene, tables[n - 1]));
-    settings += fmt::format("run{0} = {1}; clearance_mm{0} = {2}\n", n, numbered(run.name),
-                            1000 * Ring<double>(p).clearance);
-  }
-  drawing.finish(settings, "plot.gp");
+                    rows_of(panel.columns, scene, data.curves[n - 1]));
+  drawing.finish(drawing.headings(scene.title, shared) + variables(scene, data.results), "plot.gp");
 }
 
 bool is_sweep(const std::filesystem::path& file) {

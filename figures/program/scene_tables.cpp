@@ -12,13 +12,15 @@ constexpr long most_rows = 2'000'000;
 
 }  // namespace
 
-std::map<int, std::vector<NamedTable>> compute_tables(const std::map<int, Scene>& scenes) {
-  std::map<int, std::vector<NamedTable>> tables;
+std::map<int, SceneData> compute(const std::map<int, Scene>& scenes) {
+  std::map<int, SceneData> data;
   long rows = 0;
   std::deque<Recorder> recorders;
+  std::deque<SummaryObserver> summaries;
+  std::deque<ObserverGroup> observers;
   std::vector<Request> requests;
   for (const auto& [number, scene] : scenes) {
-    auto& own = tables[number];
+    auto& own = data[number].curves;
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
       if (run.stated.digits)
@@ -35,23 +37,25 @@ std::map<int, std::vector<NamedTable>> compute_tables(const std::map<int, Scene>
               most_rows);
         table.add(row);
       };
-      requests.push_back(
-          {scenario,
-           &recorders.emplace_back(scene.window, scene.columns, scenario, sampling, add_row),
-           scene.file.string() + ": " + run.name});
+      ObserverGroup& both = observers.emplace_back();
+      both.add(summaries.emplace_back(scenario));
+      both.add(recorders.emplace_back(scene.window, scene.columns, scenario, sampling, add_row));
+      requests.push_back({scenario, &both, scene.file.string() + ": " + run.name});
     }
   }
   Interruptible interruptible;
   produce(std::move(requests), interruptible);
   if (is_interrupted()) throw Interrupted();
-  for (auto& [number, own] : tables)
-    for (NamedTable& table : own) {
+  auto summary = summaries.begin();
+  for (auto& [number, own] : data)
+    for (NamedTable& table : own.curves) {
+      own.results.push_back((summary++)->summary());
       if (table.table.rows() == 0)
         throw InputError("{}: no part of the run \"{}\" lies in the window",
                          scenes.at(number).file.string(), table.name);
       table.table = thinned(table.table, thinning - sampling);
     }
-  return tables;
+  return data;
 }
 
 }  // namespace rotor

@@ -101,8 +101,8 @@ void plot_spectrum(const Scene& scene, const PlotOptions& options, const std::st
     numbers.open(out).write(head);
   } else {
     drawing.emplace(options.file, options.out);
-    settings =
-        drawing->headings(scene.title, conditions) + fmt::format("runs = {}\n", scene.runs.size());
+    settings = drawing->headings(scene.title, conditions) +
+               fmt::format("known_runs = {}\n", scene.runs.size());
   }
   for (std::size_t n = 1; n <= scene.runs.size(); ++n) {
     const auto& [name, scenario] = std::tie(scene.runs[n - 1].name, scene.runs[n - 1].scenario);

@@ -1,7 +1,8 @@
 # Spectra of displacement and force in the stator's frame. `rotor plot --spectrum` sets, besides what style.gp needs:
-#   heading, conditions in a number of lines, runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
+#   heading, conditions in a number of lines, known_runs, and for each run, by its number: name, from_s, until_s, samples, f and its range, f_n, and the whirl while it rolls
 # Each run has a data file in gnuplot's folder: amplitudes by frequency, which is negative for backward whirl.
 
+runs = known_runs
 data(i) = sprintf("run%d.csv", i)
 resolution(i) = 3.8/(of("until_s", i) - of("from_s", i))    # of the flat-top window: where its power is halved
 # A table of numbers in place of a key: a row for each run.

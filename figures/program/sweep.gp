@@ -123,7 +123,7 @@ if (has_outcome && !(is_map && draws > 1)) {
   entries = ""
   do for [c = 0:6] {
     if (seen[c + 1] > 0) { entries = entries.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s%s', ", \
-      tint(c), outcome_words(c), dimensions || panels > 1 ? "" : sprintf(": %.3g %%", 100.0*seen[c + 1]/(sum [k = 1:7] seen[k]))) }
+      tint(c), outcome_words[c + 1], dimensions || panels > 1 ? "" : sprintf(": %.3g %%", 100.0*seen[c + 1]/(sum [k = 1:7] seen[k]))) }
   }
   set key Left reverse spacing 1.05 noopaque font small at screen 0.5, screen 0.05 center center samplen 1 maxrows 2
   eval "plot ".entries."NaN notitle"

@@ -5,6 +5,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/results/laws.hpp"
+#include "figures/results/run_result.hpp"
 #include "figures/results/version.hpp"
 
 namespace rotor {
@@ -50,6 +51,35 @@ std::string csv_head(const std::string& title, const Scene& scene, std::string_v
     headings.push_back(column->name);
   }
   return csv_head(lines, headings);
+}
+
+std::string numbered(std::string_view text) {
+  std::string numbers;
+  for (const char c : text) numbers += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  return '"' + numbers + '"';
+}
+
+std::string variables(const Scene& scene, const std::vector<Summary>& results) {
+  std::vector<std::string> known = {"equations", "method", "inputs"};
+  for (const auto& field : summary_fields<double>) known.emplace_back(field.key);
+  std::string text = fmt::format("known_runs = {}\n", scene.runs.size());
+  for (std::size_t n = 0; n < scene.runs.size(); ++n) {
+    RunResult result;
+    result.scenario = scene.runs[n].scenario;
+    result.summary = results[n];
+    Json all = {{"run", scene.runs[n].name}};
+    all.update(to_json(result, &known));
+    all.update(Json(all["inputs"]));
+    all.update(laws_or_nulls(result.scenario));
+    for (const auto& [key, value] : all.items())
+      if (!value.is_structured())
+        text += fmt::format("{}{} = {}\n", key, n + 1,
+                            value.is_null()      ? "NaN"
+                            : value.is_string()  ? numbered(value.get<std::string>())
+                            : value.is_boolean() ? std::to_string(int{value.get<bool>()})
+                                                 : fmt::format("{:#}", value.get<double>()));
+  }
+  return text;
 }
 
 }  // namespace rotor

@@ -33,7 +33,7 @@ checkout() {
   printf '#!/bin/sh\nfor name; do case " $packages " in *" $name "*) echo "ii $name";; esac; done\n' >bin/dpkg-query
   chmod +x bin/dpkg-query
   ln -s "$sources"/Makefile "$sources"/model "$sources"/verification "$sources"/reference-data .
-  ln -s "$sources"/figures/paper/fig0[34].* "$sources"/figures/paper/style.gp "$sources"/figures/paper/settings.awk figures/paper
+  ln -s "$sources"/figures/paper/fig0[34].* "$sources"/figures/paper/style.gp "$sources"/figures/paper/palette.gp figures/paper
   ln -s "$sources"/figures/maps/speed-friction.* "$sources"/figures/maps/rounding.* \
     "$sources"/figures/maps/map.gp "$sources"/figures/maps/shares.awk "$sources"/figures/maps/tolerance.sh figures/maps
 }

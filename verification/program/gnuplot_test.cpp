@@ -11,6 +11,7 @@
 #include "figures/data/csv.hpp"
 #include "model/mechanics/parameters.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/svg_picture.hpp"
 
 namespace rotor {
 namespace {
@@ -167,18 +168,26 @@ TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
   }
 }
 
-// What stands above the data, or names a column, is passed to gnuplot.
-TEST_F(Gnuplot, ExecutesNothingThatADataFileSays) {
-  const std::string command = "system('touch${IFS}done')";
-  write("a.csv", "# 4 points, " + command + "\n# run'.\"" + command +
-                     "\".': equations published, mass = " + command + ", " + command +
-                     " = 5 kg, method " + command + "\ntime_s," + command + "," + command +
-                     " = 1\n0,1,2\n1,2,3\n");
-  write("a.gp", "plot data using 1:2 with lines\n");
-  const auto [status, output] =
-      shell("\"" ROTOR_SOURCES "/figures/draw.sh\" a.svg \"data = 'a.csv'\" a.gp");
+// What a scene states becomes variables of gnuplot.
+TEST_F(Gnuplot, ExecutesNothingThatASceneSays) {
+  const std::string name =
+      R"(a'.system('touch done').'`touch done`\"; system("touch done") # 100 %\\n)";
+  write("fig40.toml",
+        "columns = [\"time_s\", \"rho_m\"]\n[parameters]\nstart_speed_hz = 150\nuntil = "
+        "0.01\n[[run]]\nname = '''" +
+            name + "'''\n[[run]]\nname = \"b\"\nmass = 4\n");
+  write("fig40.gp",
+        "set title of('run', 1) noenhanced\nset xlabel sprintf('%g kg', number(of('run', 1), "
+        "'mass'))\n"
+        "set ylabel sprintf('%g kg', number('b', 'mass'))\nplot data using 2:3 with lines\n");
+  ASSERT_EQ(rotor("figure --scenes . --out . --equations consistent").status, 0);
+  const auto [status, output] = shell(
+      "\"" ROTOR_SOURCES "/figures/draw.sh\" a.svg \"data_consistent = 'fig40.csv'\" fig40.gp");
   EXPECT_EQ(status, 0) << output;
   EXPECT_FALSE(fs::exists(folder_ / "done"));
+  const DrawnPicture picture(content("a.svg"));
+  for (const std::string text : {"5 kg", "4 kg"})
+    EXPECT_TRUE(std::ranges::find(picture.texts, text) != picture.texts.end()) << text;
 }
 
 TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
