@@ -45,7 +45,7 @@ if [ "${output##*.}" = svg ]; then
         last = n
       }
     }
-    at = index($0, " d=\047") {
+    !/<path id=/ && (at = index($0, " d=\047")) {    # the shapes of points stay
       printf "%s", substr($0, 1, at + 3); $0 = substr($0, at + 4)
       for (path = ""; !(end = index($0, "\047")) && (getline line) > 0; $0 = line) path = path $0
       print_short(path substr($0, 1, end - 1)); $0 = substr($0, end)
