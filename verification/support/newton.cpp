@@ -257,8 +257,9 @@ class Run {
       return along(0) + along(1);
     }
     const double around = x[4] * k.nx - x[3] * k.ny;
+    const double depth = std::max(k.indentation, 1e-15 * k.rho);  // rounding may show a gap
     const double second = a[3] * k.nx + a[4] * k.ny + around * around / k.rho;
-    return tangent_stiffness(k.indentation) * k.rate + p.contact_damping * second;
+    return tangent_stiffness(depth) * k.rate + p.contact_damping * second;
   }
   double tangent_stiffness(double depth) const {
     const Parameters& p = laws_.parameters;
@@ -337,11 +338,13 @@ class Run {
             if (!event || length < first) event = which, first = length;
           }
       };
+      // Between both ends of a step the rim may meet the ring, or leave it, and return.
       const auto rises = [&](const Newton& x) { return rising(Extreme::displacement, x) > 0; };
-      if (at_.contact == ContactState::free && rises(x_) && !rises(to) &&
-          1.2 * std::max(laws_.rim(x_).rho, laws_.rim(to).rho) > clearance_) {
-        const double top = bisect(h, 1e-7, rises);  // the rim may meet and leave the ring in a step
-        look_at(top, step(top));
+      const bool rises_first = rises(x_), is_near = 1.2 * laws_.rim(to).rho > clearance_;
+      if (is_near && rises_first != rises(to)) {
+        const double turn =
+            bisect(h, 1e-7, [&](const Newton& x) { return rises(x) == rises_first; });
+        look_at(turn, step(turn));
       }
       if (!event) look_at(h, to);
       h = first;
