@@ -171,23 +171,24 @@ need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
 	[ -z "$$missing" ]
 
 # Silent unless there is something to do or to report. CMake runs again if packages have changed, and
-# `make -j1` runs one compiler. An optional program, $(2), needs $(3); what CMake knew of those is forgotten.
+# `make -j1` runs one compiler. An optional program, $(2), needs $(3); what CMake knew of those is forgotten. Whether
+# rotor has digits stays as it is, unless $(4) is stated.
 home       = CMAKE_HOME_DIRECTORY:INTERNAL=
 elsewhere  = $(shell grep -s ^$(home) $(BUILD)/CMakeCache.txt | grep -vxF $(call quote,$(home)$(CURDIR)))
 configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BUILD)/build.ninja -nt CMakePresets.json ] && \
-  grep -qx ROTOR_WITH:STRING= $(BUILD)/CMakeCache.txt && echo yes)
+  grep -qx ROTOR_WITH:STRING= $(BUILD)/CMakeCache.txt && grep -qx 'ROTOR_DIGITS:BOOL=$(or $(4),.*)' $(BUILD)/CMakeCache.txt && echo yes)
 define build-target
 	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(patsubst $(home)%,%,$(elsewhere)); remove it: make clean))
 	$(if $(and $(2),$(shell command -v dpkg-query),$(call missing,$(3))),$(error Missing packages: $(call missing,$(3)) (make deps-$(2) installs them)))
-	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
+	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2)$(4:%= -D ROTOR_DIGITS=%) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
 	  echo "$$log" >&2; $(if $(2),echo "Install $(3) anew for make $(2)." >&2; )exit 1; })
 	@flock $(BUILD) cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|Re-checking/d'
 endef
 
 program: need-deps
-	$(call build-target,rotor)
-build: program ## start: build build/rotor, and build/rotor-digits for --digits
-	$(call build-target,rotor-digits)
+	$(call build-target,rotor,,,$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
+build: program ## start: build build/rotor, with --digits, which make figures leaves out
+	$(call build-target,rotor,,,ON)
 $(ROTOR): program
 
 figures: pictures ## start: redraw Figs. 2-17 into build/figures
@@ -289,9 +290,8 @@ portable: build ## code: build for another processor, and compare to the last bi
 mutants: need-deps ## code: break the program in ways that tests must notice (minutes)
 	@$(call quote,$(PYTHON)) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call quote,$(UNDER))
 
-reference: build ## data: high-precision.csv and random-runs.csv (minutes)
-	$(call build-target,reference digits-reference)
-	@$(BUILD)/digits-reference reference-data/random-runs.csv
+reference: build ## data: high-precision.csv (minutes)
+	$(call build-target,reference)
 	@$(BUILD)/reference reference-data/high-precision.csv
 
 ensembles: build ## data: ensembles.csv: claims over the rounding of inputs (minutes), or one ID
@@ -331,7 +331,7 @@ laws: build ## data: laws.csv: the closed forms on 10,000 rotors, with a picture
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
 bench-programs: build ## code: build the programs of make bench, stress and reference
-	$(call build-target,benchmark random-rotors stable-steps reference digits-reference,bench,$(BENCH_PACKAGES))
+	$(call build-target,benchmark random-rotors stable-steps reference random-digits,bench,$(BENCH_PACKAGES))
 bench: bench-programs ## code: measure run time against error of each method, with pictures
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench figures/maps/speed-friction.toml
 	@for scene in 1 2 3 4 5 6 7; do \
@@ -339,12 +339,12 @@ bench: bench-programs ## code: measure run time against error of each method, wi
 	    "data = '$(BUILD)/bench/work-precision.csv'; scene = $$scene" verification/benchmark/work-precision.gp; done
 
 stress: build ## code: test 5,000 random rotors, with pictures (minutes)
-	$(call build-target,random-rotors stable-steps digits-reference)
+	$(call build-target,random-rotors stable-steps random-digits)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 5000 $(BUILD)/stress-results
 	@$(BUILD)/stable-steps $(BUILD)/stress-results
 	@figures/draw.sh $(BUILD)/stress-results/stability.$(FORMAT) "data = '$(BUILD)/stress-results/stability.csv'" \
 	  verification/robustness/stress.gp
-	@$(BUILD)/digits-reference stress $(RUNS) $(SEED) $(BUILD)/stress-results
+	@$(BUILD)/random-digits $(RUNS) $(SEED)
 
 clean: ## start: remove the folder build
 	rm -rf $(BUILD)

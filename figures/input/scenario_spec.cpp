@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "model/digits/digits.hpp"
 #include "model/mechanics/contact_law.hpp"
 #include "model/mechanics/mass_loss.hpp"
-#include "model/run/estimates.hpp"
 
 namespace rotor {
 namespace {
@@ -93,12 +93,7 @@ Scenario numbers_of(const ScenarioSpec& stated) {
   scenario.method = spec.method.value_or(scenario.method);
   if (spec.digits && scenario.method == Method::rk4)
     throw InputError(
-        "digits: only method event can guarantee digits; rk4 is of first order at contacts");
-
-  if (spec.digits && !ContactLaw<double>(p).is_linear())
-    throw InputError(
-        "digits: can be guaranteed only for a ring with contact_exponent = 1 and "
-        "contact_hysteresis = 0");
+        "digits: only method event can estimate digits; rk4 is of first order at contacts");
 
   if (const auto clearance = number(spec, "clearance")) {
     p.clearance = *clearance;
@@ -264,6 +259,8 @@ const NamedInput* find_named_input(std::string_view name) {
 }
 
 int parse_digits(double number) {
+  if (!run_to_digits)
+    throw InputError("digits: this program was built without them; make build adds them");
   if (!(number >= 1 && number <= most_digits && number == std::floor(number)))
     throw InputError("digits = {}: must be a whole number from 1 to {}", number, most_digits);
   return static_cast<int>(number);

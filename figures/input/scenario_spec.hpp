@@ -39,7 +39,7 @@ struct ScenarioSpec {
   std::optional<VelocityJump> velocity_jump;
   std::optional<GravityMoment> gravity_moment;
   std::optional<Method> method;
-  std::optional<int> digits;  ///< to be guaranteed
+  std::optional<int> digits;  ///< to be estimated
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
 

@@ -36,8 +36,9 @@ struct PlotOptions : CommonOptions {
 
 struct SweepOptions {
   std::string file;
-  std::string out;  ///< the file's name with .csv, if empty
-  int jobs = 0;     ///< threads; 0: as many as there are cores
+  std::string out;                 ///< the file's name with .csv, if empty
+  int jobs = 0;                    ///< threads; 0: as many as there are cores
+  std::optional<double> budget_s;  ///< of each point
   bool dry_run = false;
   bool retry = false;  ///< keep the rows of earlier results that are no refusals
 };
@@ -57,11 +58,9 @@ struct RunOptions : CaseOptions {
   std::optional<long> rows;
   std::optional<StopOn> stop_on;
   bool json_schema = false;
-  static constexpr double usual_budget_s = 300;
-  std::optional<double> budget_s;  ///< of each run with guaranteed digits
-  bool estimate_error = false;
-  bool energy = false;        ///< by cause, in the summary
-  bool keep_partial = false;  ///< keep what was computed before an interruption
+  std::optional<double> budget_s;  ///< of each run with digits
+  bool energy = false;             ///< by cause, in the summary
+  bool keep_partial = false;       ///< keep what was computed before an interruption
 };
 
 /// `rotor figure` writes the data of the paper's figures.

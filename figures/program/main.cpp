@@ -8,14 +8,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <set>
 #include <sstream>
 
 #include "figures/program/commands.hpp"
+#include "figures/results/estimated_result.hpp"
 #include "figures/results/laws.hpp"
 #include "figures/results/version.hpp"
-#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {
@@ -191,6 +190,9 @@ void add_options(CLI::App& command, SweepOptions& options) {
                             : fmt::format("must be from 1 to 4096, not {}", jobs);
                },
                "", ""});
+  add_seconds(command, "--budget", options.budget_s,
+              "time allowed for each point, instead of the file's budget")
+      ->default_str(fmt::format("none; {} with digits", usual_budget_s));
   command
       .add_flag("--dry-run", options.dry_run,
                 "print the number of points, and about how long they take")
@@ -287,15 +289,11 @@ void add_options(CLI::App& command, RunOptions& options) {
            "write time, kind, state, normal force and slip of the located events to this CSV file");
   auto* digits = command.add_option_function<double>(
       "--digits", [&options](double number) { options.stated.digits = parse_digits(number); },
-      "significant digits of every value and event, by estimated errors, instead of --tolerance; "
-      "--json adds errors and events");
+      "estimated significant digits of every value and event, instead of --tolerance; --json adds "
+      "errors and events");
   digits->check({unless_number, "", ""});
   add_seconds(command, "--budget", options.budget_s, "time allowed for the --digits of each run")
-      ->default_str(fmt::format("{}", RunOptions::usual_budget_s));
-  command
-      .add_flag("--estimate-error", options.estimate_error,
-                "estimate the relative error of the summary by another run")
-      ->excludes(digits);
+      ->default_str(fmt::format("{}", usual_budget_s));
   command.add_flag("--json-schema", options.json_schema,
                    "print the JSON schema of the summary instead, with the meaning of each key");
   command.add_flag("--energy", options.energy,
@@ -352,18 +350,6 @@ void occupy_standard_streams() {
     if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) < 0) std::abort();
 }
 
-/// Runs the same command by the program that is linked with `certified`; returns only if it cannot.
-int hand_over(char** argv) {
-  std::error_code error;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (!error) ::execv((self.parent_path() / "rotor-digits").c_str(), argv);
-  print_message(fmt::format(
-      "rotor: guaranteed digits and estimated errors need the program rotor-digits next "
-      "to this one, which make build builds: {}",
-      error ? error.message() : std::strerror(errno)));
-  return 1;
-}
-
 int main(int argc, char** argv) {
   occupy_standard_streams();
   for (const int signal : {SIGPIPE, SIGXFSZ})  // a lost reader or a limit is reported as an error
@@ -418,8 +404,6 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& error) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 128 + interrupting_signal();  // the convention of shells
-  } catch (const NotCertified&) {
-    status = hand_over(argv);
   } catch (const std::exception& error) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 1;

@@ -1,16 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/results/certified_result.hpp"
+#include "figures/results/estimated_result.hpp"
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
-#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {
@@ -20,20 +18,18 @@ bool has_run_with_digits(const Scene& scene) {
                      [](const SceneRun& run) { return run.stated.digits.has_value(); });
 }
 
-/// Refuses options that have no meaning with guaranteed digits.
+/// Refuses options that have no meaning with digits.
 void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) {
   const auto refuse = [](bool is_asked, std::string_view what) {
     if (is_asked) throw InputError("digits: {}", what);
   };
   if (!run.stated.digits) return;
-  if (options.budget_s && !(*options.budget_s > 0 && std::isfinite(*options.budget_s)))
-    throw InputError("--budget {}: must be a finite number greater than 0 s", *options.budget_s);
+  if (options.budget_s) require_budget("--budget", *options.budget_s);
   refuse(options.stop_on.has_value(), "excludes --stop-on: where a run stops depends on its steps");
-  refuse(!options.trace.empty(), "cannot be guaranteed in a --trace");
+  refuse(!options.trace.empty(), "are not estimated in a --trace");
   refuse(!options.events.empty(), "excludes --events; --json has the events");
-  refuse(options.energy, "cannot be guaranteed for --energy");
+  refuse(options.energy, "are not estimated for --energy");
   refuse(options.keep_partial, "excludes --keep-partial");
-  refuse(options.estimate_error, "excludes --estimate-error");
 }
 
 /// The scene, with everything that the options state.
@@ -42,9 +38,8 @@ Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
   if (result.runs.size() > 1 && !(options.trace.empty() && options.events.empty()))
     throw InputError("{}: --trace and --events need a single run; choose it with --run",
                      options.scene);
-  if (result.runs.size() > 1 && !options.json && (options.energy || options.estimate_error))
-    throw InputError("{}: with several runs, --energy and --estimate-error need --json",
-                     options.scene);
+  if (result.runs.size() > 1 && !options.json && options.energy)
+    throw InputError("{}: with several runs, --energy needs --json", options.scene);
   if (options.budget_s && !has_run_with_digits(result))
     throw InputError("digits: --budget needs a number of --digits");
   for (const SceneRun& run : result.runs) {
@@ -53,8 +48,6 @@ Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
     if (options.energy && run.scenario.method == Method::rk4)
       throw InputError("--energy: only --method event knows the motion between its steps");
     require_digits_to_be_known(options, run);
-    if (options.estimate_error && (run.scenario.method == Method::rk4 || options.stop_on))
-      throw InputError("--estimate-error: needs a whole run by --method event");
   }
   result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
@@ -97,41 +90,23 @@ struct RunReport {
   std::string short_of_digits{};  ///< the reason; empty if it has all digits
 };
 
-/// A run with guaranteed digits.
-RunReport certified_run(const RunOptions& options, const SceneRun& run) {
-  using Clock = std::chrono::steady_clock;
-  const double budget_s = options.budget_s.value_or(RunOptions::usual_budget_s);
-  const std::chrono::duration<double> budget(budget_s);
-  const Clock::time_point start = Clock::now();
-  const auto has_time = [&] { return Clock::now() - start < budget; };
-  const auto found = [&] {
-    ProgressLine line;
-    double last_s = 0;
-    int computation = 1;
-    return run_to_digits(run.scenario, *run.stated.digits, [&](double time_s) {
-      if (time_s < last_s) ++computation;
-      last_s = time_s;
-      line.update([&](double elapsed_s) {
-        return fmt::format("computation {} for {} digits is at {:.6g} s of {:.6g} s after {}",
-                           computation, *run.stated.digits, time_s, run.scenario.until,
-                           duration(elapsed_s));
-      });
-      return !is_interrupted() && has_time();
+/// A run to so many digits.
+RunReport run_with_digits(const RunOptions& options, const SceneRun& run) {
+  const int digits = *run.stated.digits;
+  const Interruptible monitor(options.budget_s.value_or(usual_budget_s));
+  ProgressLine line;
+  double last_s = 0;
+  int computation = 1;
+  const Comparison found = comparison_to_digits(run.scenario, digits, monitor, [&](double time_s) {
+    if (time_s < last_s) ++computation;
+    last_s = time_s;
+    line.update([&](double elapsed_s) {
+      return fmt::format("computation {} for {} digits is at {:.6g} s of {:.6g} s after {}",
+                         computation, digits, time_s, run.scenario.until, duration(elapsed_s));
     });
-  }();
-  if (is_interrupted()) throw Interrupted();
-  if (!found)
-    throw std::runtime_error(
-        fmt::format("--budget {} s: is not enough for a first estimate", budget_s));
-  RunReport report{to_json(*found, run.scenario, *run.stated.digits),
-                   remarks(result_of(*found, run.scenario))};
-  if (const std::string why = complaint(*found, *run.stated.digits); !why.empty())
-    report.short_of_digits =
-        fmt::format("{}: {}",
-                    has_time() ? std::string("no precision is enough")
-                               : fmt::format("--budget {} s is not enough", budget_s),
-                    why);
-  return report;
+  });
+  return {to_json(found, run.scenario, digits), remarks(result_of(found, run.scenario)),
+          complaint(found, digits, monitor)};
 }
 
 void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows) {
@@ -192,13 +167,6 @@ RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups
   } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
     refuse_empty_trace(options);
   }
-  if (options.estimate_error && !result.early.interrupted) {
-    RunProgress other_progress(scenario.until);
-    const double error = estimated_relative_error(scenario, result.summary, [&](double time_s) {
-      return other_progress.should_continue({time_s, 0, 0});
-    });
-    if (!is_interrupted()) result.estimated_relative_error = error;
-  }
   if (is_interrupted() && !options.keep_partial) throw Interrupted();
   files.commit();
   if (!options.trace.empty() && !is_standard_output(options.trace))
@@ -222,11 +190,9 @@ void run_rotor(const RunOptions& options) {
     throw InputError("--columns requires --trace, or is help");
   RunUps run_ups;
   const Scene scene = requested_scene(options, run_ups);
-  if (options.estimate_error || has_run_with_digits(scene)) require_certified();
   const bool one_of_many = scene.runs.size() > 1;
-  // Digits and errors were asked of every result.
-  const bool all = options.all || options.estimate_error || has_run_with_digits(scene),
-             is_brief = !one_of_many && !all && !options.json;
+  const bool all = options.all || has_run_with_digits(scene),  // which were asked of every result
+      is_brief = !one_of_many && !all && !options.json;
   auto runs = Json::array();
   std::vector<std::string> messages, failures;
   for (const SceneRun& run : scene.runs) {
@@ -237,7 +203,7 @@ void run_rotor(const RunOptions& options) {
     alone.runs = {run};
     RunReport report;
     try {
-      report = run.stated.digits ? certified_run(options, run) : run_one(options, alone, run_ups);
+      report = run.stated.digits ? run_with_digits(options, run) : run_one(options, alone, run_ups);
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // the other runs are not affected

@@ -24,9 +24,8 @@ std::map<int, SceneData> compute(const std::map<int, Scene>& scenes) {
     own.reserve(scene.runs.size());  // the recorders refer to them
     for (const SceneRun& run : scene.runs) {
       if (run.stated.digits)
-        throw InputError(
-            "{}: digits: cannot be guaranteed for curves; state a tolerance to draw them",
-            scene.file.string());
+        throw InputError("{}: digits: are not estimated for curves; state a tolerance to draw them",
+                         scene.file.string());
       const Scenario& scenario = run.scenario;
       Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
       const auto add_row = [&table, &rows](auto row) {

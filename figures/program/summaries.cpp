@@ -6,7 +6,7 @@
 #include <string>
 
 #include "figures/program/commands.hpp"
-#include "figures/results/certified_result.hpp"
+#include "figures/results/estimated_result.hpp"
 
 namespace rotor {
 namespace {

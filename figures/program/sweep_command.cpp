@@ -18,10 +18,10 @@
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
+#include "figures/results/estimated_result.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/ranks.hpp"
 #include "figures/sweep/sweep_row.hpp"
-#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {
@@ -31,10 +31,15 @@ namespace fs = std::filesystem;
 struct Measured {
   long points;
   double each_ms;
+  bool is_cut;  ///< it was one, which took longer
+
+  std::string text() const {
+    return fmt::format("{}{:.3g} ms each", is_cut ? "more than " : "", each_ms);
+  }
 };
 
 /// Measures some points that are spread over the sweep irregularly.
-Measured measure(const Sweep& sweep) {
+Measured measure(Sweep sweep) {
   constexpr long most = 64;
   constexpr double patience_s = 3;
   const long points = sweep.points(), tries = std::min(points, most);
@@ -45,20 +50,25 @@ Measured measure(const Sweep& sweep) {
   };
   SweepRows row(sweep);
   const auto start = std::chrono::steady_clock::now();
-  double elapsed_s = 0;
-  long tried = 0;
-  for (; tried < tries && elapsed_s < patience_s; ++tried) {
-    static_cast<void>(row(nth(tried)));
-    elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  double last_s = 0;
+  for (long tried = 1;; ++tried) {
+    sweep.budget_s = patience_s - last_s;
+    static_cast<void>(row(nth(tried - 1)));
+    const double now_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const bool is_cut = now_s >= patience_s, is_first = tried == 1;
+    if (is_cut && !is_first)
+      return {tried - 1, 1000 * last_s / static_cast<double>(tried - 1), false};
+    if (is_cut || tried == tries) return {tried, 1000 * now_s / static_cast<double>(tried), is_cut};
+    last_s = now_s;
   }
-  return {tried, 1000 * elapsed_s / static_cast<double>(tried)};
 }
 
 /// Prints how long the sweep takes, and how long at a looser tolerance if that is usual for maps.
 void estimate(const Sweep& sweep, int jobs) {
   const Measured some = measure(sweep);
-  fmt::print("{} points; {} of them took {:.3g} ms each: about {:.3g} s with {} jobs\n",
-             sweep.points(), some.points, some.each_ms,
+  fmt::print("{} points; {} of them took {}: {} {:.3g} s with {} jobs\n", sweep.points(),
+             some.points, some.text(), some.is_cut ? "probably more than" : "about",
              some.each_ms / 1000 * static_cast<double>(sweep.points()) / jobs, jobs);
   constexpr double loose = 1e-8;
   Sweep looser = sweep;
@@ -68,7 +78,7 @@ void estimate(const Sweep& sweep, int jobs) {
       contains(sweep.quantities(), "tolerance"))
     return;
   tolerance = loose;
-  fmt::print("with tolerance = 1e-8 they took {:.3g} ms each\n", measure(looser).each_ms);
+  fmt::print("with tolerance = 1e-8 they took {}\n", measure(looser).text());
 }
 
 /// The work of the first or only rank: to distribute the points and write their rows.
@@ -78,12 +88,12 @@ class Writer {
       : sweep_(sweep),
         points_(sweep.points()),
         journal_(out, sweep_head(sweep), points_),
-        written_(journal_.rows()) {
+        written_(journal_.done().count()) {
     if (journal_.dropped() > 0)
       print_message(
           fmt::format("rotor: {}: the {} bytes after row {} are damaged or too many, and were "
                       "dropped",
-                      journal_.path().string(), journal_.dropped(), journal_.rows()));
+                      journal_.path().string(), journal_.dropped(), journal_.done().count()));
     if (written_ > 0)
       print_message(fmt::format("rotor: {} of {} points are already in {}", written_.load(),
                                 points_, journal_.path().string()));
@@ -95,19 +105,21 @@ class Writer {
     const auto text = [&](double elapsed_s) {
       const auto done = static_cast<double>(written_ - before),
                  left = static_cast<double>(points_ - written_);
-      return fmt::format("{} of {} points in {}, {:.3g} per second; about {} to go",
-                         written_.load(), points_, duration(elapsed_s), done / elapsed_s,
+      const std::string so_far =
+          fmt::format("{} of {} points in {}", written_.load(), points_, duration(elapsed_s));
+      if (done == 0) return so_far;
+      return fmt::format("{}, {:.3g} per second; about {} to go", so_far, done / elapsed_s,
                          duration(elapsed_s * left / done));
     };
-    BlockScheduler scheduler(before, points_, [&](std::string_view rows, long until) {
-      journal_.write(rows);
-      written_ = until;
+    PointScheduler scheduler(journal_.done(), points_, [&](long point, std::string_view row) {
+      journal_.write(point, row);
+      ++written_;
     });
     std::exception_ptr reason;
     try {
       work(scheduler, threads, make_worker, [&] {
         ranks.serve(scheduler);
-        if (written_ > before) line.update(text);
+        line.update(text);
       });
     } catch (...) {
       reason = std::current_exception();
@@ -280,7 +292,6 @@ void lead(const SweepOptions& options, const Sweep& sweep, Ranks& ranks) {
 }  // namespace
 
 void write_sweep(const Sweep& sweep, const std::string& out) {
-  if (sweep.base.digits) require_certified();
   Ranks ranks;
   Writer(sweep, out).run(cores(), workers(sweep), ranks);
 }
@@ -294,7 +305,10 @@ void run_sweep(const SweepOptions& options) {
     if (ranks.is_first()) throw;
     return;  // the first rank reports the error
   }
-  if (sweep->base.digits) require_certified();
+  if (options.budget_s) {
+    require_budget("--budget", *options.budget_s);
+    sweep->budget_s = options.budget_s;
+  }
   if (options.dry_run) {
     if (ranks.is_first()) estimate(*sweep, options.jobs > 0 ? options.jobs : cores());
   } else if (ranks.is_first()) {

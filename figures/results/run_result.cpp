@@ -94,10 +94,6 @@ const std::vector<Circumstance>& circumstances() {
        [](const A& a) {
          return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
        }},
-      {"estimated_relative_error",
-       "With --estimate-error: the largest relative error of the real results, estimated by "
-       "another run; 1 if its events differ. With --digits: the largest of all errors",
-       number_or_null(), [](const A& a) { return json_of(a.estimated_relative_error); }},
       {"inputs", "All numbers of the scenario, in SI units; speeds in Hz", type("object"),
        inputs_of},
       {"version", "Version of rotor, and its commit", type("string"),
@@ -149,9 +145,11 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
     summary.on_instant(simulation.instant());
   const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
   const bool stop_reached = stop && stop->is_reached();
-  return {scenario,     summary.summary(),
-          end,          {stop_on, stop_reached, end.stopped && !stop_reached},
-          std::nullopt, summary.reversals()};
+  return {scenario,
+          summary.summary(),
+          end,
+          {stop_on, stop_reached, end.stopped && !stop_reached},
+          summary.reversals()};
 }
 
 Json to_json(const RunResult& result, const std::vector<std::string>* only) {
@@ -195,9 +193,9 @@ Json summary_schema() {
            type("number"));
   describe("digits",
            "Only with --digits: how many were asked for; which values have fewer, and how many; "
-           "whether counts and outcome are those of exact arithmetic (if not, nothing is known "
-           "about values that depend on them); the precision of the last computation; and how much "
-           "a disturbance grows from the first contact to the end, or as far as computations agree",
+           "whether counts and outcome are estimated to be those of exact arithmetic (if not, "
+           "nothing is known about values that depend on them); and the precision of the last "
+           "computation",
            type("object"));
   describe("events", "Only with --digits: name, time and state of each event, and of the end",
            type("array"));
@@ -206,12 +204,13 @@ Json summary_schema() {
            "where the rotor loses energy, and the energies stored at the end of each span; "
            "residual is the error of the balance",
            type("object"));
-  const Json estimate = {{"description",
-                          "With --digits, instead of a number: its value and error bound, null if "
-                          "nothing is known about the error"},
-                         {"required", {"value", "error"}},
-                         {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
-                         {"additionalProperties", false}};
+  const Json estimate = {
+      {"description",
+       "With --digits, instead of a number: its value and estimated error, null if "
+       "nothing is known about the error"},
+      {"required", {"value", "error"}},
+      {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
+      {"additionalProperties", false}};
   return {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "Summary of a run, as `rotor run --json` prints it"},
@@ -302,7 +301,6 @@ std::vector<Remark> remarks(const RunResult& result) {
   // At mu = 0.05 each multiplies errors by 2.7 in the mean: so many use up the tolerance.
   const double many = -std::log(result.scenario.tolerance);
   const auto is_sensitive = [&](const std::string& cause) {
-    if (result.estimated_relative_error) return;
     all.push_back({cause + ", differences in the last digits may lead to another course; a sample "
                            "of runs shows it"});
   };

@@ -28,8 +28,7 @@ struct RunResult {
   Summary summary;
   RunEnd end;
   EarlyEnd early;
-  std::optional<double> estimated_relative_error{};  ///< of the summary, if requested
-  long reversals = 0;                                ///< of the rotation out of contact
+  long reversals = 0;  ///< of the rotation out of contact
 };
 
 /// Continues a run from a checkpoint to its end, or to where it is to stop. `others` are shown

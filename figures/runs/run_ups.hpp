@@ -1,6 +1,7 @@
 /// Run-ups that are shared by runs if only the summary, or a late part, is observed.
 #pragma once
 
+#include <chrono>
 #include <limits>
 #include <list>
 #include <optional>
@@ -13,10 +14,25 @@
 
 namespace rotor {
 
-/// Ends a run at an interruption.
+/// Ends a run at an interruption, or after a time.
 class Interruptible : public Observer {
  public:
-  bool should_continue(const Progress& /*now*/) override { return !is_interrupted(); }
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  explicit Interruptible(double budget_s = unlimited) : budget_s_(budget_s) {}
+
+  double budget_s() const { return budget_s_; }
+  bool has_time() const {
+    return budget_s_ == unlimited || std::chrono::steady_clock::now() - start_ < budget();
+  }
+  bool may_continue() const { return !is_interrupted() && has_time(); }
+  bool should_continue(const Progress& /*now*/) override { return may_continue(); }
+
+ private:
+  std::chrono::duration<double> budget() const { return std::chrono::duration<double>(budget_s_); }
+
+  double budget_s_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// A run and its summary up to the present instant.

@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -26,8 +28,8 @@ std::uint64_t sum_with(std::uint64_t sum, std::string_view text) {
   return sum;
 }
 
-std::string line_of(std::uint64_t sum, std::string_view row) {
-  return fmt::format("{:016x} {}", sum, row);
+std::string line_of(std::uint64_t sum, std::string_view entry) {
+  return fmt::format("{:016x} {}", sum, entry);
 }
 
 }  // namespace
@@ -49,11 +51,8 @@ std::string difference(std::string_view head, std::string_view wanted, std::stri
       shown(other), advice);
 }
 
-Journal::Journal(const std::filesystem::path& file, std::string head, long most_rows)
-    : file_(file),
-      path_(file.string() + ".journal"),
-      head_(std::move(head)),
-      most_rows_(most_rows) {
+Journal::Journal(const std::filesystem::path& file, std::string head, long points)
+    : file_(file), path_(file.string() + ".journal"), head_(std::move(head)), points_(points) {
   try {
     // The sweep that held the lock may have finished, and removed the file that was opened here.
     do open();
@@ -78,7 +77,7 @@ void Journal::open() {
 
 Journal::~Journal() { ::close(descriptor_); }
 
-/// Reads the head and the rows up to the first damaged one, and not more than there can be. Returns
+/// Reads the head and the rows up to the first that is damaged or of no further point. Returns
 /// where they end: 0 if the head is incomplete.
 template <class Take>
 off_t Journal::read_rows(const Take& take) {
@@ -92,14 +91,17 @@ off_t Journal::read_rows(const Take& take) {
   sum_ = sum_with(first_sum, head);
   auto end = static_cast<off_t>(head.size());
   std::string line;
-  for (long rows = 0; rows < most_rows_ && std::getline(stream, line) && !stream.eof(); ++rows) {
+  for (DonePoints done; std::getline(stream, line) && !stream.eof();) {
     const std::size_t mark = line.find(' ');
-    const std::string row = line.substr(mark == std::string::npos ? line.size() : mark + 1);
-    const std::uint64_t sum = sum_with(sum_, row);
-    if (line != line_of(sum, row)) break;
+    const std::string entry = line.substr(mark == std::string::npos ? line.size() : mark + 1);
+    const std::uint64_t sum = sum_with(sum_, entry);
+    long point = points_;
+    const auto [row, error] = std::from_chars(entry.data(), entry.data() + entry.size(), point);
+    if (line != line_of(sum, entry) || *row != ' ' || point >= points_ || done.has(point)) break;
     sum_ = sum;
     end += static_cast<off_t>(line.size() + 1);
-    take(row);
+    done.add(point);
+    take(point, std::string(row + 1));
   }
   if (stream.bad()) fail_by_errno("cannot be read");
   return end;
@@ -107,7 +109,7 @@ off_t Journal::read_rows(const Take& take) {
 
 /// Cuts off the first damaged row and all that follows; everything, if the head is incomplete.
 void Journal::resume() {
-  const off_t end = read_rows([&](const std::string& /*row*/) { ++rows_; });
+  const off_t end = read_rows([&](long point, const std::string& /*row*/) { done_.add(point); });
   dropped_ = ::lseek(descriptor_, 0, SEEK_END) - end;
   if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) < 0)
     fail_by_errno();
@@ -116,15 +118,11 @@ void Journal::resume() {
   write_all(head_);
 }
 
-void Journal::write(std::string_view rows) {
-  std::string lines;
-  for (std::size_t end = 0; (end = rows.find('\n')) != std::string_view::npos;
-       rows.remove_prefix(end + 1)) {
-    sum_ = sum_with(sum_, rows.substr(0, end));
-    ++rows_;
-    lines += line_of(sum_, rows.substr(0, end)) + '\n';
-  }
-  write_all(lines);
+void Journal::write(long point, std::string_view row) {
+  const std::string entry = fmt::format("{} {}", point, row.substr(0, row.find('\n')));
+  sum_ = sum_with(sum_, entry);
+  done_.add(point);
+  write_all(line_of(sum_, entry) + '\n');
 }
 
 void Journal::write_all(std::string_view text) {
@@ -140,13 +138,19 @@ void Journal::write_all(std::string_view text) {
 void Journal::finish(const std::function<void(std::string_view row)>& see) {
   OutputFile results(file_);
   results.write(head_);
-  long rows = 0;
-  read_rows([&](const std::string& row) {
-    results.write(row + '\n');
-    if (see) see(row);
-    ++rows;
+  DonePoints written;
+  std::map<long, std::string> early;
+  read_rows([&](long point, std::string read) {
+    written.add(point);
+    early.emplace(point, std::move(read));
+    for (; !early.empty() && early.begin()->first < written.first_missing();
+         early.erase(early.begin())) {
+      const std::string& row = early.begin()->second;
+      results.write(row + '\n');
+      if (see) see(row);
+    }
   });
-  if (rows != rows_) fail("was changed by another program");
+  if (written.first_missing() != points_) fail("was changed by another program");
   results.sync();
   results.commit();
   std::filesystem::remove(path_);

@@ -18,17 +18,17 @@ namespace rotor {
 
 namespace {
 
-/// The first rank sends blocks, the others send their rows after them, or why they cannot continue;
+/// The first rank sends points, the others send their rows after them, or why they cannot continue;
 /// `end` says that nothing is left.
-enum Tag : int { block_and_rows = 1, failure = 2, end = 3 };
+enum Tag : int { point_and_row = 1, failure = 2, end = 3 };
 
 struct Message {
   int from, tag;
   std::string content;
 };
 
-/// The number of blocks sent to a rank in advance, so that it never waits for an answer.
-constexpr int ahead = 4;
+/// The number of points sent to a rank in advance, so that it never waits for an answer.
+constexpr int ahead = 16;
 
 bool is_launched() {
   constexpr std::array variables = {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"};
@@ -60,14 +60,14 @@ void send(const std::string& message, int to, Tag tag) {
   MPI_Send(message.data(), static_cast<int>(message.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
 }
 
-std::string packed(const Block& block, const std::string& rows = "") {
-  return std::string(reinterpret_cast<const char*>(&block), sizeof(block)) + rows;
+std::string packed(long point, const std::string& row = "") {
+  return std::string(reinterpret_cast<const char*>(&point), sizeof(point)) + row;
 }
 
-Block block_in(const std::string& message) {
-  Block block{};
-  std::memcpy(&block, message.data(), sizeof(block));
-  return block;
+long point_in(const std::string& message) {
+  long point = 0;
+  std::memcpy(&point, message.data(), sizeof(point));
+  return point;
 }
 
 }  // namespace
@@ -91,20 +91,20 @@ bool Ranks::broadcast(bool word) const {
   return number != 0;
 }
 
-void Ranks::serve(BlockScheduler& scheduler) {
+void Ranks::serve(PointScheduler& scheduler) {
   if (count_ == 1) return;
   while (const auto message = next_message()) {
     --out_[static_cast<std::size_t>(message->from)];
     if (message->tag == failure)
       scheduler.stop(std::make_exception_ptr(std::runtime_error(message->content)));
     else
-      scheduler.take(block_in(message->content), message->content.substr(sizeof(Block)));
+      scheduler.take(point_in(message->content), message->content.substr(sizeof(long)));
   }
   for (int rank = 1; rank < count_; ++rank)
     for (int& out = out_[static_cast<std::size_t>(rank)]; out < ahead; ++out) {
-      const auto block = scheduler.next_if_due();
-      if (!block) return;
-      send(packed(*block), rank, block_and_rows);
+      const auto point = scheduler.next_if_due();
+      if (!point) return;
+      send(packed(*point), rank, point_and_row);
     }
 }
 
@@ -118,9 +118,9 @@ void work_for_first(const Work& work) {
   std::exception_ptr reason;
   for (Message message = wait_for_message(); message.tag != end; message = wait_for_message()) {
     if (reason) continue;
-    const Block block = block_in(message.content);
+    const long point = point_in(message.content);
     try {
-      send(packed(block, rows_of(block, work)), 0, block_and_rows);
+      send(packed(point, work(point)), 0, point_and_row);
     } catch (const std::exception& error) {
       reason = std::current_exception();
       send(error.what(), 0, failure);
@@ -135,7 +135,7 @@ void work_for_first(const Work& work) {
 Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 bool Ranks::broadcast(bool word) const { return is_first() && word; }
-void Ranks::serve(BlockScheduler& /*scheduler*/) {}
+void Ranks::serve(PointScheduler& /*scheduler*/) {}
 void Ranks::shut_down_workers() const {}
 void work_for_first(const Work& /*work*/) {}
 

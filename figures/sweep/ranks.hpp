@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "figures/sweep/block_scheduler.hpp"
+#include "figures/sweep/point_scheduler.hpp"
 
 namespace rotor {
 
@@ -22,18 +22,18 @@ class Ranks {
   /// Sends a value from the first rank to all.
   bool broadcast(bool word) const;
 
-  /// For the first rank: receives rows from the others and sends them blocks, as far as is possible
+  /// For the first rank: receives rows from the others and sends them points, as far as is possible
   /// without waiting.
-  void serve(BlockScheduler& scheduler);
+  void serve(PointScheduler& scheduler);
   /// Waits until all others know that nothing is left.
   void shut_down_workers() const;
 
  private:
   int rank_ = 0, count_ = 1;
-  std::vector<int> out_;  ///< blocks that each rank has not answered yet
+  std::vector<int> out_;  ///< points that each rank has not answered yet
 };
 
-/// For all ranks but the first: works on blocks from the first one until none is left. Throws what
+/// For all ranks but the first: works on points from the first one until none is left. Throws what
 /// the work throws, after reporting it to the first one.
 void work_for_first(const Work& work);
 

@@ -63,6 +63,7 @@ struct Sweep {
   Sample sample;
   std::optional<StopOn> stop_on = StopOn::outcome;
   std::vector<std::string> columns = {};  ///< of the results; all if empty
+  std::optional<double> budget_s = {};    ///< time for each point; if empty, none, or the usual
 
   long points() const;
   std::vector<std::string> quantities() const;  ///< the ones that vary

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "figures/input/toml_file.hpp"
+#include "figures/results/estimated_result.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
 namespace rotor {
@@ -31,13 +32,16 @@ class SweepReader : TomlFile {
     if (root().contains("run"))
       fail_at(root(), "run",
               "a sweep has none; a scene without [[axis]] and [sample] is for rotor run");
-    expect_keys(root(), {"title", "stop_on", "columns", "parameters", "axis", "sample"});
+    expect_keys(root(), {"title", "stop_on", "columns", "budget", "parameters", "axis", "sample"});
     Sweep sweep;
     sweep.title = text(root(), "title").value_or("");
     sweep.text = content();
     if (const auto stop = text(root(), "stop_on"))
       sweep.stop_on = at(*root().get("stop_on"), "stop_on", [&] { return parse_stop(*stop); });
     if (root().contains("columns")) sweep.columns = columns();
+    sweep.budget_s = value<double>(root(), "budget", "a number of seconds");
+    if (sweep.budget_s)
+      at(*root().get("budget"), "budget", [&] { require_budget("budget", *sweep.budget_s); });
     sweep.base = stated_in(*this, table(root(), "parameters"), {});
     if (sweep.base.digits && sweep.stop_on)
       fail_at(table(root(), "parameters"), "digits",

@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "figures/data/text.hpp"
-#include "figures/results/certified_result.hpp"
+#include "figures/results/estimated_result.hpp"
 #include "figures/results/laws.hpp"
 #include "figures/results/version.hpp"
-#include "model/certified/comparison.hpp"
 
 namespace rotor {
 namespace {
@@ -28,7 +27,7 @@ std::string field(const Json& value, int digits) {
   if (value.is_null()) return "";
   if (value.is_object()) {
     const std::string sure = text_of(value, digits);
-    return sure == no_sure_digit ? "" : sure;
+    return sure == no_digit ? "" : sure;
   }
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
@@ -114,23 +113,25 @@ std::string SweepRows::operator()(long n) {
   const SweepPoint point = points_(n);
   std::string row;
   for (const std::string& value : point.values) row += csv_field(value) + ',';
-  Interruptible monitor;
+  const auto digits = point.spec.digits;
+  const double budget_s = digits ? usual_budget_s : Interruptible::unlimited;
+  Interruptible monitor(sweep_.budget_s.value_or(budget_s));
   try {
     const Scenario scenario = scenario_of(point.spec, run_ups_);
-    if (const auto digits = point.spec.digits) {
-      const auto found =
-          run_to_digits(scenario, *digits, [](double /*time_s*/) { return !is_interrupted(); });
-      if (!found || is_interrupted()) throw Interrupted();
-      return row + cells(to_json(*found, scenario, *digits), scenario, result_columns(sweep_)) +
-             limits(result_of(*found, scenario)) + ',' + csv_field(complaint(*found, *digits)) +
-             '\n';
-    }
     const std::vector<std::string>& columns = result_columns(sweep_);
+    if (digits) {
+      const Comparison found = comparison_to_digits(scenario, *digits, monitor);
+      return row + cells(to_json(found, scenario, *digits), scenario, columns) +
+             limits(result_of(found, scenario)) + ',' +
+             csv_field(complaint(found, *digits, monitor)) + '\n';
+    }
     RunUpCheckpoint way = run_ups_.checkpoint_before(scenario, monitor);
     if (!contains(columns, "peak_bearing_force_N"))
       way.summary.ignore_maxima_of(Extreme::bearing_force);
     const RunResult result = finish(std::move(way), scenario, sweep_.stop_on, monitor);
-    if (result.early.interrupted) throw Interrupted();
+    if (is_interrupted()) throw Interrupted();
+    if (result.early.interrupted)
+      throw std::runtime_error(fmt::format("a budget of {} s is not enough", monitor.budget_s()));
     return row + cells(to_json(result, &columns), scenario, columns) + limits(result) + ",\n";
   } catch (const Interrupted&) {
     throw;

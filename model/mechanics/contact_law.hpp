@@ -4,7 +4,6 @@
 /// the elastic force is that of K. H. Hunt and F. R. E. Crossley, J. Appl. Mech. 42 (1975) 440.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -93,9 +92,6 @@ class ContactLaw {
 
   /// The same where is_linear() is known.
   const LinearContact<S>& linear() const { return linear_; }
-
-  /// All numbers of a linear law, for disturbing them.
-  std::array<S*, 2> numbers() { return {&linear_.stiffness, &linear_.damping}; }
 
  private:
   /// Not inlined: its registers would slow down the paper's linear ring.

@@ -3,7 +3,6 @@
 /// Sec. 2.1, Eq. (4).
 #pragma once
 
-#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -41,9 +40,6 @@ class SupportSprings {
       throw std::domain_error(std::string(formula) + ": holds only for linear springs");
     return stiffness_;
   }
-
-  /// All numbers of the law, for disturbing them.
-  std::array<S*, 1> numbers() { return {&stiffness_}; }
 
  private:
   S stiffness_;  ///< k, N/m

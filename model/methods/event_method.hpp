@@ -97,16 +97,6 @@ class EventMethod {
     return branch;
   }
 
-  /// Scales the first steps in flight and in contact, whatever the tolerance. To be called at the
-  /// start.
-  void shorten_first_steps(const S& share) {
-    first_steps_ = share;
-    flight_step_ *= share;
-  }
-  /// Disturbs the slip at each touch-down by a share. It is rounded there, and the velocity of O is
-  /// the small difference between slip and velocity of the rim.
-  void disturb_touch_downs(const S& share) { slip_disturbance_ = share; }
-
   const BasicInstant<S>& instant() const { return at_; }
   const Counters& counters() const { return counters_; }
   bool stopped() const { return stopped_; }  ///< by an observer
@@ -146,8 +136,6 @@ class EventMethod {
     if (!std::holds_alternative<Chart>(chart_)) {
       chart_.template emplace<Chart>(rotor_, at_.state);
       start_.x = std::get<Chart>(chart_).unknowns(at_.state);
-      if constexpr (std::is_same_v<Chart, ContactChart<S>>)
-        start_.x[Chart::tangential] *= 1 + slip_disturbance_;
     }
     return std::get<Chart>(chart_);
   }
@@ -221,8 +209,7 @@ class EventMethod {
   void limit_step(const S& smooth_time, S& step) const {
     using std::max, std::min, std::sqrt;
     if (!(smooth_time < step)) return;
-    const S least =
-        first_steps_ * sqrt(control_.tolerance()) / rotor_.contact_frequency(at_.state[5]);
+    const S least = sqrt(control_.tolerance()) / rotor_.contact_frequency(at_.state[5]);
     step = min(step, max(least, smooth_time));
   }
 
@@ -269,8 +256,6 @@ class EventMethod {
   Point start_;                         ///< of the next step, in that chart
   bool phase_is_new_ = true;            ///< whether the rates are not yet known there
   S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
-  S first_steps_{1};                    ///< factor on their usual length
-  S slip_disturbance_{0};               ///< relative, at each touch-down
   Counters counters_;
   S looked_s_{0};          ///< when limit_steps() last looked at the progress
   int switches_ = 0;       ///< between phases,
@@ -291,7 +276,7 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
   // In other precisions the time to compile matters more.
   constexpr bool is_fast_if_linear = std::is_same_v<S, double>;
   if (at_.contact != ContactState::free && contact_step_ == 0)
-    contact_step_ = first_steps_ * S(0.1) / rotor_.contact_frequency(at_.state[5]);
+    contact_step_ = S(0.1) / rotor_.contact_frequency(at_.state[5]);
   switch (at_.contact) {
     case ContactState::free: {
       auto& chart = this->chart<FlightChart<S>>();
@@ -328,6 +313,5 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
 }
 
 extern template class EventMethod<double>;
-extern template class EventMethod<long double>;
 
 }  // namespace rotor

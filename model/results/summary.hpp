@@ -39,11 +39,10 @@ struct BasicSummary {
 
 /// The reference of a result's relative error.
 enum class ErrorScale {
-  own,         ///< its magnitude
-  length,      ///< the same, but at least a length that is negligible beside the clearance
-  force,       ///< the same, but at least the supports' force at that length
-  of_another,  ///< its magnitude; it follows from another result, or from the inputs
-  exact        ///< no error: it is stated, not computed
+  own,     ///< its magnitude
+  length,  ///< the same, but at least a length that is negligible beside the clearance
+  force,   ///< the same, but at least the supports' force at that length
+  exact    ///< no error: it is stated, not computed
 };
 
 /// What decides a result, so that the rest of a run cannot change it.
@@ -54,7 +53,7 @@ enum class Settled {
   by_end        ///< the end of the run
 };
 
-/// One result. Text, JSON and its schema, the columns of sweeps and guaranteed digits all follow
+/// One result. Text, JSON and its schema, the columns of sweeps and estimated digits all follow
 /// from the table below.
 template <class S>
 struct SummaryField {
@@ -144,7 +143,7 @@ inline constexpr auto summary_fields = [] {
       {"motor_off_s", "Time at which the motor is switched off", &Of::motor_off_s},
       {"speed_at_mass_loss_Hz", "Rotation speed at the mass loss", &Of::speed_at_mass_loss_Hz},
       {"speed_ratio_at_mass_loss", "Rotation speed at the mass loss over the critical speed",
-       &Of::speed_ratio_at_mass_loss, of_another},
+       &Of::speed_ratio_at_mass_loss},
       {"final_time_s", "End of the run, or where it stopped", &Of::final_time_s, exact},
       {"final_speed_Hz", "Rotation speed at the end", &Of::final_speed_Hz, own, nullptr, end},
       {"final_kinetic_energy_J", "Kinetic energy T of the rotor at the end",
@@ -154,13 +153,12 @@ inline constexpr auto summary_fields = [] {
       {"final_q2_m", "Coordinate of O along y of the rotating axes at the end", &Of::final_q2_m,
        length, rho, end},
       {"critical_speed_Hz", "Critical speed sqrt(k/m) / 2 pi before the mass loss",
-       &Of::critical_speed_Hz, of_another},
+       &Of::critical_speed_Hz},
       {"damping_ratio", "Damping ratio d / (2 sqrt(k m)) before the mass loss; null if k = 0",
-       &Of::damping_ratio, of_another},
-      {"lost_mass_kg", "Lost mass m_u, Eq. (5); null without mass loss", &Of::lost_mass_kg,
-       of_another},
+       &Of::damping_ratio},
+      {"lost_mass_kg", "Lost mass m_u, Eq. (5); null without mass loss", &Of::lost_mass_kg},
       {"inertia_after_loss_kg_m2", "Moment of inertia I_C1; null without mass loss",
-       &Of::inertia_after_loss_kg_m2, of_another},
+       &Of::inertia_after_loss_kg_m2},
       {"mass_loss_reached", "Whether mass has been lost", &Of::mass_loss_reached, own, nullptr,
        loss},
   });

@@ -2,16 +2,16 @@
 #include <gtest/gtest.h>
 
 #include "figures/runs/run_ups.hpp"
-#include "model/certified/comparison.hpp"
-#include "model/certified/quad.hpp"
+#include "model/digits/digits.hpp"
+#include "model/digits/quad.hpp"
+#include "verification/support/short_run.hpp"
 
 namespace rotor {
 namespace {
 
-/// In extended precision; the finest computation has a hundredth of the tolerance.
-Comparison exactly(const ScenarioSpec& spec, double tolerance = 1e-15) {
-  return compare<long double>(scenario_of(spec), tolerance, [](double /*time_s*/) { return true; })
-      .value();
+/// In quadruple precision; the finer computation has a hundredth of the tolerance.
+Comparison exactly(const ScenarioSpec& spec) {
+  return compare(Precision::quadruple, scenario_of(spec), 1e-17, always).value();
 }
 
 TEST(Decimals, AreReadInThePrecisionThatIsUsed) {
@@ -21,12 +21,12 @@ TEST(Decimals, AreReadInThePrecisionThatIsUsed) {
 }
 
 // 49280.4052682 N by an independent program in quadruple precision. The doubles nearest to the
-// inputs give 49280.4045635 N: contacts multiply the difference by 3e9. In extended precision some
-// 1e-19 times that remains.
+// inputs give 49280.4045635 N: contacts multiply the difference by 3e9. The finer
+// computation leaves some 1e-19 times that.
 TEST(Decimals, MakeTheForceThatAnotherProgramFinds) {
   ScenarioSpec spec;
   spec.numbers = {{"friction", 0.06}, {"until", 29.25}};
-  EXPECT_NEAR(exactly(spec, 1e-17).values.peak_normal_force_N.value(), 49280.4052682, 1e-4);
+  EXPECT_NEAR(exactly(spec).values.peak_normal_force_N.value(), 49280.4052682, 1e-4);
 }
 
 // By the clearance or the ring's radius, by the speed or the time of the mass loss; and the lost

@@ -1,4 +1,4 @@
-/// Runs with guaranteed digits: no digit may be false.
+/// Estimated digits: none may be false.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,60 +8,34 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
-#include "figures/results/certified_result.hpp"
+#include "figures/results/estimated_result.hpp"
 #include "figures/runs/scene.hpp"
-#include "verification/support/certain_digits.hpp"
+#include "verification/support/digits_judge.hpp"
+#include "verification/support/observers.hpp"
 #include "verification/support/reference_tables.hpp"
 #include "verification/support/short_run.hpp"
-#include "verification/support/summary_of.hpp"
 
 namespace rotor {
 namespace {
 
-/// A limit of steps: in quadruple precision some thousands take a second.
-ShouldContinue for_steps(long most) {
-  return [most, n = 0L](double /*time_s*/) mutable { return ++n < most; };
-}
-
-const std::string random_runs = ROTOR_REFERENCE_DATA "/random-runs.csv";
-
-class Digits : public testing::TestWithParam<int> {};
-
-TEST_P(Digits, OfRandomAndOfHardRunsAreAllTrue) {
-  const int digits = GetParam();
-  const std::vector<KnownRun> runs = known_runs(random_runs);
-  ASSERT_EQ(runs.size(), 36U);
-  double worst = 0;
-  long had = 0;
-  for (std::size_t n = 0; n < runs.size(); ++n) {
-    const auto found = run_to_digits(runs[n].scenario, digits, for_steps(3'000));
-    if (!found) continue;
-    EXPECT_EQ(falsehood(*found, digits, runs[n].values, worst), "") << n;
-    had += has_digits(*found, digits);
+// `make stress` has more of them. Two computations agree by chance in one value now and then, but
+// hardly ever in all of a run's.
+TEST(Digits, OfRandomRunsAreAllTrue) {
+  constexpr int runs = 12;
+  RandomRuns random = judged_runs(777001);
+  std::array<int, judged_digits.size()> given{};
+  for (int n = 0; n < runs; ++n) {
+    const auto verdicts = judge(random.scenario());
+    for (std::size_t k = 0; k < verdicts.size(); ++k) {
+      EXPECT_EQ(verdicts[k].falsehood, "") << n << ", " << judged_digits[k] << " digits";
+      given[k] += verdicts[k].given != '-';
+    }
   }
-  // Some take more steps than a test can wait for.
-  EXPECT_GE(had, digits == 12 ? 15 : digits == 9 ? 24 : 28);
-  EXPECT_GT(worst, 1e-4) << "the errors are uselessly large";
-}
-
-INSTANTIATE_TEST_SUITE_P(Numbers, Digits, testing::Values(3, 6, 9, 12));
-
-// Compared with the true error, the estimate is rarely too small, and never uselessly large.
-TEST(EstimatedError, IsAboveTheLargestTrueErrorOfRandomRuns) {
-  int less = 0;
-  for (const auto& [scenario, values] : known_runs(random_runs)) {
-    const Summary summary = summary_of(scenario);
-    const double estimate = estimated_relative_error(scenario, summary, always);
-    less += estimate < true_error(summary, scenario.parameters, values);
-    Summary other = summary;  // a run with another number of touch-downs is not comparable
-    ++other.touch_downs;
-    EXPECT_EQ(estimated_relative_error(scenario, other, always), 1);
-  }
-  EXPECT_LE(less, 2);  // of 36
+  for (std::size_t k = 0; k < given.size(); ++k) EXPECT_GE(given[k], runs - 2) << judged_digits[k];
 }
 
 // Every event of the paper's runs, against the landmarks in quadruple precision.
-TEST(ManyDigits, AreThoseOfEveryEventOfThePapersRuns) {
+TEST(Digits, AreThoseOfEveryEventOfThePapersRuns) {
   const std::string table = ROTOR_REFERENCE_DATA "/high-precision.csv";
   std::set<std::string> names;
   for (const CsvRow& row : read_csv(table)) names.insert(row["run"]);
@@ -69,22 +43,18 @@ TEST(ManyDigits, AreThoseOfEveryEventOfThePapersRuns) {
   for (const auto& entry : std::filesystem::directory_iterator(ROTOR_SCENES)) {
     if (entry.path().extension() != ".toml") continue;
     for (const SceneRun& run : read_scene(entry.path()).runs) {
-      const Scenario& scenario = run.scenario;
       const std::string name = entry.path().stem().string() + ": " + run.name;
       if (!names.contains(name)) continue;  // the same as another figure's
       ++compared;
       const auto exact = reference_run(table, name);
-      const auto found = run_to_digits(scenario, 6, always);
-      ASSERT_TRUE(found && has_digits(*found, 6)) << name;
+      const auto found = compare(Precision::double_, run.scenario, 1e-11, always);
+      ASSERT_TRUE(found && found->is_course_sure) << name;
       ASSERT_EQ(found->events.size(), exact.size()) << name;
       for (std::size_t i = 0; i < exact.size(); ++i)
         for (std::size_t k = 0; k < 7; ++k) {
           const NamedEstimate& value = found->events[i].values[k];
           const auto truth = static_cast<double>(k == 0 ? exact[i].time_s : exact[i].state[k - 1]);
-          const double of_a_double = 2.3e-16 * std::abs(truth), error = value.estimate->error;
-          EXPECT_NEAR(value.estimate->value, truth, error + of_a_double)
-              << name << ' ' << exact[i].kind << ' ' << value.name;
-          EXPECT_LE(error, 0.5e-6 * value.size)
+          EXPECT_NEAR(*value.value, truth, value.error + 2.3e-16 * std::abs(truth))
               << name << ' ' << exact[i].kind << ' ' << value.name;
         }
     }
@@ -92,30 +62,59 @@ TEST(ManyDigits, AreThoseOfEveryEventOfThePapersRuns) {
   EXPECT_EQ(compared, names.size());
 }
 
-// The largest displacement of a flight equals the clearance to ten digits: does it touch or not?
-TEST(ManyDigits, DecideWhetherAGlancingContactOccurs) {
+// The largest displacement of a flight is the clearance to nine or twelve digits: does it touch?
+TEST(Digits, DecideWhetherAGlancingContactOccursUnlessItIsNearerThanTheirError) {
   Scenario wide{.start_speed_Hz = 100, .until = 0.03};
   wide.parameters.mass_loss_time = 0.001;
   wide.parameters.stator_radius = 0.1;
-  const auto free = run_to_digits(wide, 14, always);
+  const auto free = compare(Precision::quadruple, wide, 1e-20, always);
   ASSERT_TRUE(free);
   const auto furthest =
-      std::ranges::find(free->summary, "max_displacement_m", &NamedEstimate::name)->estimate;
+      std::ranges::find(free->summary, "max_displacement_m", &NamedEstimate::name);
   ASSERT_LT(furthest->error, 1e-16);
-  for (const double off : {1e-10, -1e-10}) {
+  const auto found = [&](double off, Precision precision, double tolerance) {
     Scenario scenario = wide;
     scenario.parameters.stator_radius =
-        scenario.parameters.rotor_radius + furthest->value * (1 + off);
-    const auto found = run_to_digits(scenario, 3, always);
-    ASSERT_TRUE(found);
-    EXPECT_TRUE(found->is_course_sure());
-    EXPECT_EQ(found->values.touch_downs > 0, off < 0);
+        scenario.parameters.rotor_radius + *furthest->value * (1 + off);
+    return compare(precision, scenario, tolerance, always).value();
+  };
+  for (const double off : {1e-9, -1e-9, 1e-12, -1e-12}) {
+    const Comparison finely = found(off, Precision::quadruple, 1e-16);
+    EXPECT_TRUE(finely.is_course_sure) << off;
+    EXPECT_EQ(finely.values.touch_downs > 0, off < 0);
+    const Comparison coarsely = found(off, Precision::double_, 1e-7);
+    EXPECT_FALSE(coarsely.is_course_sure) << off;
+    for (const NamedEstimate& value : coarsely.summary)
+      EXPECT_TRUE(value.error == 0 || std::isinf(value.error)) << value.name;
+  }
+}
+
+// Both computations have the event, or both have not, but the time between it and the end is
+// smaller than its error.
+TEST(Digits, AreNotGivenIfTheRunEndsTooShortlyBeforeOrAfterAnEvent) {
+  Scenario scenario = short_run(0.03);
+  EventRecorder recorder;
+  run(scenario, recorder);
+  for (const Event event :
+       {Event::touch_down, Event::release, Event::ring_clear, Event::rolling_onset}) {
+    ASSERT_GT(recorder.count(event), 0) << name_of(event);
+    for (const double sign : {-1, 1}) {
+      double left_s = 1e-7;
+      std::optional<Comparison> found;
+      do {
+        left_s /= 2;
+        scenario.until = recorder.first(event).time_s + sign * left_s;
+        found = compare(Precision::double_, scenario, 1e-8, always);
+        ASSERT_TRUE(found);
+      } while (found->is_course_sure);
+      EXPECT_TRUE(found->same_course) << name_of(event) << ' ' << left_s;
+    }
   }
 }
 
 // As many digits as are the same for all numbers within the error, or as were asked for; one more
 // would differ between the ends of the error.
-RC_GTEST_PROP(ManyDigits, ArePrintedAsFarAsTheyAreSure, ()) {
+RC_GTEST_PROP(Digits, ArePrintedAsFarAsTheErrorLeavesThem, ()) {
   const auto share = [] { return (1 + *rc::gen::inRange(0, 999999)) / 1e6; };
   const double value =
       (*rc::gen::inRange(0, 2) == 0 ? 1 : -1) * share() * std::pow(10, *rc::gen::inRange(-12, 12));
@@ -123,9 +122,9 @@ RC_GTEST_PROP(ManyDigits, ArePrintedAsFarAsTheyAreSure, ()) {
   const int digits = *rc::gen::inRange(1, 13);
   const auto least = [&](int n) { return rounded_to(value - error, n); };
   const auto greatest = [&](int n) { return rounded_to(value + error, n); };
-  const std::string printed = certified_text(value, error, digits);
+  const std::string printed = text_within(value, error, digits);
   int sure = 0;  // from the first digit that is not zero on, trailing zeros among them
-  if (printed != no_sure_digit)
+  if (printed != no_digit)
     for (const char c : printed.substr(0, printed.find('e')))
       sure += std::isdigit(c) && (sure > 0 || c != '0');
   RC_ASSERT(sure <= digits);

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "figures/record/columns.hpp"
-#include "model/certified/comparison.hpp"
+#include "model/digits/digits.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/deviation.hpp"
 #include "verification/support/follow.hpp"
@@ -256,10 +256,11 @@ TEST(LossInRolling, IsItsEndWhereFrictionCannotHoldTheRimAnyMore) {
   ASSERT_NE(loss + 1, events.events().end());
   EXPECT_EQ((loss + 1)->event, Event::break_away);
   EXPECT_EQ((loss + 1)->time_s, loss->time_s);
-  scenario.until = p.mass_loss_time + 1e-6;  // its digits are still guaranteed
-  const auto found = compare<double>(scenario, 1e-10, [](double /*time_s*/) { return true; });
+  scenario.until = p.mass_loss_time + 1e-6;  // its digits are still known
+  const auto found =
+      compare(Precision::double_, scenario, 1e-10, [](double /*time_s*/) { return true; });
   ASSERT_TRUE(found);
-  EXPECT_TRUE(found->is_course_sure());
+  EXPECT_TRUE(found->is_course_sure);
 }
 
 }  // namespace

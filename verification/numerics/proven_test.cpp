@@ -9,6 +9,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/results/json.hpp"
+#include "model/digits/digits.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -49,16 +50,13 @@ TEST_F(Proven, IntervalsHoldTheSureDigits) {
     const Json& found = run.at(row["quantity"]);
     const bool is_count = found.is_number();
     const double value = (is_count ? found : found.at("value")).get<double>();
-    // What the program's digits leave open, and that its inputs are not the decimals but the
-    // doubles next to them. Contacts multiply the difference.
-    const double growth =
-        run.at("digits").at("amplification_from_first_contact").is_null()
-            ? 1
-            : run.at("digits").at("amplification_from_first_contact").get<double>();
-    const double allowed = is_count ? 0
-                                    : found.at("error").get<double>() +
-                                          std::abs(value) * std::numeric_limits<double>::epsilon() *
-                                              inputs * (1 + growth);
+    // What the program's digits leave open, and that the prover's inputs are not the decimals but
+    // the doubles next to them: contacts multiply the difference as they do a tolerance.
+    const double tolerance = Comparison::finer * run.at("tolerance").get<double>();
+    const double allowed =
+        is_count ? 0
+                 : found.at("error").get<double>() *
+                       (1 + inputs * std::numeric_limits<double>::epsilon() / tolerance);
     const std::string what = fmt::format("{} of {}", row["quantity"], row["command"]);
     EXPECT_GE(value + allowed, static_cast<double>(row.number("lower"))) << what;
     EXPECT_LE(value - allowed, static_cast<double>(row.number("upper"))) << what;

@@ -8,7 +8,7 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
 #include "figures/runs/scene.hpp"
-#include "model/certified/quad.hpp"
+#include "model/digits/quad.hpp"
 #include "model/integration/fehlberg.hpp"
 #include "model/methods/event_method.hpp"
 #include "model/methods/whole_run.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "model/certified/quad.hpp"
+#include "model/digits/quad.hpp"
 
 namespace rotor {
 namespace {

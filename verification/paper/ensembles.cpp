@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "figures/data/csv.hpp"
-#include "figures/sweep/block_scheduler.hpp"
+#include "figures/sweep/point_scheduler.hpp"
 #include "verification/paper/readings.hpp"
 
 namespace rotor {
@@ -26,7 +26,7 @@ double value_of(const std::string& reading, PaperRuns& runs) {
 
 void in_parallel(long count, int threads, const std::function<void(long)>& work_on,
                  const std::function<void(long)>& report) {
-  BlockScheduler scheduler(0, count, [](std::string_view, long) {});
+  PointScheduler scheduler({}, count, [](long, std::string_view) {});
   std::atomic<long> done = 0;
   const Work one = [&](long n) {
     work_on(n);

@@ -21,7 +21,7 @@ const std::vector<std::vector<std::string>> floors = {
     {"model/scenario"},
     {"model/methods", "model/results"},
     {"model/run"},
-    {"model/certified"},
+    {"model/digits"},
     {"figures/input", "figures/record"},
     {"figures/runs"},
     {"figures/results"},

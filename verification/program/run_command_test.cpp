@@ -34,8 +34,7 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
   for (const char* arguments :
        {"", "--until 0.5 --no-mass-loss", "--method rk4 --until 0.01", "--stop-on rolling",
         "--stop-on outcome", "--until 0.5 --stop-on outcome", "--until 31 --tolerance 1e-8",
-        "--estimate-error", "--energy",
-        "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 --digits 6"}) {
+        "--energy", "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 --digits 6"}) {
     const Json printed = summary(arguments);
     EXPECT_EQ(rotor(std::string("run ") + arguments).status, 0) << arguments;
     for (const auto& key : schema["required"]) EXPECT_TRUE(printed.contains(key)) << key;
@@ -93,33 +92,6 @@ TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
                           "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
     EXPECT_EQ(sure[key], plain[key]) << key;
   EXPECT_EQ(sure.size(), plain.size() + 2);
-}
-
-// Digits are in a program of their own, which is not here; nothing is begun before that is known.
-TEST_F(RunCommand, NamesTheMissingProgramForDigits) {
-  ASSERT_EQ(shell("cp \"$rotor\" alone").status, 0);
-  write("scene.toml", "[parameters]\nuntil = 0.1\ndigits = 4\n[[run]]\nname = \"d\"\n");
-  write("sweep.toml", R"(
-stop_on = "end"
-[parameters]
-digits = 4
-until = 0.1
-[[axis]]
-quantity = "friction"
-values = [0.1]
-)");
-  const long before = files();
-  for (const char* command :
-       {"run --until 0.1 --digits 4", "run --until 0.1 --estimate-error --trace t.csv",
-        "run scene.toml", "sweep sweep.toml --out s.csv", "sweep sweep.toml --dry-run",
-        "plot sweep.toml"}) {
-    const auto [status, output] = shell(std::string("./alone ") + command);
-    EXPECT_NE(status, 0) << command;
-    EXPECT_NE(output.find("rotor-digits next to this one, which make build builds"),
-              std::string::npos)
-        << command << ": " << output;
-    EXPECT_EQ(files(), before) << command;
-  }
 }
 
 }  // namespace

@@ -285,7 +285,14 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
             "from = 0.1\nto = 0.3\npoints = 40\n"));
   ASSERT_EQ(rotor("sweep s.toml --out whole.csv").status, 0);
   const std::string whole = content("whole.csv");
-  Journal(folder_ / "r.csv", head, 40).write(whole.substr(head.size()));
+  const auto write_journal = [&](const std::string& rows_of_all, long points) {
+    Journal journal(folder_ / "r.csv", head, points);
+    std::istringstream lines(rows_of_all);
+    std::vector<std::string> rows;
+    for (std::string row; std::getline(lines, row);) rows.push_back(row + '\n');
+    for (long n = points; n-- > 0;) journal.write(n, rows[static_cast<std::size_t>(n)]);
+  };
+  write_journal(whole.substr(head.size()), 40);
   const std::string journal = content("r.csv.journal");
   std::vector<std::size_t> rows = {head.size()};  // starts of the rows, and the end of the last one
   while (rows.back() < journal.size()) rows.push_back(journal.find('\n', rows.back()) + 1);
@@ -337,9 +344,9 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
     EXPECT_TRUE(status == 0 || content("r.csv.journal").starts_with(journal.substr(0, rows[20])));
   }
   write("r.csv.journal", "");
-  Journal(folder_ / "r.csv", head, 41).write(whole.substr(head.size()) + "one more\n");
+  write_journal(whole.substr(head.size()) + "one more\n", 41);
   EXPECT_NE(
-      rotor("sweep s.toml --out r.csv").output.find("bytes after row 40 are damaged or too many"),
+      rotor("sweep s.toml --out r.csv").output.find("bytes after row 0 are damaged or too many"),
       std::string::npos);
   EXPECT_TRUE(content("r.csv") == whole);
 }
@@ -349,7 +356,7 @@ TEST_F(SweepCommand, LeavesTheJournalOfAnotherAlone) {
   const auto compete = [this] {
     for (int n = 0; n < 300; ++n) try {
         Journal journal(folder_ / "r.csv", "head\n", 2);
-        while (journal.rows() < 2) journal.write("row\n");
+        while (journal.done().count() < 2) journal.write(journal.done().count(), "row\n");
         EXPECT_TRUE(fs::exists(journal.path()));
         journal.finish();
       } catch (const std::runtime_error& error) {
@@ -379,6 +386,19 @@ TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
     EXPECT_NE(output.find("another sweep is writing it"), std::string::npos) << output;
     EXPECT_EQ(content("r.csv"), "old");
   }
+}
+
+// The budget of the file, or instead of it that of the option; a trial has its own.
+TEST_F(SweepCommand, RefusesAPointThatTakesLongerThanItsBudget) {
+  const std::string rest =
+      "[parameters]\ndigits = 12\n[[axis]]\nquantity = \"friction\"\nvalues = [0.08]\n";
+  write("s.toml", "stop_on = \"end\"\nbudget = 1e-8\n" + rest);
+  rotor("sweep s.toml --out r.csv");
+  EXPECT_NE(content("r.csv").find("a budget of 1e-08 s is not enough"), std::string::npos);
+  rotor("sweep s.toml --out r.csv --budget 1e-9");
+  EXPECT_NE(content("r.csv").find("a budget of 1e-09 s is not enough"), std::string::npos);
+  EXPECT_NE(rotor("sweep s.toml --dry-run").output.find("1 of them took more than 3"),
+            std::string::npos);
 }
 
 // Each row has the digits that `rotor run` prints, or its refusal. No precision can decide whether

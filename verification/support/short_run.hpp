@@ -1,7 +1,7 @@
 /// A run with contacts that takes milliseconds.
 #pragma once
 
-#include "model/certified/comparison.hpp"
+#include "model/digits/digits.hpp"
 #include "model/scenario/scenario.hpp"
 
 namespace rotor {

@@ -1,6 +1,5 @@
-#include "figures/sweep/block_scheduler.hpp"
+#include "figures/sweep/point_scheduler.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <thread>
@@ -8,59 +7,48 @@
 
 namespace rotor {
 
-std::optional<Block> BlockScheduler::next() {
+std::optional<long> PointScheduler::next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return !must_wait() || reason_; });
   return deal();
 }
 
-std::optional<Block> BlockScheduler::next_if_due() {
+std::optional<long> PointScheduler::next_if_due() {
   const std::lock_guard lock(mutex_);
   return must_wait() ? std::nullopt : deal();
 }
 
-std::optional<Block> BlockScheduler::deal() {
+std::optional<long> PointScheduler::deal() {
+  while (next_ < until_ && done_.has(next_)) ++next_;
   if (next_ == until_ || reason_) return std::nullopt;
-  const Block block{next_, std::min(next_ + block_size, until_)};
-  next_ = block.until;
-  return block;
+  return next_++;
 }
 
-void BlockScheduler::take(const Block& block, std::string rows) {
+void PointScheduler::take(long point, std::string_view row) {
   const std::lock_guard lock(mutex_);
-  early_.emplace(block.from, std::pair(block, std::move(rows)));
-  for (auto first = early_.begin(); first != early_.end() && first->first == due_;
-       first = early_.erase(first)) {
-    due_ = first->second.first.until;
-    sink_(first->second.second, due_);
-  }
+  sink_(point, row);
+  done_.add(point);
   changed_.notify_all();
 }
 
-void BlockScheduler::stop(std::exception_ptr reason) {
+void PointScheduler::stop(std::exception_ptr reason) {
   const std::lock_guard lock(mutex_);
   if (!reason_) reason_ = std::move(reason);
   changed_.notify_all();
 }
 
-bool BlockScheduler::is_finished() {
+bool PointScheduler::is_finished() {
   const std::lock_guard lock(mutex_);
   if (reason_) std::rethrow_exception(reason_);
-  return due_ == until_;
+  return done_.first_missing() == until_;
 }
 
-std::string rows_of(const Block& block, const Work& work) {
-  std::string rows;
-  for (long point = block.from; point < block.until; ++point) rows += work(point);
-  return rows;
-}
-
-void work(BlockScheduler& scheduler, int threads, const std::function<Work()>& make_worker,
+void work(PointScheduler& scheduler, int threads, const std::function<Work()>& make_worker,
           const std::function<void()>& meanwhile) {
   const auto body = [&] {
     try {
       const Work work = make_worker();
-      while (const auto block = scheduler.next()) scheduler.take(*block, rows_of(*block, work));
+      while (const auto point = scheduler.next()) scheduler.take(*point, work(*point));
     } catch (...) {
       scheduler.stop(std::current_exception());
     }

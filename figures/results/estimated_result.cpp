@@ -1,4 +1,4 @@
-#include "figures/results/certified_result.hpp"
+#include "figures/results/estimated_result.hpp"
 
 #include <fmt/format.h>
 
@@ -9,17 +9,39 @@ namespace rotor {
 namespace {
 
 Json to_json(const NamedEstimate& value) {
-  if (!value.estimate) return nullptr;
-  return {{"value", value.estimate->value}, {"error", value.estimate->error}};
+  if (!value.value) return nullptr;
+  return {{"value", *value.value}, {"error", value.error}};
+}
+
+std::string what_is_missing(const Comparison& comparison, int digits) {
+  constexpr auto course = "counts and outcome cannot be determined at this precision: ";
+  if (!comparison.same_course)
+    return fmt::format("{}two computations agree on the first {} events only", course,
+                       comparison.events.size() - 1);
+  if (!comparison.is_course_sure)
+    return fmt::format(
+        "{}a glancing contact, or an event near another or the end, is closer than "
+        "its error",
+        course);
+  const auto all = short_of_digits(comparison, digits);
+  std::string text =
+      fmt::format("{} has {} of {} digits", all.front().value, all.front().digits, digits);
+  if (all.size() > 1) text += fmt::format(", and {} others have too few", all.size() - 1);
+  return text;
 }
 
 }  // namespace
 
+void require_budget(std::string_view name, double budget_s) {
+  if (!(budget_s > 0 && std::isfinite(budget_s)))
+    throw InputError("{} {}: must be a finite number greater than 0 s", name, budget_s);
+}
+
 std::vector<ShortOfDigits> short_of_digits(const Comparison& comparison, int digits) {
   std::vector<ShortOfDigits> all;
   const auto look_at = [&](const std::string& where, const NamedEstimate& value) {
-    const int sure = sure_digits(value);
-    if (value.estimate && sure < digits) all.push_back({where + std::string(value.name), sure});
+    const int has = value.digits();
+    if (has < digits) all.push_back({where + std::string(value.name), has});
   };
   for (const NamedEstimate& value : comparison.summary) look_at("", value);
   for (std::size_t i = 0; i < comparison.events.size(); ++i)
@@ -30,56 +52,44 @@ std::vector<ShortOfDigits> short_of_digits(const Comparison& comparison, int dig
   return all;
 }
 
-std::string complaint(const Comparison& comparison, int digits) {
-  if (has_digits(comparison, digits)) return "";
-  std::string text;
-  if (!comparison.same_course) {
-    text = fmt::format(
-        "counts and outcome cannot be determined at this precision: computations agree only on the "
-        "first {} events",
-        comparison.events.size() - 1);
-  } else if (!comparison.is_course_sure()) {
-    text =
-        "counts and outcome cannot be determined at this precision: a glancing contact, or an "
-        "event "
-        "near the mass loss or the end, is closer than its error";
-  } else if (const auto all = short_of_digits(comparison, digits); !all.empty()) {
-    text = fmt::format("{} has {} of {} digits", all.front().value, all.front().digits, digits);
-    if (all.size() > 1) text += fmt::format(", and {} others have too few", all.size() - 1);
-  }
-  if (comparison.amplification)
-    text += fmt::format("; a disturbance grows by a factor of {:.1e} from the first contact on",
-                        *comparison.amplification);
-  return text;
+Comparison comparison_to_digits(const Scenario& scenario, int digits, const Interruptible& monitor,
+                                const std::function<void(double time_s)>& on_step) {
+  const auto found = run_to_digits(scenario, digits, [&](double time_s) {
+    if (on_step) on_step(time_s);
+    return monitor.may_continue();
+  });
+  if (is_interrupted()) throw Interrupted();
+  if (!found)
+    throw std::runtime_error(
+        fmt::format("a budget of {} s is not enough for a first estimate", monitor.budget_s()));
+  return *found;
+}
+
+std::string complaint(const Comparison& comparison, int digits, const Interruptible& monitor) {
+  if (comparison.has_digits(digits)) return "";
+  return fmt::format("{}: {}",
+                     monitor.has_time()
+                         ? "no precision is enough"
+                         : fmt::format("a budget of {} s is not enough", monitor.budget_s()),
+                     what_is_missing(comparison, digits));
 }
 
 RunResult result_of(const Comparison& comparison, const Scenario& scenario) {
   Scenario computed = scenario;
-  computed.tolerance = comparison.tolerance / Comparison::finest;
-  double largest = 0;
-  for (const NamedEstimate& value : comparison.summary)
-    if (value.estimate && value.estimate->error > 0)
-      largest = std::max(largest, value.estimate->error / value.size);
-  return {computed,
-          comparison.values,
-          comparison.end,
-          {},
-          std::isfinite(largest) ? std::optional(largest) : std::nullopt};
+  computed.tolerance = comparison.tolerance / Comparison::finer;
+  return {computed, comparison.values, {{}, comparison.counters}, {}};
 }
 
 Json to_json(const Comparison& comparison, const Scenario& scenario, int digits) {
   Json json = to_json(result_of(comparison, scenario));
   for (const NamedEstimate& value : comparison.summary) json[value.name] = to_json(value);
   Json short_ones = Json::array();
-  for (const auto& [value, sure] : short_of_digits(comparison, digits))
-    short_ones.push_back({{"value", value}, {"digits", sure}});
+  for (const auto& [value, has] : short_of_digits(comparison, digits))
+    short_ones.push_back({{"value", value}, {"digits", has}});
   json["digits"] = {{"asked", digits},
                     {"short", short_ones},
-                    {"course_is_sure", comparison.is_course_sure()},
-                    {"precision", name_of(comparison.precision)},
-                    {"amplification_from_first_contact", nullptr}};
-  if (comparison.amplification)
-    json["digits"]["amplification_from_first_contact"] = *comparison.amplification;
+                    {"course_is_sure", comparison.is_course_sure},
+                    {"precision", name_of(comparison.precision)}};
   json["events"] = Json::array();
   for (const EventEstimate& event : comparison.events) {
     Json row = {{"event", event.event == Event::none ? "end" : name_of(event.event)}};
@@ -99,13 +109,13 @@ std::string rounded_to(double value, int digits) {
   return text;
 }
 
-std::string certified_text(double value, double error, int digits) {
+std::string text_within(double value, double error, int digits) {
   if (error == 0) return fmt::format("{}", value);
   for (; digits > 0; --digits) {
     const auto rounded = [&](double number) { return rounded_to(number, digits); };
     if (rounded(value - error) == rounded(value + error)) return rounded(value);
   }
-  return std::string(no_sure_digit);
+  return std::string(no_digit);
 }
 
 std::string text_of(const Json& value, int digits) {
@@ -115,7 +125,7 @@ std::string text_of(const Json& value, int digits) {
   if (value.is_array())
     return value.empty() ? "-" : fmt::format("{} values; --json has them", value.size());
   if (!value.is_object() || !value.contains("error")) return value.dump();
-  return certified_text(value["value"].get<double>(), value["error"].get<double>(), digits);
+  return text_within(value["value"].get<double>(), value["error"].get<double>(), digits);
 }
 
 int asked_digits(const Json& summary) {

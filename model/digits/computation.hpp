@@ -1,0 +1,154 @@
+/// One computation of a run in one precision, and what decides its course.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "model/digits/digits.hpp"
+#include "model/methods/event_method.hpp"
+#include "model/methods/whole_run.hpp"
+
+namespace rotor {
+
+template <class S>
+struct Computation {
+  BasicSummary<S> summary;
+  std::vector<BasicInstant<S>> events;
+  BasicInstant<S> end;
+  Counters counters;
+  /// What stays positive, or zero by its nature, as long as the course is the same: times between
+  /// events, from the last one to the end, and from there to the next one; how far the reach of a
+  /// rotor that is free at the end is from the clearance.
+  std::vector<S> margins;
+  /// By how much flights near the ring missed it, m; the key is the number of events before.
+  std::map<std::size_t, S> misses;
+  bool stopped = false;  ///< by should_continue
+};
+
+/// Gathers what a Computation needs from a run.
+template <class S>
+class CourseObserver : public BasicSummaryObserver<S> {
+ public:
+  CourseObserver(const Scenario& scenario, const ShouldContinue& should_continue)
+      : BasicSummaryObserver<S>(scenario),
+        clearance_(Ring<S>(scenario.parameters).clearance),
+        should_continue_(should_continue) {}
+
+  void on_instant(const BasicInstant<S>& at) override {
+    BasicSummaryObserver<S>::on_instant(at);
+    is_free_ = at.contact == ContactState::free;
+    if (at.event != Event::none) course.events.push_back(at);
+  }
+  bool should_continue(const BasicProgress<S>& now) override {
+    return BasicSummaryObserver<S>::should_continue(now) &&
+           should_continue_(static_cast<double>(now.time_s));
+  }
+  S threshold(Extreme of, const S& from_s, const S& until_s) const override {
+    const S usual = BasicSummaryObserver<S>::threshold(of, from_s, until_s);
+    const S near = S(9) / 10 * clearance_;
+    return of == Extreme::displacement && is_free_ && near < usual ? near : usual;
+  }
+  void on_maximum(const BasicMaximum<S>& maximum) override {
+    BasicSummaryObserver<S>::on_maximum(maximum);
+    if (maximum.of != Extreme::displacement || !is_free_) return;
+    const S miss = clearance_ - maximum.at.motion().displacement.norm();
+    const auto [nearest, is_new] = course.misses.try_emplace(course.events.size(), miss);
+    if (miss < nearest->second) nearest->second = miss;
+  }
+
+  Computation<S> course;
+
+ private:
+  S clearance_;
+  const ShouldContinue& should_continue_;
+  bool is_free_ = true;
+};
+
+/// When the next event comes, or the next of one kind; `until_s` if none does before.
+template <class S>
+S time_of_next(EventMethod<S> run, std::optional<Event> kind, const S& until_s,
+               const ShouldContinue& should_continue) {
+  struct Watch : BasicObserver<S> {
+    Watch(std::optional<Event> of, const ShouldContinue& asked)
+        : kind(of), should_continue_(asked) {}
+    void on_instant(const BasicInstant<S>& at) override {
+      if (!time_s && (kind ? at.event == kind : at.event != Event::none)) time_s = at.time_s;
+    }
+    bool should_continue(const BasicProgress<S>& now) override {
+      return !time_s && should_continue_(static_cast<double>(now.time_s));
+    }
+    std::optional<Event> kind;
+    std::optional<S> time_s;
+    const ShouldContinue& should_continue_;
+  } watch(kind, should_continue);
+  run.advance(until_s, watch);
+  return watch.time_s.value_or(run.instant().time_s);
+}
+
+template <class S>
+Computation<S> compute(const Scenario& scenario, const S& tolerance,
+                       const ShouldContinue& should_continue) {
+  using std::abs;
+  CourseObserver<S> observer(scenario, should_continue);
+  RotorSystem<S> rotor(scenario.parameters, scenario.equations);
+  const BasicInstant<S> start = start_of<S>(scenario);
+  MassLoss<S> loss(scenario.parameters);
+  if (scenario.mass_loss_speed_Hz > 0) {
+    RotorSystem<S> to_speed = rotor;
+    to_speed.motor_off = rotor.radians_per_turn() * as_typed<S>(scenario.mass_loss_speed_Hz);
+    // Precision moves it by far less.
+    const S latest_s = S(1.01) * S(scenario.parameters.mass_loss_time);
+    loss.time_s = time_of_next(EventMethod<S>(to_speed, tolerance, start), Event::motor_off,
+                               latest_s, should_continue);
+  }
+  EventMethod<S> method(rotor, tolerance, start);
+  observer.on_instant(start);
+  finish(method, scenario, loss, observer);
+  Computation<S> result = observer.course;
+  result.summary = observer.summary();
+  const BasicInstant<S>& end = result.end = method.instant();
+  result.end.event = Event::none;
+  result.counters = method.counters();
+  result.stopped = method.stopped();
+  if (result.stopped) return result;
+
+  S last_s = start.time_s;
+  const auto add_time = [&](const S& time_s) {
+    result.margins.push_back(time_s - last_s);
+    last_s = time_s;
+  };
+  for (const BasicInstant<S>& event : result.events) add_time(event.time_s);
+  add_time(end.time_s);
+  const S soon = S(1) / 1000 / rotor.contact_frequency(end.state[5]);  // a short part of a contact
+  add_time(time_of_next(method, std::nullopt, S(end.time_s + soon), should_continue));
+  if (end.contact == ContactState::free && end.body.eccentricity > 0)
+    result.margins.push_back(
+        abs(rotor.ring.clearance - reach(end.body, rotor.supports, end.motion())));
+  return result;
+}
+
+template <class S>
+Summary in_double(const BasicSummary<S>& summary) {
+  const auto convert = [](const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, S>)
+      return static_cast<double>(value);
+    else if constexpr (std::is_same_v<Value, std::optional<S>>)
+      return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
+    else
+      return value;
+  };
+  Summary result;
+  for (std::size_t i = 0; i < summary_fields<S>.size(); ++i)
+    std::visit(
+        [&](auto from, auto to) {
+          const auto value = convert(summary.*from);
+          if constexpr (std::is_same_v<decltype(value), const std::decay_t<decltype(result.*to)>>)
+            result.*to = value;
+        },
+        summary_fields<S>[i].value, summary_fields<double>[i].value);
+  return result;
+}
+
+}  // namespace rotor
