@@ -19,6 +19,11 @@ enum class ContactState {
   indented,  ///< no force, but the ring's contact spot has not sprung back yet (Delta > 0)
 };
 
+/// Whether the rim is pressed against the ring.
+inline bool touches(ContactState contact) {
+  return contact == ContactState::sliding || contact == ContactState::rolling;
+}
+
 /// Kinematics of the rim point K nearest to the ring. Only meaningful for a displaced rotor
 /// (rho > 0), which every contact implies.
 template <class S>
@@ -93,13 +98,6 @@ struct Ring {
     return k.indentation <= 0 ? S(0) : touching_force(k);
   }
 
-  /// Whether the ring is still indented where F_n vanishes, by more than rounding. A ring
-  /// without damping has sprung back by then.
-  bool is_indented_at_release(const RimPoint<S>& k) const {
-    const S rounding = 16 * std::numeric_limits<S>::epsilon() * k.displacement;
-    return law.pulling(rounding, k.normal_velocity) > 0;
-  }
-
   /// Slope of the force at the indentations of impacts, N/m: that of a linear ring at any.
   S typical_stiffness() const {
     return law.is_linear() ? law.linear().stiffness : law.tangent_stiffness(clearance / 100);
@@ -108,7 +106,7 @@ struct Ring {
   /// A time that is short beside that since the indentation was zero, or until it is, s; infinite
   /// if the force is smooth there.
   S smooth_time(const RimPoint<S>& k) const {
-    if (law.is_smooth()) return std::numeric_limits<S>::infinity();
+    if (law.is_linear()) return std::numeric_limits<S>::infinity();
     return k.indentation / (k.normal_velocity > 0 ? 2 * k.normal_velocity : -3 * k.normal_velocity);
   }
 
@@ -125,7 +123,7 @@ struct Ring {
       case ContactState::indented:
         return law.spring_force(k.indentation) * k.normal_velocity;
       default:
-        return -law.damping(k.indentation) * k.normal_velocity * k.normal_velocity;
+        return -law.damping() * k.normal_velocity * k.normal_velocity;
     }
   }
 

@@ -71,7 +71,6 @@ struct Parameters {
   // The contact's law, if it is not the paper's:
   double contact_exponent = 1;       // n of its elastic force
   double reference_indentation = 0;  // Delta_0, at which that is k_t Delta_0, unless n = 1
-  double contact_hysteresis = 0;     // alpha, damping per elastic force
 
   bool operator==(const Parameters&) const = default;
 };

@@ -25,7 +25,8 @@ Transition meet_ring(const RotorSystem<S>& rotor, const State<S>& q, Event event
 template <class S>
 Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, ContactState contact) {
   const auto k = rotor.ring.rim_point(RotatingFrame<S>::motion(rotor.body, q));
-  if (rotor.ring.law.pulling(k.indentation, k.normal_velocity) > 0)
+  if (const auto& law = rotor.ring.law;
+      law.has_dashpot() && law.pressing(k.indentation, k.normal_velocity) < 0)
     return {Event::none, ContactState::indented};
   if (contact == ContactState::rolling) return {Event::none, contact};
   return meet_ring(rotor, q, Event::none);
@@ -197,11 +198,11 @@ struct IndentedFlight : Flight<S, Chart, ContactState::indented, 3> {
     return {Event::ring_clear, ContactState::free};
   }
 
-  /// F_n = 0, of a linear ring k_t Delta + d_t Delta' = 0
+  /// F_n = 0 again
   using RenewedContact = End<1>;
   S guard(RenewedContact /*end*/, const Unknowns& x) const {
     const RimPoint<S> k = chart.rim_point(x);
-    return rotor.ring.law.pulling(k.indentation, k.normal_velocity);
+    return -rotor.ring.law.pressing(k.indentation, k.normal_velocity);
   }
   Transition next(RenewedContact /*end*/, const Unknowns& x) const {
     return meet_ring(rotor, chart.state(x), Event::renewed_contact);

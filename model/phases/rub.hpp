@@ -123,15 +123,15 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
     return limit * limit - holding_friction * holding_friction;
   }
 
-  /// F_n = 0
+  /// F_n = 0 of a ring with a dashpot, which is still indented then; Delta = 0 of one without
   using Release = End<0>;
   S guard(Release /*end*/, const Unknowns& x) const {
     const RimPoint<S> k = chart.rim_point(x);
     return law().pressing(k.indentation, k.normal_velocity);
   }
-  Transition next(Release /*end*/, const Unknowns& x) const {
-    const bool indented = rotor.ring.is_indented_at_release(chart.rim_point(x));
-    return {Event::release, indented ? ContactState::indented : ContactState::free};
+  Transition next(Release /*end*/, const Unknowns& /*x*/) const {
+    return {Event::release,
+            rotor.ring.law.has_dashpot() ? ContactState::indented : ContactState::free};
   }
 
   /// A rim without slip rolls if friction can hold it. If not, it slides against the friction that

@@ -27,9 +27,7 @@ struct BasicInstant {
   Motion<S> motion() const { return RotatingFrame<S>::motion(body, state); }
 
   /// Whether the rim is pressed against the ring.
-  bool touches() const {
-    return contact == ContactState::sliding || contact == ContactState::rolling;
-  }
+  bool touches() const { return rotor::touches(contact); }
   /// |F_n| in its motion, N.
   S contact_force(const Ring<S>& ring, const Motion<S>& its_motion) const {
     return touches() ? S(-ring.touching_force(ring.rim_point(its_motion))) : S(0);

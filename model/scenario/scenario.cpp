@@ -50,9 +50,6 @@ constexpr std::array all_quantities = {
     Quantity{"reference_indentation", "Delta_0", "m",
              "indentation at which the elastic force is k_t Delta_0, unless contact_exponent is 1",
              in<&Parameters::reference_indentation>, 0, closed},
-    Quantity{"contact_hysteresis", "alpha", "s/m",
-             "further damping of the contact zone per elastic force (Hunt and Crossley)",
-             in<&Parameters::contact_hysteresis>, 0, closed},
     Quantity{"friction", "mu", "", "coefficient of Coulomb friction between rotor and ring",
              in<&Parameters::friction>, 0, closed},
     Quantity{"rotor_radius", "r", "m", "radius of the rotor", in<&Parameters::rotor_radius>, 0,
@@ -87,9 +84,9 @@ Scenario run_up_part(const Scenario& scenario) {
   const Scenario standard;
   Scenario part = scenario;
   using P = Parameters;
-  for (double P::*const later : {&P::contact_stiffness, &P::contact_damping, &P::contact_exponent,
-                                 &P::reference_indentation, &P::contact_hysteresis, &P::friction,
-                                 &P::unbalance_factor, &P::lost_mass, &P::mass_loss_time})
+  for (double P::*const later :
+       {&P::contact_stiffness, &P::contact_damping, &P::contact_exponent, &P::reference_indentation,
+        &P::friction, &P::unbalance_factor, &P::lost_mass, &P::mass_loss_time})
     part.parameters.*later = standard.parameters.*later;
   part.parameters.loses_mass = standard.parameters.loses_mass;
   part.equations.velocity_jump = standard.equations.velocity_jump;

@@ -21,10 +21,10 @@ class Inspector : public Observer {
     const double normal = ring_.elastic_force(k);
     // Rounding of rho and of the velocities in the spring and the dashpot.
     const double rounding =
-        2e-14 * ((ring_.law.tangent_stiffness(std::max(0., k.indentation)) +
+        2e-14 * ((ring_.law.tangent_stiffness(std::abs(k.indentation)) +
                   supports_.springs.tangent_stiffness(k.displacement)) *
                      k.displacement +
-                 ring_.law.damping(k.indentation) * (std::abs(k.normal_velocity) + 1));
+                 ring_.law.damping() * (std::abs(k.normal_velocity) + 1));
     EXPECT_LE(normal, rounding);
     if (at.contact == ContactState::rolling) {
       EXPECT_LE(std::abs(k.slip_velocity), 1e-12 * (1 + std::abs(ring_.rotor_radius * m.speed)));

@@ -56,10 +56,9 @@ INSTANTIATE_TEST_SUITE_P(Damping, Impact, testing::Values(0.01, 0.079, 0.3, 0.6,
 
 /// A head-on impact with a ring of another law, with its events, indentation and energy.
 struct HeadOn {
-  HeadOn(double exponent, double hysteresis) {
+  explicit HeadOn(double exponent) {
     p.contact_exponent = exponent;
     p.reference_indentation = reference;
-    p.contact_hysteresis = hysteresis;
     scenario.parameters.loses_mass = false;
     EventRecorder run;
     SummaryObserver summary(scenario);
@@ -95,9 +94,9 @@ struct HeadOn {
 // With these exponents the motion is not smooth at touch-down and release.
 TEST(HeadOnImpact, OnAPowerLawHasTheIndentationForceDurationAndReboundOfTheClosedForm) {
   Law law("indentation, force, duration and rebound of an impact on a power law", 1e-10);
-  Law balance("energy of an impact on a power law or with hysteresis", 1e-10);
+  Law balance("energy of an impact on a power law", 1e-10);
   for (const double n : {1.02, 1.25, 1.5, 2., 2.7}) {
-    const HeadOn run(n, 0);
+    const HeadOn run(n);
     const double energy = run.p.mass * HeadOn::velocity * HeadOn::velocity / 2;
     const double deepest = run.indentation_of(energy);
     const double duration =
@@ -111,50 +110,13 @@ TEST(HeadOnImpact, OnAPowerLawHasTheIndentationForceDurationAndReboundOfTheClose
   }
 }
 
-// v dv/(1 + alpha v) = -F_el dDelta/m, integrated to the deepest point and to the release: the
-// relation of restitution and damping does not depend on exponent, stiffness and mass.
-TEST(HeadOnImpact, OnHuntAndCrossleysRingHasTheirIndentationAndRestitution) {
-  Law law("indentation and restitution of Hunt and Crossley's ring", 1e-10);
-  for (const double n : {1., 1.25, 1.5})
-    for (const double share : {0.05, 0.3, 1.}) {
-      const double alpha = share / HeadOn::velocity;
-      const HeadOn run(n, alpha);
-      const double energy = run.p.mass * (share - std::log1p(share)) / (alpha * alpha);
-      const double back = share * run.restitution;
-      EXPECT_EQ(run.release.contact, ContactState::free) << n << ' ' << share;
-      EXPECT_LT(run.restitution, 1 - 0.5 * share / (1 + share));
-      law.expect_left(run.deepest / run.indentation_of(energy) - 1);
-      law.expect_left(share + back - std::log((1 + share) / (1 - back)));
-      law.expect_left(run.residual);
-    }
-}
-
-// A rim that leaves the ring faster than 1/alpha would have to be pulled back.
-TEST(HeadOnImpact, LeavesARingThatSpringsBackMoreSlowlyWithoutAForce) {
-  const double alpha = 0.5, velocity = -2 / alpha;
-  Scenario scenario = bare();
-  scenario.parameters.contact_hysteresis = alpha;
-  Instant from = at_rest(scenario.parameters);
-  from.contact = ContactState::sliding;
-  from.state = {Ring<double>(scenario.parameters).clearance + 37e-6, 0, 0, velocity, 0, 0};
-  from.motor_on = false;
-  EventRecorder run;
-  follow(scenario, from, 1e-4, run);
-  EXPECT_EQ(run.events().front().event, Event::ring_clear);
-  EXPECT_EQ(run.last().contact, ContactState::free);
-  EXPECT_EQ(run.last().state[3], velocity);
-}
-
 TEST(ContactLaw, IsRefusedByFormulasThatNeedALinearOne) {
-  Parameters hertz, damped;
+  Parameters hertz;
   hertz.contact_exponent = 1.5;
   hertz.reference_indentation = 1e-4;
-  damped.contact_hysteresis = 0.1;
-  for (const Parameters& p : {hertz, damped}) {
-    EXPECT_THROW(Whirl{p}, std::domain_error);
-    EXPECT_THROW(Accident(p, Equations::published, 900), std::domain_error);
-    EXPECT_THROW(ContactLaw<double>(p).linear("a formula"), std::domain_error);
-  }
+  EXPECT_THROW(Whirl{hertz}, std::domain_error);
+  EXPECT_THROW(Accident(hertz, Equations::published, 900), std::domain_error);
+  EXPECT_THROW(ContactLaw<double>(hertz).linear("a formula"), std::domain_error);
 }
 
 /// An oblique impact on a nearly straight wall: the stiffer the ring, the shorter the contact.

@@ -120,7 +120,7 @@ TEST(EventMethod, LocatesEventsToRoundingAtEveryTolerance) {
           case Event::release:
           case Event::renewed_contact:
             residual = ring.elastic_force(k);
-            size = ring.law.spring_force(ring.clearance) + ring.law.damping(0) * rim;
+            size = ring.law.spring_force(ring.clearance) + ring.law.damping() * rim;
             break;
           case Event::rolling_onset:
           case Event::slip_reversal:

@@ -6,18 +6,14 @@ set multiplot layout 1,2 margins 0.075,0.985,0.12,0.9 spacing 0.08 \
 set ylabel "normal force, kN" offset 1,0
 same = "impact rolling"; names = "1 1.25 1.5"
 array colour[3] = [black, blue, vermilion]
-do for [n = 1:3] {
-  set style line (20 + n) linecolor rgb colour[n] linewidth 1.6
-  set style line (30 + n) linecolor rgb colour[n] linewidth 1.2 dashtype (5, 4)
-}
+do for [n = 1:3] { set style line (20 + n) linecolor rgb colour[n] linewidth 1.6 }
 loss = 29.1
 do for [i = 1:2] {
   if (i == 1) { set key top left font small samplen 1.5; set xrange [4.2:4.9] } else { unset key; set xrange [4:52] }
   set yrange [0:*]
   set xlabel (i == 1 ? "time after the mass loss, ms: first impact" : "time after the mass loss, ms") offset 0,0.4
-  name(n, damping) = folder."/".(n == 1 && damping eq "dashpot" ? "" : word(same, i))."-".word(names, n)."-".damping.".csv"
-  plot for [n = 1:3] for [damping in "dashpot hysteresis"] name(n, damping) \
-    using (1e3*(column("time_s") - loss)):(-1e-3*column("normal_force_N")) with lines \
-    linestyle (n + (damping eq "dashpot" ? 20 : 30)) title sprintf("n = %s, %s", word(names, n), damping)
+  name(n) = folder."/".(n == 1 ? "" : word(same, i))."-".word(names, n).".csv"
+  plot for [n = 1:3] name(n) using (1e3*(column("time_s") - loss)):(-1e-3*column("normal_force_N")) with lines \
+    linestyle (20 + n) title sprintf("n = %s", word(names, n))
 }
 unset multiplot

@@ -13,14 +13,8 @@
 
 namespace rotor {
 
-struct ContactForm {
-  double exponent;
-  bool hysteresis;  ///< damping as Hunt and Crossley's, not by a linear dashpot
-};
-inline constexpr ContactForm linear_contact{1, false};
-inline constexpr std::array other_contacts = {ContactForm{1, true}, ContactForm{1.25, false},
-                                              ContactForm{1.25, true}, ContactForm{1.5, false},
-                                              ContactForm{1.5, true}};
+/// Exponents of other rings; the paper's is 1.
+inline constexpr std::array other_exponents = {1.25, 1.5};
 
 /// Where another ring is indented as far as the linear one: in the first impact, or in rolling.
 /// These are two choices of its stiffness.
@@ -42,21 +36,9 @@ inline double deepest_indentation(const Parameters& p, double mass, double veloc
   return x - v * v / rate(x, v) / 2;
 }
 
-/// Hunt and Crossley's alpha, s/m, with that restitution at a velocity:
-/// alpha v (1 + e) = ln((1 + alpha v)/(1 - e alpha v)).
-inline double hysteresis_for(double restitution, double velocity) {
-  double low = 0, high = 1 / restitution;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double s = (low + high) / 2;
-    const bool is_below = s * (1 + restitution) > std::log1p(s) - std::log1p(-restitution * s);
-    (is_below ? low : high) = s;
-  }
-  return low / velocity;
-}
-
-/// The numbers of another ring. Its dashpot is the linear ring's, or its hysteresis gives the same
-/// restitution in the first impact. Empty if the rotor does not roll in the linear ring.
-inline std::optional<std::map<std::string, double>> numbers_of(const ContactForm& form,
+/// The numbers of another ring with the same dashpot. Empty if the rotor does not roll in the
+/// linear ring.
+inline std::optional<std::map<std::string, double>> numbers_of(double exponent,
                                                                SameIndentation same,
                                                                PaperRuns& runs) {
   const PaperRun& linear = runs.high();
@@ -68,13 +50,9 @@ inline std::optional<std::map<std::string, double>> numbers_of(const ContactForm
   const double mass = MassLoss<double>(p).after.mass;
   const double velocity =
       ring.rim_point(linear.touch_down_before_rolling(touch_downs - 1)->motion()).normal_velocity;
-  const double swing = swing_after_blow(d_t / (2 * std::sqrt(k_t * mass)));
-  p.contact_exponent = form.exponent;
-  if (form.hysteresis) {
-    p.contact_damping = 0;
-    p.contact_hysteresis = hysteresis_for(swing * swing, velocity);
-  }
+  p.contact_exponent = exponent;
   if (same == SameIndentation::impact) {
+    const double swing = swing_after_blow(d_t / (2 * std::sqrt(k_t * mass)));
     p.reference_indentation = velocity / std::sqrt(k_t / mass) * swing;
     for (int n = 0; n < 8; ++n)  // each divides the error by ten or more
       p.contact_stiffness *= std::pow(
@@ -83,10 +61,8 @@ inline std::optional<std::map<std::string, double>> numbers_of(const ContactForm
     p.reference_indentation = ring.rim_point(linear.at_peak()->motion()).indentation;
   }
   return {{{"contact_stiffness", p.contact_stiffness},
-           {"contact_damping", p.contact_damping},
            {"contact_exponent", p.contact_exponent},
-           {"reference_indentation", p.reference_indentation},
-           {"contact_hysteresis", p.contact_hysteresis}}};
+           {"reference_indentation", p.reference_indentation}}};
 }
 
 }  // namespace rotor

@@ -38,7 +38,7 @@ void add_to(std::vector<Row>& rows, PaperRuns& runs, const char* set, bool print
   for (const double mu :
        {runs.inputs().mu_high, runs.inputs().mu_intermediate, runs.inputs().mu_low}) {
     const Summary linear = runs.with(mu, {}).summary();
-    const auto add = [&](const char* same, const ContactForm& form,
+    const auto add = [&](const char* same, double exponent,
                          const std::optional<std::map<std::string, double>>& numbers) {
       if (printed) rows.emplace_back();
       Row& row = rows[n++];
@@ -48,12 +48,11 @@ void add_to(std::vector<Row>& rows, PaperRuns& runs, const char* set, bool print
       const double force = s.peak_normal_force_N.value_or(0);
       if (printed) {
         const Parameters& p = run.scenario().parameters;
-        row.key = fmt::format("{},{},{},{},{}", set, mu, same, form.exponent,
-                              form.hysteresis ? "hysteresis" : "dashpot");
-        row.printed = fmt::format("{},{},{},{},{},{},{}", cell(p.contact_stiffness),
-                                  form.exponent == 1 ? "" : cell(1e6 * p.reference_indentation),
-                                  cell(p.contact_hysteresis), name_of(s.outcome), s.touch_downs,
-                                  cell(1e3 * time_to_rolling(s)), cell(1e-3 * force));
+        row.key = fmt::format("{},{},{},{}", set, mu, same, exponent);
+        row.printed = fmt::format("{},{},{},{},{},{}", cell(p.contact_stiffness),
+                                  exponent == 1 ? "" : cell(1e6 * p.reference_indentation),
+                                  name_of(s.outcome), s.touch_downs, cell(1e3 * time_to_rolling(s)),
+                                  cell(1e-3 * force));
         return;
       }
       const std::scoped_lock lock(adding);
@@ -63,20 +62,20 @@ void add_to(std::vector<Row>& rows, PaperRuns& runs, const char* set, bool print
       row.time_ratio.push_back(time_to_rolling(s) / time_to_rolling(linear));
       row.more_touch_downs.push_back(static_cast<double>(s.touch_downs - linear.touch_downs));
     };
-    add("", linear_contact, std::map<std::string, double>());
+    add("", 1, std::map<std::string, double>());
     for (const auto& [same, name] : {std::pair(SameIndentation::impact, "impact"),
                                      std::pair(SameIndentation::rolling, "rolling")})
-      for (const ContactForm& form : other_contacts) add(name, form, numbers_of(form, same, runs));
+      for (const double exponent : other_exponents)
+        add(name, exponent, numbers_of(exponent, same, runs));
   }
 }
 
 constexpr const char* head =
     R"(# The accident in rings of other laws, from `make contact-laws`; not from the paper. same_indentation: where the ring is indented
-# as far as the linear one, in the first impact or in rolling. damping: the linear ring's dashpot, or hysteresis (Hunt and Crossley)
-# with its restitution in the first impact. k_t to peak_kN: at the inputs as printed, Delta_0 in um, alpha in s/m. Then {0} draws of
+# as far as the linear one, in the first impact or in rolling. k_t to peak_kN: at the inputs as printed, Delta_0 in um. Then {0} draws of
 # population (b) of policy.md, each against the linear ring: share with its outcome and standard error of the share; force, time to
 # rolling relative to it (5, 50 and 95 % quantiles; of all draws, and of those in which both roll); median of additional touch-downs.
-equations,mu,same_indentation,exponent,damping,k_t,Delta_0_um,alpha,outcome,touch_downs,to_rolling_ms,peak_kN,same_outcome,error,force_p5,force,force_p95,time_p5,time,time_p95,more_touch_downs
+equations,mu,same_indentation,exponent,k_t,Delta_0_um,outcome,touch_downs,to_rolling_ms,peak_kN,same_outcome,error,force_p5,force,force_p95,time_p5,time,time_p95,more_touch_downs
 )";
 
 std::string to_csv(const Row& row) {

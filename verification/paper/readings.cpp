@@ -75,20 +75,16 @@ Value time_to_rolling(const PaperRun& run) {
   return run.onset()->time_s - *run.summary().first_contact_s;
 }
 
-/// Largest change of a result in rings of Hertz's exponent with either damping, %.
+/// Change of a result in a ring of Hertz's exponent, %.
 Formula change_by_law(double PaperInputs::*friction, SameIndentation same,
                       const std::function<Value(const PaperRun&)>& result) {
   return [=](PaperRuns& r) -> Value {
     const double mu = r.inputs().*friction;
     const Value linear = result(r.with(mu, {}));
-    double largest = 0;
-    for (const bool hysteresis : {false, true}) {
-      const auto numbers = numbers_of({1.5, hysteresis}, same, r);
-      const Value changed = numbers ? result(r.with(mu, *numbers)) : std::nullopt;
-      if (!linear || !changed) return std::nullopt;
-      largest = std::max(largest, std::abs(*changed / *linear - 1));
-    }
-    return 100 * largest;
+    const auto numbers = numbers_of(1.5, same, r);
+    const Value changed = numbers ? result(r.with(mu, *numbers)) : std::nullopt;
+    if (!linear || !changed) return std::nullopt;
+    return 100 * std::abs(*changed / *linear - 1);
   };
 }
 Value rolls(const PaperRun& run) { return run.onset() ? 1. : 0.; }

@@ -98,7 +98,7 @@ Json markable_values(const std::vector<Number>& judged, const fs::path& referenc
   values["laws"] =
       rows_by(reference_data / "laws.csv", {"equations", "quantity", "share_from", "share_to"});
   values["contact_laws"] = rows_by(reference_data / "contact-laws.csv",
-                                   {"equations", "mu", "same_indentation", "exponent", "damping"});
+                                   {"equations", "mu", "same_indentation", "exponent"});
   values["proven"] = proven_json(reference_data / "proven.csv");
   values["limits"] = limits_json();
   return values;

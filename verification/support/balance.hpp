@@ -99,8 +99,7 @@ class BalanceObserver : public Observer {
                  k.normal_velocity;  // spring against dashpot
       } else {
         const double normal = ring_.elastic_force(k), friction = friction_at(at, m, k, normal);
-        power += -contact_damping_by_formula(parameters_, k.indentation) * k.normal_velocity *
-                     k.normal_velocity +
+        power += -parameters_.contact_damping * k.normal_velocity * k.normal_velocity +
                  friction * k.slip_velocity;
         moment += friction * (k.displacement + ring_.rotor_radius);
       }

@@ -47,8 +47,7 @@ struct Rotor {
   double slip() const { return (x * v_y - y * v_x) / rho + p.rotor_radius * w; }
   double normal_force() const {
     if (!pressed) return 0;
-    return std::min(0., -spring_force_by_formula(p, delta()) -
-                            contact_damping_by_formula(p, delta()) * delta_rate());
+    return std::min(0., -spring_force_by_formula(p, delta()) - p.contact_damping * delta_rate());
   }
 
   double friction() const {
@@ -94,8 +93,7 @@ struct Rotor {
 };
 
 double contact_damping_power(const Rotor& r) {
-  if (r.pressed)
-    return -contact_damping_by_formula(r.p, r.delta()) * r.delta_rate() * r.delta_rate();
+  if (r.pressed) return -r.p.contact_damping * r.delta_rate() * r.delta_rate();
   // Without a force the ring's spring and its damper keep each other's balance.
   if (r.at.contact == ContactState::indented)
     return spring_force_by_formula(r.p, r.delta()) * r.delta_rate();

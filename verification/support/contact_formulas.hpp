@@ -17,9 +17,5 @@ inline double spring_force_by_formula(const Parameters& p, double indentation) {
 inline double contact_energy_by_formula(const Parameters& p, double indentation) {
   return spring_force_by_formula(p, indentation) * indentation / (p.contact_exponent + 1);
 }
-/// Force per velocity, N s/m.
-inline double contact_damping_by_formula(const Parameters& p, double indentation) {
-  return p.contact_damping + p.contact_hysteresis * spring_force_by_formula(p, indentation);
-}
 
 }  // namespace rotor

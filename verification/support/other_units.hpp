@@ -19,7 +19,6 @@ inline Parameters in_other_units(Parameters p) {
   p.contact_stiffness *= newton / metre;
   p.contact_damping *= newton * second / metre;
   p.reference_indentation *= metre;
-  p.contact_hysteresis *= second / metre;
   p.rotor_radius *= metre;
   p.stator_radius *= metre;
   p.motor_off_Hz /= second;

@@ -65,7 +65,6 @@ const std::vector<NumberRange> number_ranges = {
      [](const Numbers& drawn) { return std::sqrt(of(drawn, "contact_stiffness") * mass(drawn)); }},
     {"contact_exponent", 1, 3, 2, 1},
     {"reference_indentation", 1e-4, 1, 4, 0, clearance},
-    {"contact_hysteresis", 1, 2, 1, 0},  // never
     {"friction", 0.01, 10, 4, 0},
     {"unbalance_factor", 1, 9},
     {"lost_mass", 1e-4, 0.1, 10, 0, mass},
