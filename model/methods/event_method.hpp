@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "model/integration/verner.hpp"
+#include "model/methods/run_check.hpp"
 #include "model/methods/show_step.hpp"
 #include "model/phases/flight.hpp"
 #include "model/scenario/counters.hpp"
@@ -58,7 +59,7 @@ class EventMethod {
 
   /// The same for a rotor whose numbers need not be doubles.
   EventMethod(const RotorSystem<S>& rotor, const S& tolerance, const BasicInstant<S>& from)
-      : control_(tolerance), rotor_(rotor) {
+      : control_(tolerance), check_(RunCheck<S>::truncation_of(tolerance)), rotor_(rotor) {
     restart(from);
     flight_step_ = S(0.01) / rotor_.flight_frequency(at_.state[5]);
   }
@@ -85,15 +86,14 @@ class EventMethod {
     switches_ = 0;
     switches_since_s_ = at_.time_s;
     if (at_.contact != ContactState::free) enter(resume_contact(rotor_, at_.state, at_.contact));
+    check_.begin(rotor_, at_);
   }
 
   /// The same motion with the ring of another scenario, and the speed at which that switches its
   /// motor off; its run-up part is the same otherwise.
   EventMethod with(const Scenario& scenario) const {
     EventMethod branch = *this;
-    const RotorSystem<S> other(scenario.parameters, scenario.equations);
-    branch.rotor_.ring = other.ring;
-    branch.rotor_.motor_off = other.motor_off;
+    branch.rotor_ = rotor_.with(scenario.parameters, scenario.equations);
     return branch;
   }
 
@@ -111,10 +111,16 @@ class EventMethod {
   void advance(const S& until_s, BasicObserver<S>& observer, Extent extent) {
     while (at_.time_s < until_s && !stopped_) {
       const std::optional<Transition> next = follow_phase(until_s, observer, extent);
+      if (const auto fault =
+              check_.fault(rotor_, at_, next ? touches(next->contact) : at_.touches()))
+        fail(*fault);
+      if (next) {
+        limit_switches();
+        observer.on_instant(at_);
+        enter(*next);
+      }
+      check_.begin(rotor_, at_);
       if (!next) return;
-      limit_switches();
-      observer.on_instant(at_);
-      enter(*next);
       observer.on_instant(at_);
       at_.event = Event::none;
     }
@@ -187,6 +193,11 @@ class EventMethod {
       }
       ++counters_.steps;
       limit_steps(until_s, end_s, chart.speed(stop.x));
+      if constexpr (ContactChartOf<Chart, S>)
+        check_.add_step(stop.time, chart.speed(start_.x), chart.speed(stop.x),
+                        chart.rim_point(stop.x).indentation);
+      else
+        check_.add_step(stop.time, chart.speed(start_.x), chart.speed(stop.x));
       if (!last) step = next_step;
       show_step(taken, at_, end_s, observer);
       at_.time_s = end_s;
@@ -250,6 +261,7 @@ class EventMethod {
   }
 
   ErrorControl<S, Stepper> control_;
+  RunCheck<S> check_;
   RotorSystem<S> rotor_;
   BasicInstant<S> at_;
   std::variant<std::monostate, FlightChart<S>, ContactChart<S>> chart_;  ///< none after a restart

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -9,13 +10,11 @@
 namespace rotor {
 namespace {
 
-void require_finite(const State<double>& state, double time_s, double step) {
-  for (const double component : state)
-    if (!std::isfinite(component))
-      throw std::runtime_error(
-          fmt::format("the rk4 run diverged at t = {:.6f} s; its step of {} s is too long for this "
-                      "rotor: lower step_run_up or step_rub",
-                      time_s, step));
+[[noreturn]] void fail(double time_s, double step, const std::string& fault) {
+  throw std::runtime_error(
+      fmt::format("the rk4 run diverged at t = {:.6f} s: {}; its step of {} s is too long for this "
+                  "rotor: lower step_run_up or step_rub",
+                  time_s, fault, step));
 }
 
 /// A remainder within this share of a step is a whole step, or none.
@@ -25,8 +24,8 @@ constexpr double rounding = 1e-6;
 
 PublishedMethod::PublishedMethod(const Scenario& scenario, const Instant& from)
     : scenario_(scenario),
-      supports_(scenario.parameters, scenario.equations),
-      ring_(scenario.parameters) {
+      rotor_(scenario.parameters, scenario.equations),
+      check_(RunCheck<double>::fixed_steps) {
   restart(from);
 }
 
@@ -34,6 +33,9 @@ void PublishedMethod::restart(const Instant& from) {
   at_ = from;
   at_.event = Event::none;  // fixed steps locate none
   at_.direction = 0;        // and have no phases
+  rotor_.body = at_.body;
+  rotor_.motor_on = at_.motor_on;
+  check_.begin(rotor_, at_);
   origin_s_ = at_.time_s;
   steps_ = 0;
   whirl_angle_ = at_.contact == ContactState::free ? 0 : RotatingFrame<double>::angle(at_.state);
@@ -61,6 +63,12 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
   if (left > rounding)
     take_step(left > 1 - rounding ? step_ : left * step_, until_s, true, observer);
   at_.time_s = until_s;
+  check_run(at_.touches());
+}
+
+void PublishedMethod::check_run(bool touches) {
+  if (const auto fault = check_.fault(rotor_, at_, touches)) fail(at_.time_s, step_, *fault);
+  check_.begin(rotor_, at_);
 }
 
 /// Eqs. (3)-(4) with the contact of Eqs. (15)-(25), friction against the slip of this very stage.
@@ -68,13 +76,13 @@ void PublishedMethod::advance(double until_s, Observer& observer) {
 [[gnu::flatten]] void PublishedMethod::compute_rates(const State<double>& q, State<double>& rates) {
   ++counters_.right_hand_sides;
   const auto motion = RotatingFrame<double>::motion(at_.body, q);
-  Loads<double> loads = supports_.loads(at_.body, motion, at_.motor_on);
-  if (!ring_.is_clear_of(motion)) {
+  Loads<double> loads = rotor_.loads(motion);
+  if (!rotor_.ring.is_clear_of(motion)) {
     ++counters_.contact_evaluations;
-    const auto k = ring_.rim_point(motion);
-    const double normal = ring_.normal_force(k);
+    const auto k = rotor_.ring.rim_point(motion);
+    const double normal = rotor_.ring.normal_force(k);
     const int direction = k.slip_velocity > 0 ? 1 : -1;  // Eq. (23)
-    loads += ring_.loads(k, {normal, ring_.sliding_friction(normal, direction)});
+    loads += rotor_.ring.loads(k, {normal, rotor_.ring.sliding_friction(normal, direction)});
   }
   rates = RotatingFrame<double>::rates(motion, q, acceleration(at_.body, motion, loads));
 }
@@ -89,7 +97,8 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   };
   stepper.do_step(rates_of, state, at_.time_s, length);
   ++counters_.steps;
-  require_finite(state, end_s, length);
+  if (!std::all_of(state.begin(), state.end(), [](double q) { return std::isfinite(q); }))
+    fail(end_s, length, "the motion is not finite");
   const ContactState contact = contact_state(state, length);
   const bool touched = counters_.contact_evaluations > before.contact_evaluations;
   if (touched && !may_touch) {
@@ -98,11 +107,16 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
   }
 
   const bool begins = at_.contact == ContactState::free;
+  if (touches(contact) != at_.touches()) check_run(touches(contact));
+  check_.add_step(length, at_.state[5], state[5]);
   ++steps_;
   at_.time_s = end_s;
   at_.state = state;
   at_.contact = contact;
-  if (state[5] >= two_pi * scenario_.parameters.motor_off_Hz) at_.motor_on = false;
+  if (rotor_.motor_guard(state[5]) <= 0) {
+    check_run(at_.touches());
+    rotor_.motor_on = at_.motor_on = false;
+  }
   observer.on_instant(at_);
   if (contact == ContactState::free)
     whirl_angle_ = 0;
@@ -118,14 +132,14 @@ bool PublishedMethod::take_step(double length, double end_s, bool may_touch, Obs
 /// counts as rolling while friction can stop it within one step.
 ContactState PublishedMethod::contact_state(const State<double>& state, double step) {
   const auto motion = RotatingFrame<double>::motion(at_.body, state);
-  if (ring_.is_clear_of(motion)) return ContactState::free;
+  if (rotor_.ring.is_clear_of(motion)) return ContactState::free;
   ++counters_.contact_evaluations;
-  const auto k = ring_.rim_point(motion);
-  const double normal = ring_.normal_force(k);
+  const auto k = rotor_.ring.rim_point(motion);
+  const double normal = rotor_.ring.normal_force(k);
   if (normal == 0) return ContactState::indented;
-  const auto mobility = friction_mobility(at_.body, motion, k, ring_.rotor_radius);
-  const double slip_change =
-      ring_.friction * -normal * step * slip_mobility(motion, k, mobility, ring_.rotor_radius);
+  const auto mobility = friction_mobility(at_.body, motion, k, rotor_.ring.rotor_radius);
+  const double slip_change = rotor_.ring.friction * -normal * step *
+                             slip_mobility(motion, k, mobility, rotor_.ring.rotor_radius);
   return std::abs(k.slip_velocity) <= slip_change ? ContactState::rolling : ContactState::sliding;
 }
 

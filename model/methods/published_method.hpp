@@ -4,6 +4,7 @@
 /// systems, full annular rub and accident", Sec. 3.
 #pragma once
 
+#include "model/methods/run_check.hpp"
 #include "model/scenario/counters.hpp"
 #include "model/scenario/observer.hpp"
 
@@ -25,7 +26,7 @@ class PublishedMethod {
   PublishedMethod with(const Scenario& scenario) const {
     PublishedMethod branch = *this;
     branch.scenario_ = scenario;
-    branch.ring_ = Ring<double>(scenario.parameters);
+    branch.rotor_ = rotor_.with(scenario.parameters, scenario.equations);
     return branch;
   }
 
@@ -39,10 +40,11 @@ class PublishedMethod {
   void compute_rates(const State<double>& q, State<double>& rates);
   bool take_step(double length, double end_s, bool may_touch, Observer& observer);
   ContactState contact_state(const State<double>& state, double step);
+  void check_run(bool touches);
 
   Scenario scenario_;
-  Supports<double> supports_;
-  Ring<double> ring_;
+  RotorSystem<double> rotor_;
+  RunCheck<double> check_;
   Instant at_;
   // Times count from the first step of a length, so that they do not depend on when other runs
   // branch off.

@@ -22,6 +22,15 @@ struct RotorSystem {
         ring(p),
         motor_off(radians_per_turn() * as_typed<S>(p.motor_off_Hz)) {}
 
+  /// With the ring of other parameters, and the speed at which they switch the motor off.
+  RotorSystem with(const Parameters& p, Equations equations) const {
+    RotorSystem other(p, equations);
+    other.body = body;
+    other.supports = supports;
+    other.motor_on = motor_on;
+    return other;
+  }
+
   static S radians_per_turn() {  // to the precision of S
     using std::acos;
     return 2 * acos(S(-1));
