@@ -9,7 +9,8 @@
 
 namespace rotor {
 
-/// The outcome is the first of these that holds at the end of a run, see BasicOutcomeWatch::outcome().
+/// The outcome is the first of these that holds at the end of a run, see
+/// BasicOutcomeWatch::outcome().
 enum class Outcome { rolling, stalled, sliding, freed, no_contact, bouncing, undecided };
 
 /// The farthest that O can get from O_a, m, while the rotor stays clear of the ring and keeps its
@@ -90,6 +91,7 @@ class BasicOutcomeWatch {
     const S clearance = Ring<S>(parameters_).clearance, e = body.eccentricity;
     const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
     const S stiffness = supports_.springs.linear_stiffness("the resonance");
+    if (!(stiffness > 0)) return false;  // any rounded velocity takes it anywhere
     const S square = stiffness / body.mass, decay = supports_.damping / body.mass;
     const auto response = [&](const S& w) {  // steady displacement of O by the unbalance
       return (supports_.unbalance_response(body, w) - Vector<S>(e, S(0))).norm();
@@ -115,15 +117,23 @@ class BasicOutcomeWatch {
     // Gravity's moment makes the angle ripple, and the unbalance with it, which shakes the rotor at
     // frequencies that may be its natural one.
     const S slowest = min(least, sqrt(square));
-    S shaken(0);
+    S rippling(0);  // m/s^2
     if (arm > 0 && weight > 0) {
       if (!(slowest > 0)) return false;
       const S ripple = weight * arm / (body.inertia * slowest * slowest);
-      const S force = e * ripple * hypot(stiffness, supports_.damping * most);
-      shaken = force / sqrt(square) * left_s / (2 * body.mass);
-      if (decay > 0) shaken = min(shaken, S(force / (supports_.damping * sqrt(square))));
+      rippling = e * ripple * hypot(stiffness, supports_.damping * most) / body.mass;
     }
+    // So does the steady response A(w), which lags behind a speed that changes.
+    const S changing = ((last_.motor_on ? supports_.torque : S(0)) +
+                        e * supports_.greatest_bearing_force(farthest, velocity)) /
+                       body.inertia;  // rad/s^2
     const auto is_clear_at = [&](const S& w) {
+      const S lagging =
+          changing * (supports_.unbalance_response(body, w).norm() +
+                      (2 * w + decay) * supports_.unbalance_response_by_speed(body, w).norm());
+      const S force = rippling + lagging;  // at worst in resonance, m/s^2
+      S shaken = force > 0 ? S(force / sqrt(square) * left_s / 2) : S(0);
+      if (decay > 0) shaken = min(shaken, S(force / (decay * sqrt(square))));
       return vibration + shaken + response(w) < clearance;
     };
     // In between the response is greatest at the resonance, if that lies there.

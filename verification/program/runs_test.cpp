@@ -39,7 +39,7 @@ TEST(RandomInputs, LeaveNoneOut) {
       if (options >> value) values[option].insert(value);
   }
   for (const std::string& name : varied_inputs())
-    EXPECT_FALSE(values[option_of(name)].empty()) << name;
+    EXPECT_GT(values[option_of(name)].size(), 1U) << name;
 }
 
 TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
@@ -294,7 +294,14 @@ TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
         "--contact-damping 71.6030764 --friction 0.0849230434 "
         "--rotor-radius 0.170408734 --stator-radius 0.194472672 "
         "--start-speed-hz 15.0538245 --mass-loss-time 0.00219956671 "
-        "--unbalance-factor 1.03157215 --until 12 "}) {
+        "--unbalance-factor 1.03157215 --until 12 ",
+        // In steady motion 60 nm from the ring, until its motor changes the speed.
+        "--clearance 0.00013560025164 --contact-damping 108 --contact-stiffness 667919819 "
+        "--eccentricity 0.00013223398165557 --friction 1.28 --gravity 0 --inertia 0.049917782782 "
+        "--mass 16.43673084432687 --motor-off-rpm 1724.5873413573881 --rotor-radius 0.16308656567 "
+        "--start-speed-rpm 1724.4148998674013 --support-damping 10.90143554690996 "
+        "--support-stiffness 13306.901291593784 --torque 0.0510535711584 --until 0.4239246 "
+        "--no-mass-loss --equations consistent "}) {
     const Json whole = summary(run), stopped = summary(run + "--stop-on outcome");
     EXPECT_GT(whole["touch_downs"], 0) << run;
     EXPECT_EQ(stopped["outcome"], whole["outcome"]) << run;
