@@ -324,6 +324,9 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
   return std::nullopt;
 }
 
+// Sources compiled with -O1 must not define their functions: a linker may take those.
+extern template class SynchronousMotion<double>;
+extern template class FlightChart<double>;
 extern template class EventMethod<double>;
 
 }  // namespace rotor
