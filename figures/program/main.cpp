@@ -139,7 +139,8 @@ void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = ROTOR_SCENES;
   command.add_option("numbers", options.numbers, "figures to write (default: all)")
       ->transform(whole_number());
-  add_name(command, "--out", options.out, "folder for figNN.csv, and figNN.var for gnuplot")->capture_default_str();
+  add_name(command, "--out", options.out, "folder for figNN.csv, and figNN.var for gnuplot")
+      ->capture_default_str();
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->default_str("the paper's");
   add_options(command, static_cast<CommonOptions&>(options));
