@@ -105,7 +105,7 @@ class Writer {
     const auto text = [&](double elapsed_s) {
       const auto done = static_cast<double>(written_ - before),
                  left = static_cast<double>(points_ - written_);
-      const std::string so_far =
+      std::string so_far =
           fmt::format("{} of {} points in {}", written_.load(), points_, duration(elapsed_s));
       if (done == 0) return so_far;
       return fmt::format("{}, {:.3g} per second; about {} to go", so_far, done / elapsed_s,

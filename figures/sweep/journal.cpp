@@ -37,17 +37,16 @@ std::string line_of(std::uint64_t sum, std::string_view entry) {
 std::string difference(std::string_view head, std::string_view wanted, std::string_view advice) {
   if (head.starts_with("\xef\xbb\xbf"))
     return "starts with a byte-order mark, which another program has added: remove the mark";
-  std::istringstream heads[] = {std::istringstream(std::string(head)),
-                                std::istringstream(std::string(wanted))};
+  std::istringstream has{std::string(head)}, needs{std::string(wanted)};
   std::string its, other;
   do {
-    std::getline(heads[0], its);
-    std::getline(heads[1], other);
-  } while (its == other && heads[0] && heads[1]);
+    std::getline(has, its);
+    std::getline(needs, other);
+  } while (its == other && has && needs);
   if (its == other + '\r')
     return "has lines that end in CR LF, as another program has written them: change them to LF";
   return fmt::format(
-      "is of another sweep file or version of rotor: has \"{}\" instead of \"{}\"; {}", shown(its),
+      R"(is of another sweep file or version of rotor: has "{}" instead of "{}"; {})", shown(its),
       shown(other), advice);
 }
 

@@ -114,7 +114,8 @@ std::string SweepRows::operator()(long n) {
   std::string row;
   for (const std::string& value : point.values) row += csv_field(value) + ',';
   const auto digits = point.spec.digits;
-  const double budget_s = digits ? usual_budget_s : Interruptible::unlimited;
+  double budget_s = Interruptible::unlimited;
+  if (digits) budget_s = usual_budget_s;
   Interruptible monitor(sweep_.budget_s.value_or(budget_s));
   try {
     const Scenario scenario = scenario_of(point.spec, run_ups_);
@@ -160,7 +161,7 @@ void SweepRows::check(long n, const CsvRow& row) {
       if (!has_no_digit && !is_possible(cell, schema[column]))
         row.fail(fmt::format("{} cannot be \"{}\"", column, shown(cell)));
     } else if (const std::string its = field(determined[column], 0); cell != its) {
-      row.fail(fmt::format("{} must be \"{}\", not \"{}\"", column, its, shown(cell)));
+      row.fail(fmt::format(R"({} must be "{}", not "{}")", column, its, shown(cell)));
     }
   }
 }

@@ -159,7 +159,7 @@ async function check_keyboard(page) {
 
 // A link to a run shows it and brings it into view, even if it is shown already; what is not recorded has none.
 async function check_links_to_runs(page) {
-  const in_view = () => page.waitForFunction(() => document.getElementById("plots").getBoundingClientRect().top >= 0, null, { timeout: 5e3 })
+  const in_view = () => page.waitForFunction(() => document.getElementById("plots").getBoundingClientRect().top >= 0, null, { timeout: 3e4 })
     .catch(() => faults.push("a link to a run does not bring it into view"));
   for (const [link, shows] of [["#fig03 a.moment:has-text('0.08')", "#friction=0.08"], ["#fig05 a.moment", "#"], ["#fig05 a.moment", "#"]]) {
     await page.locator(link).first().click();

@@ -110,7 +110,7 @@ Picture Explorer::run(const Options& options, Observer& monitor, double closenes
   return picture;
 }
 
-Json Explorer::describe_numbers() const {
+Json Explorer::describe_numbers() {
   auto all = Json::array();
   for (const auto& [quantity, instead_of] : input_quantities()) {
     Json& entry = all.emplace_back();

@@ -25,7 +25,7 @@ class Explorer {
   Picture run(const Options& options, Observer& monitor, double closeness = 1e-3);
 
   /// The inputs: name, symbol, unit, meaning, and the paper's value, if there is one.
-  Json describe_numbers() const;
+  static Json describe_numbers();
 
  private:
   RunUps run_ups_;

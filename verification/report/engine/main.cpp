@@ -47,7 +47,7 @@ class Engine {
     });
   }
 
-  std::string describe_numbers() const { return explorer_.describe_numbers().dump(); }
+  std::string describe_numbers() const { return Explorer::describe_numbers().dump(); }
 
  private:
   static Options read(const std::string& options) { return Json::parse(options).get<Options>(); }
