@@ -186,6 +186,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedAboutTheSynchronousMotion) {
     if (n % 2 == 0) chart.recentre(turned_far);
     const double swing = 0.1 * rotor.ring.clearance, frequency = rotor.support_frequency(),
                  h = 0.3 / std::max(std::abs(speed), frequency);
+    if (!std::isfinite(h)) continue;  // without springs and speed
     const FlightChart<double>::Unknowns x = {swing * any(engine),
                                              swing * any(engine),
                                              3 * any(engine),
