@@ -27,7 +27,8 @@ class RunCheck {
   static S truncation_of(const S& tolerance) {
     return 10 * tolerance + 1000 * std::numeric_limits<S>::epsilon();
   }
-  /// That of fixed steps, which have no error control: the energy may not double.
+  /// That of fixed steps, which have no error control, and the most of all: the energy may not
+  /// double.
   static constexpr double fixed_steps = 0.5;
 
   /// Counts from an instant on, such as just after an event.
@@ -54,7 +55,8 @@ class RunCheck {
   std::optional<std::string> fault(const RotorSystem<S>& rotor, const BasicInstant<S>& at,
                                    bool touches) const {
     using std::max, std::min;
-    const S now = energy(rotor, at), share = min(S(0.5), S(truncation_ * static_cast<S>(steps_)));
+    const S now = energy(rotor, at),
+            share = min(S(fixed_steps), S(truncation_ * static_cast<S>(steps_)));
     const S grown = now - energy_ - rotor.motor_torque() * (at.state[2] - from_.state[2]);
     const S all =
         max({now, energy_, rotor.supports.springs.energy(Vector<S>(rotor.ring.clearance, S(0)))});
