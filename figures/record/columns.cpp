@@ -83,7 +83,7 @@ double InstantView::friction() {
                                  supports().loads(at_.body, motion(), at_.motor_on),
                                  normal_force());
   const int own = rim_point().slip_velocity > 0 ? 1 : -1;
-  return ring().sliding_friction(normal_force(), at_.direction == 0 ? own : at_.direction);
+  return ring().sliding_friction(normal_force(), at_.slip_sign == 0 ? own : at_.slip_sign);
 }
 
 std::span<const Column> all_columns() { return table; }

@@ -53,7 +53,7 @@ concept SystemOf = requires(const T& system, const Unknowns& x, Unknowns& rates,
 };
 
 /// An error stepper of Odeint. It steps from x, whose rates are known, to a time later, and
-/// estimates the errors, which are as that power of the step's length.
+/// estimates the errors, which are proportional to that power of the step's length.
 template <class T, class S, class State = typename T::state_type>
 concept StepperOf = requires(T stepper, void (*system)(const State&, State&, S), const State& x,
                              const State& rates, const S& time, State& later, State& errors) {

@@ -127,9 +127,9 @@ struct Ring {
     }
   }
 
-  /// F_tau against a sliding rim. `direction` is the sign of the slip velocity.
-  S sliding_friction(const S& normal_force, int direction) const {
-    return S(direction) * friction * normal_force;  // Eqs. (22)-(24): F_n < 0
+  /// F_tau against a sliding rim. `slip_sign` is that of the slip velocity.
+  S sliding_friction(const S& normal_force, int slip_sign) const {
+    return S(slip_sign) * friction * normal_force;  // Eqs. (22)-(24): F_n < 0
   }
 
   /// Generalised forces of the contact. F_n passes through O_a and has no moment about it.

@@ -9,7 +9,7 @@
 
 namespace rotor {
 
-/// Two numbers in one register.
+/// A SIMD pair.
 using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
 
 /// 1/n!, 1/(n + 2)!, 1/(n + 4)! ... 1/(n + 18)!
@@ -34,10 +34,10 @@ Pair alternating_series(const Pair& z, const Term& term) {
 
 /// Cosines, and sines.
 template <class S>
-using Turns = std::array<std::array<S, 2>, 2>;
+using CosinesAndSines = std::array<std::array<S, 2>, 2>;
 
 template <class S>
-Turns<S> turns(const S& a, const S& b) {
+CosinesAndSines<S> cosines_and_sines(const S& a, const S& b) {
   using std::abs, std::cos, std::sin;
   if constexpr (std::is_same_v<S, double>) {
     constexpr double small = 1.5;  // rad; up to here the series are exact to rounding

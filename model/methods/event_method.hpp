@@ -37,7 +37,7 @@ class PhaseSystem {
   }
   S event(std::size_t i, const Unknowns& x) const {
     if (phase_.guard_takes_loads(i)) ++counters_.contact_evaluations;
-    return with_end<event_count>(i, [&](auto end) { return phase_.guard(end, x); });
+    return with_exit<event_count>(i, [&](auto exit) { return phase_.guard(exit, x); });
   }
   using Point = rotor::Point<S, Unknowns>;
   auto bounds(const Point& from, const Point& to) const { return phase_.bounds(from, to); }
@@ -129,7 +129,7 @@ class EventMethod {
   void enter(const Transition& next) {
     at_.contact = next.contact;
     at_.event = next.event;
-    at_.direction = next.direction;
+    at_.slip_sign = next.slip_sign;
     if (next.event == Event::motor_off) {
       rotor_.motor_on = at_.motor_on = false;
       if (auto* chart = std::get_if<FlightChart<S>>(&chart_)) chart->switch_motor_off(start_.x);
@@ -185,7 +185,7 @@ class EventMethod {
       const S end_s = last && !event ? until_s : S(at_.time_s + stop.time);
       std::optional<Transition> next;
       if (event)
-        next = with_end<Phase::event_count>(*event, [&](auto n) { return phase.next(n, stop.x); });
+        next = with_exit<Phase::event_count>(*event, [&](auto n) { return phase.next(n, stop.x); });
       if (next && next->contact != ContactState::free && extent == Extent::clear_whole_steps) {
         counters_ = before;  // advance() takes this step
         at_.state = chart.state(start_.x);
@@ -232,14 +232,14 @@ class EventMethod {
       fail(fmt::format("{} steps have been taken, which is more than any run should need", most));
     constexpr long looked_at = 1L << 18;  // half a second's work in double precision
     if (counters_.steps % looked_at != 0) return;
-    const S progress_s = now_s - looked_s_;
+    const S progress_s = now_s - progress_checked_s_;
     if (progress_s < least_progress * (until_s - now_s))
       fail(
           fmt::format("it makes no progress: the last {} steps took it only {:.3g} s further; at "
                       "{:.3g} Hz, this rotor needs steps as short as {:.3g} s",
                       looked_at, static_cast<double>(progress_s), in_Hz(static_cast<double>(speed)),
                       static_cast<double>(progress_s) / looked_at));
-    looked_s_ = now_s;
+    progress_checked_s_ = now_s;
   }
 
   /// Ends a run that makes no progress: it switches between phases more often than a motion can.
@@ -269,9 +269,9 @@ class EventMethod {
   bool phase_is_new_ = true;            ///< whether the rates are not yet known there
   S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
   Counters counters_;
-  S looked_s_{0};          ///< when limit_steps() last looked at the progress
-  int switches_ = 0;       ///< between phases,
-  S switches_since_s_{0};  ///< at most about a natural period ago
+  S progress_checked_s_{0};  ///< when limit_steps() last looked at the progress
+  int switches_ = 0;         ///< between phases,
+  S switches_since_s_{0};    ///< at most about a natural period ago
   bool stopped_ = false;
 };
 
@@ -300,13 +300,13 @@ std::optional<Transition> EventMethod<S, Stepper>::follow_phase(const S& until_s
     }
     case ContactState::sliding: {
       auto& chart = this->chart<ContactChart<S>>();
-      if (S(at_.direction) * chart.rim_point(start_.x).slip_velocity < 0)
+      if (S(at_.slip_sign) * chart.rim_point(start_.x).slip_velocity < 0)
         start_.x = chart.without_slip(start_.x);  // negative only by rounding
       if constexpr (is_fast_if_linear)
         if (rotor_.ring.law.is_linear())
-          return in(Sliding<S, ContactChart<S>, LinearContact<S>>(rotor_, chart, at_.direction),
+          return in(Sliding<S, ContactChart<S>, LinearContact<S>>(rotor_, chart, at_.slip_sign),
                     chart, contact_step_);
-      return in(Sliding<S>(rotor_, chart, at_.direction), chart, contact_step_);
+      return in(Sliding<S>(rotor_, chart, at_.slip_sign), chart, contact_step_);
     }
     case ContactState::rolling: {
       auto& chart = this->chart<ContactChart<S>>();

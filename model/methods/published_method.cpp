@@ -32,7 +32,7 @@ PublishedMethod::PublishedMethod(const Scenario& scenario, const Instant& from)
 void PublishedMethod::restart(const Instant& from) {
   at_ = from;
   at_.event = Event::none;  // fixed steps locate none
-  at_.direction = 0;        // and have no phases
+  at_.slip_sign = 0;        // and have no phases
   rotor_.body = at_.body;
   rotor_.motor_on = at_.motor_on;
   check_.begin(rotor_, at_);
@@ -81,8 +81,8 @@ void PublishedMethod::check_run(bool touches) {
     ++counters_.contact_evaluations;
     const auto k = rotor_.ring.rim_point(motion);
     const double normal = rotor_.ring.normal_force(k);
-    const int direction = k.slip_velocity > 0 ? 1 : -1;  // Eq. (23)
-    loads += rotor_.ring.loads(k, {normal, rotor_.ring.sliding_friction(normal, direction)});
+    const int slip_sign = k.slip_velocity > 0 ? 1 : -1;  // Eq. (23)
+    loads += rotor_.ring.loads(k, {normal, rotor_.ring.sliding_friction(normal, slip_sign)});
   }
   rates = RotatingFrame<double>::rates(motion, q, acceleration(at_.body, motion, loads));
 }

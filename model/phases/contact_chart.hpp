@@ -14,7 +14,7 @@ namespace rotor {
 template <class S>
 class ContactChart {
  public:
-  /// Angle of the rotor and direction of O in its axes, both since the chart was centred (rad);
+  /// Angle of the rotor and azimuth of O in its axes, both since the chart was centred (rad);
   /// Delta, which has a smaller rounding error than rho (m); Delta' and the slip velocity v_Ktau
   /// (m/s); the speed (rad/s). The angles come first, side by side: their rates need no
   /// accelerations, so a processor can begin the next stage's sines early. Where the clearance is a
@@ -22,7 +22,7 @@ class ContactChart {
   /// smaller: as slip less the rim's velocity it would be lost in rounding, and the whirl rate
   /// divides it by rho. To locate zeros of the slip, the slip itself is needed.
   using Unknowns = std::array<S, 6>;
-  enum Unknown { rotor_angle, direction, indentation, normal_velocity, tangential, rotor_speed };
+  enum Unknown { rotor_angle, azimuth, indentation, normal_velocity, tangential, rotor_speed };
 
   struct Kinematics {
     Motion<S> motion;
@@ -52,7 +52,7 @@ class ContactChart {
 
   State<S> state(const Unknowns& x) const {
     using std::cos, std::sin;
-    const S c = cos(alpha_ + x[direction]), s = sin(alpha_ + x[direction]), rho = displacement(x);
+    const S c = cos(alpha_ + x[azimuth]), s = sin(alpha_ + x[azimuth]), rho = displacement(x);
     const Vector<S> q = turned(Vector<S>(rho, 0), c, s);
     const Vector<S> rate =
         turned(Vector<S>(x[normal_velocity], tangential_velocity(x) - speed(x) * rho), c, s);
@@ -60,7 +60,7 @@ class ContactChart {
   }
 
   Kinematics kinematics(const Unknowns& x) const {
-    const auto [cosine, sine] = turns<S>(-x[direction], -(x[rotor_angle] + x[direction]));
+    const auto [cosine, sine] = cosines_and_sines<S>(-x[azimuth], -(x[rotor_angle] + x[azimuth]));
     return {{.displacement = Vector<S>(displacement(x), 0),
              .velocity = Vector<S>(x[normal_velocity], tangential_velocity(x)),
              .eccentricity = turned(arm_, cosine[0], sine[0]),
@@ -70,7 +70,7 @@ class ContactChart {
 
   S speed(const Unknowns& x) const { return x[rotor_speed]; }
   S speed_with_ripple(const Unknowns& x) const { return speed(x); }
-  S whirl_angle(const Unknowns& x) const { return q3_ + alpha_ + x[direction] + x[rotor_angle]; }
+  S whirl_angle(const Unknowns& x) const { return q3_ + alpha_ + x[azimuth] + x[rotor_angle]; }
 
   RimPoint<S> rim_point(const Unknowns& x) const {
     return {.normal = Vector<S>(1, 0),
@@ -112,8 +112,8 @@ class ContactChart {
   /// whether the rates have changed.
   bool recentre(Unknowns& x) {
     using std::abs;
-    centre(q3_ + x[rotor_angle], alpha_ + x[direction]);
-    x[rotor_angle] = x[direction] = 0;
+    centre(q3_ + x[rotor_angle], alpha_ + x[azimuth]);
+    x[rotor_angle] = x[azimuth] = 0;
     const S slip = slip_velocity(x), velocity_of_O = tangential_velocity(x);
     const bool knew_slip = knows_slip_;
     knows_slip_ = is_wide() || abs(slip) <= abs(velocity_of_O);

@@ -33,9 +33,9 @@ Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, Contac
 }
 
 /// What both phases have in common.
-template <class S, class Chart, ContactState state, std::size_t ends>
-struct Flight : Phase<S, Chart, state, ends, Extreme::displacement, Extreme::bearing_force> {
-  using Base = Phase<S, Chart, state, ends, Extreme::displacement, Extreme::bearing_force>;
+template <class S, class Chart, ContactState state, std::size_t exits>
+struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::bearing_force> {
+  using Base = Phase<S, Chart, state, exits, Extreme::displacement, Extreme::bearing_force>;
   using Base::Base, Base::rotor, Base::chart, Base::mobility;
   using typename Base::Unknowns;
   static constexpr bool contact_in_rates = false, bounds_vibration = false;
@@ -78,12 +78,12 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
   using typename Base::Unknowns, typename Base::Point, typename Base::MotorOff;
 
   /// rho = r_a - r
-  using TouchDown = End<0>;
-  [[gnu::flatten]] S guard(TouchDown /*end*/, const Unknowns& x) const {
+  using TouchDown = Exit<0>;
+  [[gnu::flatten]] S guard(TouchDown /*exit*/, const Unknowns& x) const {
     const S clearance = rotor.ring.clearance;
     return clearance * clearance - chart.kinematics(x).motion.displacement.squaredNorm();
   }
-  Transition next(TouchDown /*end*/, const Unknowns& x) const {
+  Transition next(TouchDown /*exit*/, const Unknowns& x) const {
     return meet_ring(rotor, chart.state(x), Event::touch_down);
   }
 
@@ -192,19 +192,19 @@ struct IndentedFlight : Flight<S, Chart, ContactState::indented, 3> {
   }
 
   /// Delta = 0
-  using RingClear = End<0>;
-  S guard(RingClear /*end*/, const Unknowns& x) const { return chart.rim_point(x).indentation; }
-  Transition next(RingClear /*end*/, const Unknowns& /*x*/) const {
+  using RingClear = Exit<0>;
+  S guard(RingClear /*exit*/, const Unknowns& x) const { return chart.rim_point(x).indentation; }
+  Transition next(RingClear /*exit*/, const Unknowns& /*x*/) const {
     return {Event::ring_clear, ContactState::free};
   }
 
   /// F_n = 0 again
-  using RenewedContact = End<1>;
-  S guard(RenewedContact /*end*/, const Unknowns& x) const {
+  using RenewedContact = Exit<1>;
+  S guard(RenewedContact /*exit*/, const Unknowns& x) const {
     const RimPoint<S> k = chart.rim_point(x);
     return -rotor.ring.law.pressing(k.indentation, k.normal_velocity);
   }
-  Transition next(RenewedContact /*end*/, const Unknowns& x) const {
+  Transition next(RenewedContact /*exit*/, const Unknowns& x) const {
     return meet_ring(rotor, chart.state(x), Event::renewed_contact);
   }
 };

@@ -30,7 +30,7 @@ class FlightChart {
 
   struct Kinematics {
     Motion<S> motion;
-    Vector<S> direction;  ///< of the rotor's axis x
+    Vector<S> rotor_axis;  ///< unit vector along x
     typename Synchronous::Value synchronous;
     Vector<S> response, response_by_speed;  ///< steady, of C, m; and its change, m s
   };
@@ -49,7 +49,7 @@ class FlightChart {
   State<S> state(const Unknowns& x) const {
     const Kinematics at = kinematics(x);
     const Motion<S>& m = at.motion;
-    const S c = at.direction.x(), s = -at.direction.y();
+    const S c = at.rotor_axis.x(), s = -at.rotor_axis.y();
     const Vector<S> q = turned(m.displacement, c, s);
     const Vector<S> rate = turned(m.velocity, c, s) - m.speed * quarter_turn(q);
     return {q.x(), q.y(), angle_ + angle(x, at), rate.x(), rate.y(), m.speed};
@@ -62,26 +62,26 @@ class FlightChart {
 
   Kinematics kinematics(const Unknowns& x) const {
     Kinematics k;  // what the rates do not need is not set
-    k.direction = unit_vector(x[rotor_angle]);
+    k.rotor_axis = unit_vector(x[rotor_angle]);
     Vector<S> position = deviation(x), velocity = deviation_rate(x);
     S speed = this->speed(x);
     if (is_steady_) {
       const Supports<S>& supports = rotor_.supports;
-      k.response = complex_product(supports.unbalance_response(rotor_.body, speed), k.direction);
+      k.response = complex_product(supports.unbalance_response(rotor_.body, speed), k.rotor_axis);
       k.response_by_speed =
-          complex_product(supports.unbalance_response_by_speed(rotor_.body, speed), k.direction);
+          complex_product(supports.unbalance_response_by_speed(rotor_.body, speed), k.rotor_axis);
       position += k.response;
       velocity += speed * quarter_turn(k.response);
     } else if (synchronous_.exists()) {
-      k.synchronous = synchronous_.at(k.direction, speed);
+      k.synchronous = synchronous_.at(k.rotor_axis, speed);
       position += k.synchronous.value(Synchronous::displacement);
       velocity += k.synchronous.value(Synchronous::velocity);
       speed += k.synchronous.value.real(Synchronous::speed_ripple);
       const S half = k.synchronous.value.real(Synchronous::angle_ripple) / 2,
               per = 1 / (1 + half * half);
-      k.direction = turned(k.direction, S((1 - half * half) * per), S(2 * half * per));
+      k.rotor_axis = turned(k.rotor_axis, S((1 - half * half) * per), S(2 * half * per));
     }
-    const Vector<S> eccentricity = rotor_.body.eccentricity * k.direction;
+    const Vector<S> eccentricity = rotor_.body.eccentricity * k.rotor_axis;
     k.motion = {.displacement = position - eccentricity,
                 .velocity = velocity - speed * quarter_turn(eccentricity),
                 .eccentricity = eccentricity,
@@ -147,10 +147,10 @@ class FlightChart {
       const Vector<S> velocity = turned(deviation_rate(x), c, S(-s));
       x = {position.x(), position.y(), S(0), velocity.x(), velocity.y(), x[speed_change]};
     }
-    const bool holds = is_steady_ ? is_near && is_near_where_laid(x)
-                       : synchronous_.exists()
-                           ? synchronous_.holds(speed(x))
-                           : !is_fast(speed(x)) || (synchronous_disabled_ && is_near_where_laid(x));
+    const bool holds = is_steady_              ? is_near && is_near_reference_speed(x)
+                       : synchronous_.exists() ? synchronous_.holds(speed(x))
+                                               : !is_fast(speed(x)) || (synchronous_disabled_ &&
+                                                                        is_near_reference_speed(x));
     if (!holds) renew(x);
     return !is_near || !holds;
   }
@@ -182,14 +182,14 @@ class FlightChart {
     synchronous_ = is_fast(speed_) ? Synchronous(rotor_, speed_, down_) : Synchronous();
     x = without_synchronous(at.motion, angle);
     synchronous_disabled_ =
-        synchronous_.exists() && !(synchronous_.ripples_little() && is_near_where_laid(x));
+        synchronous_.exists() && !(synchronous_.ripples_little() && is_near_reference_speed(x));
     if (!synchronous_disabled_) return;
     synchronous_ = Synchronous();
     x = without_synchronous(at.motion, angle);
   }
 
   /// Whether the speed is, apart from a ripple, that of the last renewal.
-  bool is_near_where_laid(const Unknowns& x) const {
+  bool is_near_reference_speed(const Unknowns& x) const {
     using std::abs;
     return abs(x[speed_change]) <= Synchronous::range() * abs(speed_);
   }

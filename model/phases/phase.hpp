@@ -18,7 +18,7 @@ namespace rotor {
 struct Transition {
   Event event;
   ContactState contact;
-  int direction = 0;  ///< sign of the slip velocity, if the rim slides then
+  int slip_sign = 0;  ///< that of the slip velocity, if the rim slides then
 };
 
 /// A quantity of an Extreme. It has a maximum where its rate becomes negative.
@@ -72,27 +72,27 @@ concept MovingChartOf = ChartOf<T, S> && requires(T& chart, Unknowns& x) {
   { chart.whirl_angle(x) } -> std::same_as<S>;
 };
 
-/// The n-th end of a phase: a guard, which becomes negative there, and what follows, which may
+/// The n-th exit of a phase: a guard, which becomes negative there, and what follows, which may
 /// reset the unknowns.
 template <std::size_t n>
-using End = std::integral_constant<std::size_t, n>;
+using Exit = std::integral_constant<std::size_t, n>;
 template <class T, class S, std::size_t n>
-concept HasEnd = requires(const T& phase, typename T::Unknowns& x) {
-  { phase.guard(End<n>(), x) } -> std::same_as<S>;
-  { phase.next(End<n>(), x) } -> std::same_as<Transition>;
+concept HasExit = requires(const T& phase, typename T::Unknowns& x) {
+  { phase.guard(Exit<n>(), x) } -> std::same_as<S>;
+  { phase.next(Exit<n>(), x) } -> std::same_as<Transition>;
 };
 
-/// Calls use(End<n>()) for an n below count.
+/// Calls use(Exit<n>()) for an n below count.
 template <std::size_t count, class Use>
-auto with_end(std::size_t n, const Use& use) {
+auto with_exit(std::size_t n, const Use& use) {
   if constexpr (count > 1)
-    if (n < count - 1) return with_end<count - 1>(n, use);
-  return use(End<count - 1>());
+    if (n < count - 1) return with_exit<count - 1>(n, use);
+  return use(Exit<count - 1>());
 }
 
-/// The motion between two events, as a system of integration/step.hpp whose events are its ends.
+/// The motion between two events, as a system of integration/step.hpp whose events are its exits.
 template <class T, class S, class Unknowns = typename T::Unknowns>
-concept PhaseOf = HasEnd<T, S, 0> && HasEnd<T, S, 1> && HasEnd<T, S, T::event_count - 1> &&
+concept PhaseOf = HasExit<T, S, 0> && HasExit<T, S, 1> && HasExit<T, S, T::event_count - 1> &&
     requires(const T& phase, const Unknowns& x, Unknowns& rates, const S& time,
              const Point<S, Unknowns>& at, std::size_t i) {
   phase(x, rates, time);
@@ -107,32 +107,32 @@ concept PhaseOf = HasEnd<T, S, 0> && HasEnd<T, S, 1> && HasEnd<T, S, T::event_co
   { T::contact_in_rates || T::guard_takes_loads(i) } -> std::same_as<bool>;
 };
 
-/// What all phases have in common. Their last end is that the motor is switched off.
-template <class S, ChartOf<S> Chart, ContactState state, std::size_t ends, Extreme... extremes>
+/// What all phases have in common. Their last exit is that the motor is switched off.
+template <class S, ChartOf<S> Chart, ContactState state, std::size_t exits, Extreme... extremes>
 struct Phase {
   using Unknowns = typename Chart::Unknowns;
   using Point = rotor::Point<S, Unknowns>;
-  using Bounds = StepBounds<S, ends, sizeof...(extremes)>;
+  using Bounds = StepBounds<S, exits, sizeof...(extremes)>;
 
-  static constexpr std::size_t event_count = ends;
+  static constexpr std::size_t event_count = exits;
   static constexpr std::array extremes_of = {extremes...};
   static constexpr bool guard_takes_loads(std::size_t /*n*/) { return false; }
 
   const RotorSystem<S>& rotor;
   const Chart& chart;
   const Mobility<S> mobility;  ///< of the body, which does not change during the phase
-  const int direction;         ///< of the slip, if the rim slides
+  const int slip_sign;         ///< if the rim slides
 
-  Phase(const RotorSystem<S>& system, const Chart& coordinates, int direction_of_slip = 0)
-      : rotor(system), chart(coordinates), mobility(system.body), direction(direction_of_slip) {}
+  Phase(const RotorSystem<S>& system, const Chart& coordinates, int sign_of_slip = 0)
+      : rotor(system), chart(coordinates), mobility(system.body), slip_sign(sign_of_slip) {}
 
   /// f = f_max
-  using MotorOff = End<ends - 1>;
-  S guard(MotorOff /*end*/, const Unknowns& x) const {
+  using MotorOff = Exit<exits - 1>;
+  S guard(MotorOff /*exit*/, const Unknowns& x) const {
     return rotor.motor_guard(chart.speed_with_ripple(x));
   }
-  Transition next(MotorOff /*end*/, const Unknowns& /*x*/) const {
-    return {Event::motor_off, state, direction};
+  Transition next(MotorOff /*exit*/, const Unknowns& /*x*/) const {
+    return {Event::motor_off, state, slip_sign};
   }
 
   /// The length of a step, s, that is short beside the time since the rates were last not smooth,

@@ -124,12 +124,12 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   }
 
   /// F_n = 0 of a ring with a dashpot, which is still indented then; Delta = 0 of one without
-  using Release = End<0>;
-  S guard(Release /*end*/, const Unknowns& x) const {
+  using Release = Exit<0>;
+  S guard(Release /*exit*/, const Unknowns& x) const {
     const RimPoint<S> k = chart.rim_point(x);
     return law().pressing(k.indentation, k.normal_velocity);
   }
-  Transition next(Release /*end*/, const Unknowns& /*x*/) const {
+  Transition next(Release /*exit*/, const Unknowns& /*x*/) const {
     return {Event::release,
             rotor.ring.law.has_dashpot() ? ContactState::indented : ContactState::free};
   }
@@ -152,27 +152,27 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   }
 };
 
-/// The rim slides in one direction, which is the sign of the slip velocity.
+/// The rim slides, and the slip velocity keeps its sign.
 template <class S, class Chart = ContactChart<S>, class Law = ContactLaw<S>>
 struct Sliding : Rub<S, Chart, ContactState::sliding, Law> {
   using Base = Rub<S, Chart, ContactState::sliding, Law>;
-  using Base::rotor, Base::chart, Base::direction, Base::guard, Base::next;
+  using Base::rotor, Base::chart, Base::slip_sign, Base::guard, Base::next;
   using typename Base::Unknowns, typename Base::Pressed;
 
-  Sliding(const RotorSystem<S>& system, const Chart& coordinates, int direction_of_slip)
-      : Base(system, coordinates, direction_of_slip) {}
+  Sliding(const RotorSystem<S>& system, const Chart& coordinates, int sign_of_slip)
+      : Base(system, coordinates, sign_of_slip) {}
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const Pressed p(*this, x);
-    rates = this->rates(x, p, rotor.ring.sliding_friction(p.normal_force, direction));
+    rates = this->rates(x, p, rotor.ring.sliding_friction(p.normal_force, slip_sign));
   }
 
   /// v_Ktau = 0
-  using SlipEnd = End<1>;
-  S guard(SlipEnd /*end*/, const Unknowns& x) const {
-    return S(direction) * chart.rim_point(x).slip_velocity;
+  using SlipEnd = Exit<1>;
+  S guard(SlipEnd /*exit*/, const Unknowns& x) const {
+    return S(slip_sign) * chart.rim_point(x).slip_velocity;
   }
-  Transition next(SlipEnd /*end*/, Unknowns& x) const {
+  Transition next(SlipEnd /*exit*/, Unknowns& x) const {
     x = chart.without_slip(x);
     return this->leave_zero_slip(x);
   }
@@ -197,12 +197,12 @@ struct Rolling : Rub<S, Chart, ContactState::rolling, Law> {
   }
 
   /// |F_tau| = mu |F_n|
-  using BreakAway = End<1>;
-  S guard(BreakAway /*end*/, const Unknowns& x) const {
+  using BreakAway = Exit<1>;
+  S guard(BreakAway /*exit*/, const Unknowns& x) const {
     const Pressed p(*this, x);
     return this->grip(p, this->holding_friction(p));
   }
-  Transition next(BreakAway /*end*/, const Unknowns& x) const {
+  Transition next(BreakAway /*exit*/, const Unknowns& x) const {
     return {Event::break_away, ContactState::sliding,
             this->holding_friction(Pressed(*this, x)) > 0 ? -1 : 1};
   }

@@ -12,7 +12,7 @@ Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<d
   const RimPoint<double> k = ring.rim_point(m);
   const double friction =
       at.contact == ContactState::sliding
-          ? k.slip_velocity * ring.sliding_friction(ring.elastic_force(k), at.direction)
+          ? k.slip_velocity * ring.sliding_friction(ring.elastic_force(k), at.slip_sign)
           : 0;
   return {supports.motor_power(m, at.motor_on), supports.gravity_moment(at.body, m) * m.speed,
           supports.damping_power(m), ring.damping_power(k, at.contact), friction};

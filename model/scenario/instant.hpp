@@ -21,7 +21,7 @@ struct BasicInstant {
   bool motor_on = true;
   bool mass_lost = false;  ///< whether the mass has been lost
   ContactState contact = ContactState::free;
-  int direction = 0;          ///< sign of the slip velocity while the rim slides; 0 by fixed steps
+  int slip_sign = 0;          ///< that of the slip velocity while the rim slides; 0 by fixed steps
   Event event = Event::none;  ///< what has just happened
 
   Motion<S> motion() const { return RotatingFrame<S>::motion(body, state); }

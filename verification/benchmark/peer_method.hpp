@@ -178,7 +178,7 @@ class PeerMethod {
           pass<IndentedFlight<double, ForContact>, ForContact>(until_s);
           break;
         case ContactState::sliding:
-          pass<Sliding<double, ForContact>, ForContact>(until_s, at_.direction);
+          pass<Sliding<double, ForContact>, ForContact>(until_s, at_.slip_sign);
           break;
         case ContactState::rolling:
           pass<Rolling<double, ForContact>, ForContact>(until_s);
@@ -188,19 +188,19 @@ class PeerMethod {
 
  private:
   /// Integrates to the end of a phase, where one of its guards becomes negative, or to `until_s`.
-  template <class Phase, class Chart, class... Direction>
-  void pass(double until_s, Direction... direction) {
+  template <class Phase, class Chart, class... Sign>
+  void pass(double until_s, Sign... slip_sign) {
     const Chart chart(rotor_, at_.state);
-    const Phase phase(rotor_, chart, direction...);
+    const Phase phase(rotor_, chart, slip_sign...);
     auto x = chart.unknowns(at_.state);
     const auto guard = integrate(phase, x, until_s);
     at_.state = chart.state(x);
     if (guard == Phase::event_count) return;
     ++counters_.located_events;
     const Transition next =
-        with_end<Phase::event_count>(guard, [&](auto end) { return phase.next(end, x); });
+        with_exit<Phase::event_count>(guard, [&](auto exit) { return phase.next(exit, x); });
     at_.contact = next.contact;
-    at_.direction = next.direction;
+    at_.slip_sign = next.slip_sign;
     if (next.event == Event::motor_off) rotor_.motor_on = at_.motor_on = false;
   }
 
@@ -208,7 +208,7 @@ class PeerMethod {
   template <class Phase>
   std::size_t integrate(const Phase& phase, State<double>& x, double until_s) {
     const auto guard = [&](std::size_t n, const State<double>& at) {
-      return with_end<Phase::event_count>(n, [&](auto end) { return phase.guard(end, at); });
+      return with_exit<Phase::event_count>(n, [&](auto exit) { return phase.guard(exit, at); });
     };
     Solver<Phase> solver({phase, counters_.right_hand_sides}, x, tolerance_);
     while (at_.time_s < until_s) {

@@ -81,7 +81,7 @@ void compare(const Column& column, const std::vector<Instant>& instants, const S
     InstantView view(at, context);
     double expected = column_by_formula(column.name, at, scenario);
     if (column.name == "friction_force_N" && slip_is_rounding(at, scenario))
-      expected = -at.direction * std::abs(expected);
+      expected = -at.slip_sign * std::abs(expected);
     ASSERT_NEAR(column.value(view), expected, 1e-10 * std::abs(expected) + 1e-12 * largest)
         << column.name << " at " << at.time_s << " s, state " << static_cast<int>(at.contact);
   }

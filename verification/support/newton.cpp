@@ -119,7 +119,7 @@ class Run {
     return laws_.rates(x, k, force,
                        at_.contact == ContactState::rolling
                            ? laws_.holding_friction(x)
-                           : -at_.direction * laws_.parameters.friction * force);
+                           : -at_.slip_sign * laws_.parameters.friction * force);
   }
 
   /// Where a step of that length leads, and its error.
@@ -145,7 +145,7 @@ class Run {
       case pressure:
         return at_.contact == ContactState::indented ? -laws_.pressure(k) : laws_.pressure(k);
       case slip:
-        return at_.direction * k.slip;
+        return at_.slip_sign * k.slip;
       default:
         return laws_.parameters.friction * laws_.pressure(k) - std::abs(laws_.holding_friction(x));
     }
@@ -168,7 +168,7 @@ class Run {
     if (event == Event::touch_down) count_whirl_from_here();
     const double slip_there = laws_.rim(x_).slip;
     at_.contact = ContactState::sliding;
-    at_.direction = slip_there > 0 ? 1 : -1;
+    at_.slip_sign = slip_there > 0 ? 1 : -1;
     if (slip_there == 0) end_slip();
     show(event);
   }
@@ -177,7 +177,7 @@ class Run {
     const bool held =
         std::abs(holding) <= laws_.parameters.friction * laws_.pressure(laws_.rim(x_));
     at_.contact = held ? ContactState::rolling : ContactState::sliding;
-    at_.direction = held ? 0 : holding > 0 ? -1 : 1;
+    at_.slip_sign = held ? 0 : holding > 0 ? -1 : 1;
     return held ? Event::rolling_onset : Event::slip_reversal;
   }
 
@@ -199,7 +199,7 @@ class Run {
       case slip:
         return show(end_slip());
       case grip:
-        at_.direction = laws_.holding_friction(x_) > 0 ? -1 : 1;
+        at_.slip_sign = laws_.holding_friction(x_) > 0 ? -1 : 1;
         at_.contact = ContactState::sliding;
         return show(Event::break_away);
       case motor:
@@ -223,7 +223,7 @@ class Run {
         at_.contact = ContactState::indented;
       } else if (at_.contact != ContactState::rolling || jumps) {
         at_.contact = ContactState::sliding;
-        at_.direction = k.slip > 0 ? 1 : -1;
+        at_.slip_sign = k.slip > 0 ? 1 : -1;
       }
     }
     show(Event::mass_loss);
@@ -232,7 +232,7 @@ class Run {
   void show(Event event) {
     at_.state = in_rotating_axes(x_);
     at_.event = event;
-    if (at_.contact != ContactState::sliding) at_.direction = 0;
+    if (at_.contact != ContactState::sliding) at_.slip_sign = 0;
     observer_.on_instant(at_);
   }
 
