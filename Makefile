@@ -89,9 +89,6 @@ PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
 REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
 # The engine in the page: a compiler for browsers, and the parser of its optimiser.
 EXPLORE_PACKAGES := emscripten node-acorn
-# Sweeps over many machines; linking MPI makes a program start 30 ms later.
-MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
-
 # Ball arithmetic with FLINT and Arb.
 PROVE_PACKAGES := libflint-dev libflint-arb-dev
 # A discrete-element code for granular media.
@@ -112,7 +109,7 @@ endef
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps program build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
-        laws contact-laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
+        laws contact-laws deps-mutants deps-clang deps-portable deps-explore engine explore check-explore stress \
         sanitize portable deps-prove prove deps-validate validate clean force
 
 help: ## start: list all targets
@@ -156,9 +153,6 @@ deps-prove: deps
 deps-validate: deps
 	$(call install,$(VALIDATE_PACKAGES))
 
-deps-mpi: deps
-	$(call install,$(MPI_PACKAGES))
-
 deps-explore: deps
 	$(call install,$(EXPLORE_PACKAGES))
 
@@ -180,7 +174,7 @@ configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BU
 define build-target
 	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(patsubst $(home)%,%,$(elsewhere)); remove it: make clean))
 	$(if $(and $(2),$(shell command -v dpkg-query),$(call missing,$(3))),$(error Missing packages: $(call missing,$(3)) (make deps-$(2) installs them)))
-	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2)$(4:%= -D ROTOR_DIGITS=%) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
+	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2)$(4:%= -D ROTOR_DIGITS=%) -U 'GSL_*' 2>&1) || { \
 	  echo "$$log" >&2; $(if $(2),echo "Install $(3) anew for make $(2)." >&2; )exit 1; })
 	@flock $(BUILD) cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|Re-checking/d'
 endef
@@ -273,10 +267,6 @@ sanitize: need-deps ## code: run the tests with sanitizers
 	@cmake --preset sanitize -B $(BUILD)/sanitize >$(BUILD)/sanitize.log 2>&1 || { cat $(BUILD)/sanitize.log >&2; exit 1; }
 	@cmake --build $(BUILD)/sanitize --target verification
 	@verification/tests.sh $(BUILD)/sanitize verification$(if $(TESTS), $(call quote,$(TESTS)))
-
-mpi: build ## code: build build/mpi/rotor, which mpirun runs on many machines
-	$(call build-target,rotor-mpi,mpi,$(MPI_PACKAGES))
-	@verification/program/mpi.sh $(BUILD)/mpi/rotor
 
 engine: need-deps
 	@verification/report/engine/build.sh $(BUILD)

@@ -231,9 +231,7 @@ class FlightChart {
   /// Above 1.4 times the critical speed. Nearer to it the response changes too fast with the speed
   /// to be worth subtracting. Springs that are not linear have no such response.
   bool is_fast(const S& speed) const {
-    const SupportSprings<S>& springs = rotor_.supports.springs;
-    const S critical = springs.tangent_stiffness(S(0)) / rotor_.body.mass;  // squared
-    return springs.is_linear() && speed * speed > 2 * critical;
+    return speed * speed > 2 * rotor_.supports.stiffness / rotor_.body.mass;
   }
 
   RotorSystem<S> rotor_;

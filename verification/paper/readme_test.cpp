@@ -7,6 +7,7 @@
 #include <regex>
 #include <utility>
 
+#include "figures/sweep/sweep.hpp"
 #include "verification/support/command_line.hpp"
 
 namespace rotor {
@@ -33,9 +34,10 @@ TEST_P(Readme, HasExamplesThatRun) {
   for (const std::string& scene : scenes) {
     const bool is_sweep = scene.find("[[axis]]") != std::string::npos;
     write(is_sweep ? "sweep.toml" : "my-rotor.toml", scene);
-    EXPECT_EQ(rotor(is_sweep ? "sweep sweep.toml --dry-run" : "run --scene my-rotor.toml").status,
-              0)
-        << scene;
+    if (is_sweep)
+      EXPECT_GT(read_sweep(folder_ / "sweep.toml").points(), 0);
+    else
+      EXPECT_EQ(rotor("run --scene my-rotor.toml").status, 0) << scene;
   }
   for (const auto& [run, says] : commands) {
     const Outcome outcome = rotor(run);

@@ -177,8 +177,7 @@ TEST_F(Writing, LeavesNothingBehindWhereFilesMayNotGrow) {
   for (const char* command :
        {"run --scene s.toml --trace t.csv", "run --scene s.toml --trace - >t.csv",
         "run --scene s.toml --json >t.csv", "estimate --help >t.csv", "figure --out .",
-        "plot s.toml", "plot s.toml --spectrum", "plot sweep.toml",
-        "sweep sweep.toml --out t.csv --jobs 1"}) {
+        "plot s.toml", "sweep sweep.toml --out t.csv --jobs 1"}) {
     const auto [status, output] =
         shell(std::string("ulimit -f 1; TMPDIR=$PWD/drafts $rotor ") + command + "; ls drafts");
     EXPECT_TRUE(output.starts_with("rotor: ") && output.ends_with(": File too large\n"))
@@ -211,19 +210,6 @@ TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
             std::string::npos);
   remove("fig01.toml");
   remove("pipe");
-}
-
-// Also if a program sends its signal twice, to a process and to its group.
-TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
-  const auto [status, output] =
-      with_rows("--json --keep-partial", "kill -INT %1; kill -TERM %1; wait %1");
-  EXPECT_EQ(status, 0) << output;
-  EXPECT_NE(output.find("\"cut_short_at_s\": "), std::string::npos) << output;
-  const std::string trace = content("t.csv");
-  EXPECT_NE(trace.find("\n# cut short at "), std::string::npos);
-  EXPECT_EQ(trace.back(), '\n');
-  EXPECT_GT(read_csv(folder_ / "t.csv").size(), 100U);
-  remove("t.csv");
 }
 
 // Relative links from their own folder; also links whose target does not exist yet.
