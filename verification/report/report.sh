@@ -20,7 +20,7 @@ rm -f "$out/engine.wasm.gz.base64"
 # Unexpected verdicts fail `make verify`, not the page, which shows them.
 "$build/report-numbers" reference-data "$out" >/dev/null || true
 # Studies that were made.
-for study in maps work-precision:bench stability:stress-results; do
+for study in maps work-precision:bench; do
   from=$build/${study#*:} to=$out/${study%:*}
   rm -rf "$to"
   if compgen -G "$from/*.svg" >/dev/null; then

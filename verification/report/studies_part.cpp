@@ -74,7 +74,6 @@ Json studies_json(const Sources& sources) {
               {"proven", proven_json(sources.reference_data / "proven.csv")}};
   for (const auto& [title, folder, picture] :
        {std::tuple("Run time against error", "work-precision", "work-precision-2.svg"),
-        {"Where the paper's method is stable", "stability", "stability.svg"},
         {"The accident in rings of other contact laws", "contact-laws", "contact-laws.svg"},
         {"The outcome over speed and friction", "maps", "speed-friction-outcome.svg"}})
     if (const auto file = fs::path(folder) / picture; fs::exists(sources.report / file))
