@@ -321,19 +321,16 @@ laws: build ## data: laws.csv: the closed forms on 10,000 rotors, with a picture
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
 bench-programs: build ## code: build the programs of make bench, stress and reference
-	$(call build-target,benchmark random-rotors stable-steps reference random-digits,bench,$(BENCH_PACKAGES))
+	$(call build-target,benchmark random-rotors reference random-digits,bench,$(BENCH_PACKAGES))
 bench: bench-programs ## code: measure run time against error of each method, with pictures
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench figures/maps/speed-friction.toml
 	@for scene in 1 2 3 4 5 6 7; do \
 	  figures/draw.sh $(BUILD)/bench/work-precision-$$scene.$(FORMAT) \
 	    "data = '$(BUILD)/bench/work-precision.csv'; scene = $$scene" verification/benchmark/work-precision.gp; done
 
-stress: build ## code: test 5,000 random rotors, with pictures (minutes)
-	$(call build-target,random-rotors stable-steps random-digits)
+stress: build ## code: test 5,000 random rotors and estimated digits (minutes)
+	$(call build-target,random-rotors random-digits)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 5000 $(BUILD)/stress-results
-	@$(BUILD)/stable-steps $(BUILD)/stress-results
-	@figures/draw.sh $(BUILD)/stress-results/stability.$(FORMAT) "data = '$(BUILD)/stress-results/stability.csv'" \
-	  verification/robustness/stress.gp
 	@$(BUILD)/random-digits $(RUNS) $(SEED)
 
 clean: ## start: remove the folder build
