@@ -1,9 +1,13 @@
 /// The engine against reference-data/independent.csv, from `make validate`, and measured rebounds.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "figures/data/csv.hpp"
+#include "verification/support/content.hpp"
+#include "verification/support/observers.hpp"
 #include "verification/validation/cases.hpp"
 
 namespace rotor {
@@ -36,16 +40,36 @@ TEST(Independent, CodeGivesTheSameAccidentsUnlessItsInputHasAMistake) {
 }
 
 TEST(MeasuredRebounds, AgreeWhereTheSphereSlides) {
+  const std::string page = content_of(ROTOR_SOURCES "/verification/validation/README.md");
   int sliding = 0;
+  double steepest = 0;
   for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/measured-rebounds.csv")) {
     const Rebound ours = rebound(static_cast<double>(row.number("angle_deg")));
     const auto theirs = static_cast<double>(row.number("tangential_restitution"));
+    steepest = std::tan(static_cast<double>(row.number("angle_deg")) * two_pi / 360);
+    const std::string shown = fmt::format(
+        "| {} | {:.1f} | {:.3f} | {:.3f} | {:.2f} | {} |\n", row["angle_deg"], steepest, theirs,
+        ours.tangential_restitution, (1 - ours.tangential_restitution) / (1 - theirs),
+        ours.slides ? "slides" : "sticks");
+    EXPECT_NE(page.find(shown), std::string::npos) << shown;
     sliding += ours.slides ? 1 : 0;
     // Points read off a plot differ by 0.5 %. A sphere that sticks has tangential compliance.
     EXPECT_NEAR(ours.tangential_restitution / theirs, 1, ours.slides ? 0.01 : 0.20)
         << row["angle_deg"];
   }
   EXPECT_EQ(sliding, 5);
+
+  // No measured impact is as steep as those of the paper's accident, until rolling.
+  Scenario accident;
+  EventRecorder seen;
+  run(accident, seen);
+  const Ring<double> ring(accident.parameters);
+  const double rolls_s = seen.first(Event::rolling_onset).time_s;
+  for (const Instant& at : seen.events(Event::touch_down)) {
+    if (at.time_s > rolls_s) continue;
+    const RimPoint<double> k = ring.rim_point(at.motion());
+    EXPECT_GT(std::abs(k.slip_velocity / k.normal_velocity), steepest) << at.time_s;
+  }
 }
 
 }  // namespace
