@@ -256,7 +256,7 @@ report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## 
 check-report: report ## code: check the page in a browser, its links and its spelling
 	@verification/report/check.sh $(BUILD)
 
-approve: build ## code: rewrite approved texts and marked numbers; read the change
+approve: build ## code: rewrite approved texts and tables; read the change
 	$(call build-target,verification)
 	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
 
@@ -286,7 +286,7 @@ reference: build ## data: high-precision.csv (minutes)
 
 ensembles: build ## data: ensembles.csv: claims over the rounding of inputs (minutes), or one ID
 	$(call build-target,ensembles)
-	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)))
+	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)),$(if $(filter command%,$(origin SEED)),seed $(SEED) $(BUILD)/ensembles-$(SEED).csv))
 
 prove: need-deps ## data: proven.csv: the accident by ball arithmetic (minutes)
 	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))

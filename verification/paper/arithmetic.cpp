@@ -54,9 +54,10 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
   static const auto translation = [](In in, P p) {
     return Loss(p).after.mass * std::pow(velocity(in), 2) / 2;
   };
-  static const auto transient = [](In in, P p, double factor) {
-    return 100 * std::log(factor) * 2 * Loss(p).after.mass / p.support_damping / in.t_50;
+  static const auto transient_s = [](P p, double factor) {
+    return std::log(factor) * 2 * Loss(p).after.mass / p.support_damping;
   };
+  static const auto natural_Hz = [](P p) { return in_Hz(std::sqrt(p.support_stiffness / p.mass)); };
   static const std::map<std::string, Arithmetic> all = {
       {"speed_rad", [](In, P p) { return two_pi * p.motor_off_Hz; }},
       {"lost_mass", [](In, P p) { return Loss(p).lost_mass; }},
@@ -69,7 +70,7 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
        [](In, P p) { return 1e5 * Loss(p).after.mass * Loss(p).after.eccentricity; }},
       {"piece_velocity", [](In, P p) { return Loss(p).piece_velocity(two_pi * p.motor_off_Hz); }},
       {"velocity_jump", [](In, P p) { return Loss(p).velocity_jump(two_pi * p.motor_off_Hz); }},
-      {"eigenfrequency", [](In, P p) { return in_Hz(std::sqrt(p.support_stiffness / p.mass)); }},
+      {"eigenfrequency", [](In, P p) { return natural_Hz(p); }},
       {"steps_a_turn", [](In, P p) { return 1 / (p.motor_off_Hz * Scenario{}.step_run_up); }},
       {"place_of_largest_unbalance", [](In, P p) { return place_of_largest_unbalance(p); }},
       {"translation_printed", translation},
@@ -89,9 +90,12 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
       {"share_printed", [](In in, P) { return 100 * in.energy_left / in.energy_before; }},
       {"shortest_steps", [](In in, P) { return in.shortest_s / Scenario{}.step_rub; }},
       {"longest_steps", [](In in, P) { return in.longest_s / Scenario{}.step_rub; }},
-      // Time until the free vibration after the loss has decayed by a factor, relative to t_1.
-      {"transient_tenth", [](In in, P p) { return transient(in, p, 10); }},
-      {"transient_twentieth", [](In in, P p) { return transient(in, p, 20); }},
+      // Time until the free vibration after the loss has decayed by a factor, relative to t_1 and
+      // in natural periods.
+      {"transient_tenth", [](In in, P p) { return 100 * transient_s(p, 10) / in.t_50; }},
+      {"transient_twentieth", [](In in, P p) { return 100 * transient_s(p, 20) / in.t_50; }},
+      {"periods_tenth", [](In, P p) { return transient_s(p, 10) * natural_Hz(p); }},
+      {"periods_twentieth", [](In, P p) { return transient_s(p, 20) * natural_Hz(p); }},
       // With half the stiffness, twice the mass; and at the operating speed beside half of it.
       {"critical_falls",
        [](In, P p) {
@@ -105,6 +109,16 @@ const std::map<std::string, Arithmetic>& all_arithmetic() {
            return Loss(p).after.mass * Loss(p).after.eccentricity * std::pow(two_pi * speed_Hz, 2);
          };
          return force(p.motor_off_Hz) > force(p.motor_off_Hz / 2) ? 1. : 0.;
+       }},
+      // The inertia force of the unbalance over the supports' force at the clearance.
+      {"inertia_by_ratio",
+       [](In, P p) {
+         const auto force = [&](double part) {
+           return Loss(p).after.mass * Loss(p).after.eccentricity *
+                  std::pow(two_pi * part * p.motor_off_Hz, 2) /
+                  (part * part * p.support_stiffness * (p.stator_radius - p.rotor_radius));
+         };
+         return 100 * std::abs(force(0.5) / force(1) - 1);
        }},
       {"border_by_ratio",
        [](In in, P p) {

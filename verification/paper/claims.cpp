@@ -40,16 +40,17 @@ std::string cells(const Stored& stored) {
 }
 
 Verdict verdict_of(const Number& number, const Reading::InSet& in, const Judging& judging) {
-  const Allowed allowed = number.allowed(judging.words);
+  const Allowed allowed = number.allowed(judging);
   Verdict verdict{{}, infinity, infinity};
   const auto note = [](double& off, double another) { off = std::min(off, another); };
   if (in.by_rk4 && judging.own_method) note(verdict.off_a, allowed.off(*in.by_rk4));
-  if (!number.is_drawn() || !judging.populations) {
+  if (!number.is_drawn()) {
     if (in.converged) note(verdict.off_a, allowed.off(*in.converged));
   } else {
     note(verdict.off_a, off_median(allowed, in.a.spread));
-    note(verdict.off_b, off_range(allowed, in.a.spread));
-    note(verdict.off_b, off_range(allowed, in.b.spread));
+    const auto off_b = judging.medians && bounds_a_change(number.rule) ? off_median : off_range;
+    note(verdict.off_b, off_b(allowed, in.a.spread));
+    note(verdict.off_b, off_b(allowed, in.b.spread));
   }
   verdict.says = from_best[verdict.off_a <= 1 ? 0 : verdict.off_b <= 1 ? 1 : 2];
   return verdict;
@@ -59,7 +60,36 @@ bool is_worse(const std::string& one, const std::string& other) {
   return std::ranges::find(from_best, one) > std::ranges::find(from_best, other);
 }
 
+/// Whether a number counts: those that have `instead` in the place of another one, or not at all.
+bool counts(const Number& number, const std::vector<Number>& all, const Judging& judging) {
+  return judging.instead ? std::ranges::find(all, number.id, &Number::instead) == all.end()
+                         : number.instead.empty();
+}
+
 }  // namespace
+
+Allowed Number::allowed(const Judging& judging) const {
+  Allowed its = rotor::allowed(printed, rule, judging.words, judging.zeros_count);
+  its.half *= judging.limits;
+  return its;
+}
+
+const std::vector<Judging>& other_rules() {
+  using By = Judging::By;
+  static const std::vector<Judging> rules = {
+      {.says = "half the widths of words", .words = 0.5},
+      {.says = "twice the widths of words", .words = 2},
+      {.says = "limits 5 % narrower", .limits = 0.95},
+      {.says = "limits 5 % wider", .limits = 1.05},
+      {.says = "every reading must hold", .by = By::every},
+      {.says = "the first reading for the whole text", .by = By::first},
+      {.says = "the second reading for the whole text", .by = By::second},
+      {.says = "no result of the paper's method", .own_method = false},
+      {.says = "zeros of whole numbers count", .zeros_count = true},
+      {.says = "the medians of changes", .medians = true},
+      {.says = "another number for the same words", .instead = true}};
+  return rules;
+}
 
 Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging) {
   const auto by = [&](std::size_t reading) {
@@ -108,6 +138,7 @@ std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>&
                                                       std::size_t set, const Judging& judging) {
   std::map<std::string, std::string> worst;
   for (const Number& number : numbers) {
+    if (!counts(number, numbers, judging)) continue;
     const std::string its = verdict_of(number, set, judging).says;
     std::string& verdict = worst.try_emplace(number.claim, its).first->second;
     if (is_worse(its, verdict)) verdict = its;
@@ -115,24 +146,29 @@ std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>&
   return worst;
 }
 
+std::map<std::string, std::string> settled_verdicts(const std::vector<Number>& numbers,
+                                                    std::size_t set) {
+  auto settled = verdicts_of_claims(numbers, set);
+  for (const Judging& rule : other_rules())
+    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set, rule))
+      if (settled.at(claim) != verdict) settled.at(claim) = "depends";
+  return settled;
+}
+
 std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
-  using By = Judging::By;
-  const std::vector<Judging> rules = {
-      {.says = "half the widths of words", .words = 0.5},
-      {.says = "twice the widths of words", .words = 2},
-      {.says = "every reading must hold", .by = By::every},
-      {.says = "the first reading for the whole text", .by = By::first},
-      {.says = "the second reading for the whole text", .by = By::second},
-      {.says = "no result of the paper's method", .own_method = false},
-      {.says = "only the inputs as printed", .own_method = false, .populations = false}};
   std::vector<Turned> turned;
   for (std::size_t set = 0; set < sets.size(); ++set)
     for (const Number& number : numbers) {
+      if (!number.instead.empty()) continue;
       const std::string verdict = verdict_of(number, set).says;
       Turned one{number, set, verdict, {}};
-      for (const Judging& rule : rules)
-        if (const std::string other = verdict_of(number, set, rule).says; other != verdict)
-          one.others.push_back(fmt::format("{}: {}", other, rule.says));
+      const auto other = std::ranges::find(numbers, number.id, &Number::instead);
+      for (const Judging& rule : other_rules()) {
+        const bool is_other = rule.instead && other != numbers.end();
+        const std::string its = verdict_of(is_other ? *other : number, set, rule).says;
+        if (its != verdict)
+          one.others.push_back(fmt::format("{}: {}", its, is_other ? other->says : rule.says));
+      }
       if (!one.others.empty()) turned.push_back(one);
     }
   return turned;
@@ -157,13 +193,16 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
     if (!kinds.contains(row["kind"])) row.fail("there is no kind " + row["kind"]);
     Number number{.claim = row["claim"],
                   .id = row["number"],
-                  .sentence = row["sentence"].empty() ? row["claim"] : row["sentence"],
+                  .sentence = !row["instead"].empty()   ? row["number"]
+                              : row["sentence"].empty() ? row["claim"]
+                                                        : row["sentence"],
                   .figures = row["figures"],
                   .place = row["place"],
                   .says = row["says"],
                   .printed = row["printed"],
                   .rule = row["rule"],
                   .unit = row["unit"],
+                  .instead = row["instead"],
                   .kind = kinds.at(row["kind"]),
                   .conditions = row["conditions"] == "yes",
                   .readings = {},
@@ -197,8 +236,13 @@ std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::stri
 }
 
 std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
+  return judged_numbers(folder, folder / "ensembles.csv");
+}
+
+std::vector<Number> judged_numbers(const std::filesystem::path& folder,
+                                   const std::filesystem::path& table) {
   std::vector<Number> numbers = read_numbers(folder / "claims.csv");
-  const Ensembles ensembles = read_ensembles(folder / "ensembles.csv");
+  const Ensembles ensembles = read_ensembles(table);
   for (std::size_t set = 0; set < sets.size(); ++set) {
     PaperInputs inputs;
     inputs.spec.equations = sets[set].equations;
@@ -270,18 +314,18 @@ std::string to_csv(const std::vector<Number>& numbers) {
 std::string claims_table(const std::vector<Number>& numbers) {
   std::string table;
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    std::map<std::string, int> counts;
-    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set)) ++counts[verdict];
+    std::map<std::string, int> how_many;
+    for (const auto& [claim, verdict] : settled_verdicts(numbers, set)) ++how_many[verdict];
     table += fmt::format("{:<22}", set == 0 ? "equations as printed" : "corrected equations");
     for (const std::string& verdict : from_best)
-      table += fmt::format("{:>5} {}", counts[verdict], verdict);
-    table += '\n';
+      table += fmt::format("{:>5} {}", how_many[verdict], verdict);
+    table += fmt::format(" by every rule, {} depend on it\n", how_many["depends"]);
   }
   table += fmt::format("\n{:<16}{:<16}{:<13}{:<11}{}\n", "as printed", "corrected", "printed",
                        "converged", "claim");
   for (auto verdict = from_best.rbegin(); verdict != from_best.rend(); ++verdict)
     for (const Number& n : numbers) {
-      if (verdict_of(n, 0).says != *verdict) continue;
+      if (verdict_of(n, 0).says != *verdict || !n.instead.empty()) continue;
       const auto converged = n.readings[n.decides[0]].in[0].converged;
       table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10}", *verdict, verdict_of(n, 1).says,
                                    n.printed.empty() ? n.rule : n.printed,

@@ -37,14 +37,20 @@ struct Verdict {
 struct Judging {
   enum class By { sentence, first, second, every };  ///< which readings decide
   const char* says = "";
-  double words = 1;  ///< multiplies the widths of words
+  double words = 1;   ///< multiplies the widths of words
+  double limits = 1;  ///< multiplies all widths
   By by = By::sentence;
-  bool own_method = true, populations = true;
+  bool own_method = true, zeros_count = false;
+  bool medians = false;  ///< of a change that a word bounds, instead of its 5 to 95 %
+  bool instead = false;  ///< with the numbers that have `instead`
 };
+/// The other rules of policy.md.
+const std::vector<Judging>& other_rules();
 
 /// A number of a claim, which may have several.
 struct Number {
   std::string claim, id, sentence, figures, place, says, printed, rule, unit;
+  std::string instead;  ///< id of the number in whose place it can be read
   Kind kind = Kind::simulated;
   bool conditions = false;  ///< population (b)
   std::vector<Reading> readings;
@@ -53,7 +59,7 @@ struct Number {
   std::array<std::size_t, sets.size()> decides{};  ///< the reading of its sentence
 
   bool is_drawn() const { return kind == Kind::arithmetic || kind == Kind::simulated; }
-  Allowed allowed(double words = 1) const { return rotor::allowed(printed, rule, words); }
+  Allowed allowed(const Judging& judging = {}) const;
 };
 
 /// The verdict in a set of equations.
@@ -70,12 +76,18 @@ std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::stri
 
 /// The table with values from runs at the inputs as printed and from the stored ensembles.
 std::vector<Number> judged_numbers(const std::filesystem::path& folder);
+std::vector<Number> judged_numbers(const std::filesystem::path& folder,
+                                   const std::filesystem::path& ensembles);
 /// The same for reference-data/, computed once.
 const std::vector<Number>& judged();
 
 /// The verdict of each claim in a set of equations: the worst one of its numbers.
 std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
                                                       std::size_t set, const Judging& judging = {});
+
+/// The verdict that each claim has by every rule; "depends" for those that another rule turns.
+std::map<std::string, std::string> settled_verdicts(const std::vector<Number>& numbers,
+                                                    std::size_t set);
 
 /// The verdict on a number, and those that other rules of policy.md would give: "refuted: every
 /// reading must hold".

@@ -163,6 +163,36 @@ TEST(Verdicts, TakeOneReadingForAllNumbersOfASentence) {
                                     "refuted: the second reading for the whole text"}));
 }
 
+// Each rule turns a number of its own: 404 for a printed 400, a change of 4.9 % of at most 5 %, a
+// change whose lowest 5 % of draws are small, and a number that can be read as another one.
+TEST(Verdicts, DependOnTheRulesThatTurnThem) {
+  Number zeros = number("400", "digits", stored(404, 404, 404), stored(404, 404, 404));
+  Number limit = number("", "agrees", stored(4.9, 4.9, 4.9), stored(4.9, 4.9, 4.9));
+  Number lucky = number("", "minor", stored(30, 30, 30), stored(9, 20, 30));
+  Number read = number("", "minor", stored(30, 30, 30), stored(30, 30, 30)),
+         as_another = number("", "minor", stored(1, 1, 1), stored(1, 1, 1));
+  zeros.claim = zeros.id = "zeros", limit.claim = limit.id = "limit";
+  lucky.claim = lucky.id = "lucky", read.claim = read.id = "read";
+  as_another.claim = "read", as_another.id = "another", as_another.instead = "read";
+  as_another.says = "another number";
+  const std::vector<Number> all = {zeros, limit, lucky, read, as_another};
+  std::map<std::string, std::vector<std::string>> others;
+  for (const Turned& turned : turned_by_other_rules(all))
+    if (turned.set == published) others[turned.number.id] = turned.others;
+  using Says = std::vector<std::string>;
+  EXPECT_EQ(others.at("zeros"), Says({"refuted: zeros of whole numbers count"}));
+  EXPECT_EQ(others.at("limit"),
+            Says({"refuted: half the widths of words", "refuted: limits 5 % narrower"}));
+  EXPECT_EQ(others.at("lucky"),
+            Says({"refuted: half the widths of words", "refuted: the medians of changes"}));
+  EXPECT_EQ(others.at("read"), Says({"reproduced: another number"}));
+  EXPECT_EQ(others.size(), 4U);
+  for (const auto& [claim, verdict] : settled_verdicts(all, published))
+    EXPECT_EQ(verdict, "depends") << claim;
+  EXPECT_EQ(settled_verdicts({as_another, read}, published).size(), 1U);
+  EXPECT_EQ(settled_verdicts({read}, published).at("read"), "refuted");
+}
+
 // The readings of the numbers that belong together are matched by their order.
 TEST(Claims, HaveTheReadingsOfASentenceInOneOrder) {
   for (const Number& its : judged())
@@ -201,6 +231,8 @@ TEST(Policy, TakesHalfAUnitOfTheLastDigit) {
                                       {"1e-4", 0.5e-4},
                                       {"10", 0.5}})
     EXPECT_NEAR(half_digit(printed) / half, 1, 1e-12) << printed;
+  EXPECT_EQ(half_digit("4000", true), 0.5);
+  EXPECT_EQ(half_digit("8.91e-3", true), half_digit("8.91e-3"));
 }
 
 /// The numbers that policy.md has in the row of a rule.

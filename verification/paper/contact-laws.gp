@@ -2,7 +2,7 @@
 # `folder` has a trace of each row of contact-laws.csv.
 eval "set terminal ".wide
 set multiplot layout 1,2 margins 0.075,0.985,0.12,0.9 spacing 0.08 \
-  title "{/:Bold Other contact laws}, as stiff as the paper's linear one in the first impact (left) or in rolling (right); μ = 0.3, as printed"
+  title "{/:Bold Other contact laws}, indented as far as the paper's linear one in the first impact (left) or in rolling (right); μ = 0.3, as printed"
 set ylabel "normal force, kN" offset 1,0
 same = "impact rolling"; names = "1 1.25 1.5"
 array colour[3] = [black, blue, vermilion]

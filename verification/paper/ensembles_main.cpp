@@ -1,5 +1,7 @@
 /// Recomputes reference-data/ensembles.csv, every reading over the populations of policy.md:
-/// `ensembles FOLDER COUNT`; or only the rows of one claim: `ensembles FOLDER COUNT CLAIM`.
+/// `ensembles FOLDER COUNT`; or only the rows of one claim: `ensembles FOLDER COUNT CLAIM`. With
+/// `ensembles FOLDER COUNT seed SEED TABLE` it writes another table, and prints the claims whose
+/// verdict, the same by every rule, it turns.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -25,11 +27,34 @@ void add(Rows& rows, std::istream& lines) {
   }
 }
 
+/// How many claims have a verdict by every rule that is another one with these ensembles.
+int print_turned(const std::filesystem::path& folder, const std::filesystem::path& ensembles) {
+  const auto stored = judged_numbers(folder), anew = judged_numbers(folder, ensembles);
+  int settled = 0, turned = 0;
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const auto its = settled_verdicts(anew, set);
+    for (const auto& [claim, verdict] : settled_verdicts(stored, set)) {
+      if (verdict == "depends") continue;
+      ++settled;
+      if (its.at(claim) == verdict) continue;
+      ++turned;
+      fmt::print("{}, {} equations: {}; {} with the other seed\n", claim, sets[set].name, verdict,
+                 its.at(claim));
+    }
+  }
+  fmt::print("{} of {} verdicts by every rule are turned\n", turned, settled);
+  return turned;
+}
+
 int main(const Arguments& arguments) {
-  if (arguments.size() != 2 && arguments.size() != 3)
-    throw std::runtime_error("needs: FOLDER COUNT [CLAIM]");
-  const std::filesystem::path folder = arguments[0], table = folder / "ensembles.csv";
+  const bool has_seed = arguments.size() == 5 && arguments[2] == "seed";
+  if (arguments.size() != 2 && arguments.size() != 3 && !has_seed)
+    throw std::runtime_error("needs: FOLDER COUNT [CLAIM], or FOLDER COUNT seed SEED TABLE");
+  const std::filesystem::path folder = arguments[0],
+                              table = has_seed ? std::filesystem::path(arguments[4])
+                                               : folder / "ensembles.csv";
   const long count = std::stol(arguments[1]);
+  const auto seed = static_cast<unsigned>(has_seed ? std::stoul(arguments[3]) : 1);
   const auto all = read_numbers(folder / "claims.csv");
   std::vector<Number> numbers = all;
   Rows rows;
@@ -41,7 +66,7 @@ int main(const Arguments& arguments) {
   const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   constexpr std::array populations = {std::pair("a", Population::a), std::pair("b", Population::b)};
   for (const auto& [name, population] : populations) {
-    const PopulationDraws draws(population, folder, count);
+    const PopulationDraws draws(population, folder, count, seed);
     for (const Set& set : sets) {
       const auto at = [&](long n) { return draws(n, set.equations); };
       const auto report = [&, name = name, next = 0L](long done) mutable {
@@ -58,8 +83,9 @@ int main(const Arguments& arguments) {
   std::string csv =
       "# Each reading over the populations of policy.md, from `make ensembles`; not from "
       "the paper.\n"
-      "# rotor " ROTOR_VERSION
-      ", method event at tolerance 1e-8; seed 1: (a) of Sobol's sequence, (b) independent draws.\n"
+      "# rotor " ROTOR_VERSION ", method event at tolerance 1e-8; seed " +
+      std::to_string(seed) +
+      ": (a) of Sobol's sequence, (b) independent draws.\n"
       "# valued: share of the draws with a value; median, p5, p95: of those; holds: share of the "
       "draws in which the claim holds.\n"
       "equations,population,number,reading,draws,valued,median,p5,p95,holds\n";
@@ -74,7 +100,7 @@ int main(const Arguments& arguments) {
   FileTransaction files;
   files.write(table, csv);
   files.commit();
-  return 0;
+  return has_seed && print_turned(folder, table) > 0 ? 1 : 0;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ cat <<'HEAD'
 # law's, of runs that roll; other quantities: whether the run ends as the law predicts; agree: share within 10 %, or that does.
 # speed_deficit: (1 - the ratio of rolling speeds)/share; agree: share of the runs that lose more speed than the law says.
 # trusted_...: rotors of region.toml in the tested region, by the outcome predicted; agree: share with this outcome, and speed
-# and force within 10 %.
+# and force within 10 %. rolling_is_trusted: of the rotors of region.toml that roll, the share in the region.
 equations,quantity,share_from,share_to,runs,q05,q25,median,q75,q95,agree
 HEAD
 cat "$@" | grep -v '^#' | awk -F, '
@@ -21,6 +21,7 @@ cat "$@" | grep -v '^#' | awk -F, '
     if (of("law_trusted") == "true") row("trusted_" of("law_outcome"), "", "", of("outcome") == of("law_outcome") &&
       (of("outcome") != "rolling" ||
         near("rolling_onset_speed_Hz", "law_rolling_speed_Hz") && near("peak_force_to_rolling_N", "law_peak_force_N")))
+    if (of("outcome") == "rolling") row("rolling_is_trusted", "", "", of("law_trusted") == "true")
     next
   }
   {

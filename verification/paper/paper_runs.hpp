@@ -47,6 +47,7 @@ class PaperRun {
   std::optional<Instant> last_touch_down() const {
     return touch_downs_.empty() ? std::nullopt : std::optional(touch_downs_.back());
   }
+  const std::vector<Instant>& releases() const { return releases_; }
   /// The collisions that end with a release.
   struct Collision {
     double duration_s, speed_gain;  ///< the gain in rad/s

@@ -122,9 +122,9 @@ std::vector<InputRange> read_input_ranges(const std::filesystem::path& printed_i
 }
 
 PopulationDraws::PopulationDraws(Population population, const std::filesystem::path& reference_data,
-                                 long count) {
+                                 long count, unsigned seed) {
   const std::vector<InputRange> ranges = read_input_ranges(reference_data / "printed-inputs.csv");
-  sweep_.sample.seed = 1;
+  sweep_.sample.seed = seed;
   sweep_.sample.count = std::numeric_limits<long>::max();
   if (population == Population::a) {
     for (const auto& [input, least, greatest] : ranges)

@@ -26,7 +26,8 @@ enum class Population {
 class PopulationDraws {
  public:
   /// Finds `count` draws of (b). Throws std::runtime_error if hardly any proposal is accepted.
-  PopulationDraws(Population population, const std::filesystem::path& reference_data, long count);
+  PopulationDraws(Population population, const std::filesystem::path& reference_data, long count,
+                  unsigned seed = 1);
 
   /// The inputs of a draw; torque and times depend on the run-up, and so on the set of equations.
   PaperInputs operator()(long n, const Equations& equations) const;

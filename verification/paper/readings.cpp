@@ -204,6 +204,10 @@ void add_run_up_and_loss(Table& table) {
   using At = const Instant&;
   table.add("resonance_s", [](Runs r) { return r.time_at_critical_speed(); });
   table.add("motor_off_s", [](Runs r) { return r.high().summary().motor_off_s; });
+  table.add("motor_is_off", [](Runs r) -> Value {
+    const auto off_s = r.high().summary().motor_off_s;
+    return off_s && *off_s < r.inputs().t_operating ? 1. : 0.;
+  });
   table.before_loss("speed_at_loss", [](Runs, At at) { return speed_Hz(at); });
   table.before_loss("relative_velocity", [](Runs r, At at) {
     return 100 * std::hypot(at.state[3], at.state[4]) / (at.state[5] * r.parameters().eccentricity);
@@ -285,6 +289,16 @@ void add_rolling(Table& table) {
     const auto& work = r.friction_work();
     return work ? Value(100 * work->first_impact_damped) : std::nullopt;
   });
+  // Of C_1 relative to that of O.
+  table.onset("velocity_off", [](Runs, At at) {
+    const auto m = at.motion();
+    return 100 * std::abs(m.mass_centre_velocity().norm() / m.velocity.norm() - 1);
+  });
+  table.onset("force_rises", [](Runs r, At at) {
+    const Instant from = *r.high().touch_down_before_rolling(0);
+    return speed_Hz(at) < speed_Hz(from) && force(r, at) > r.high().peak_until(from.time_s) ? 1.
+                                                                                            : 0.;
+  });
   table.onset("translation_share",
               [](Runs r, At at) { return 100 * translation(r, at) / energy(at); });
   table.onset("bearing_share", [](Runs r, At at) {
@@ -362,6 +376,10 @@ void add_collisions(Table& table) {
       if (all.empty()) return std::nullopt;
       return longest ? std::ranges::max(all) : std::ranges::min(all);
     });
+  table.add("ends_indented", [](Runs r) -> Value {
+    const auto& all = r.high().releases();
+    return std::ranges::any_of(all, [&](At at) { return indentation(r, at) > 0; }) ? 1. : 0.;
+  });
   table.add("impacts_that_do_not_slow", [](Runs r) -> Value {
     long all = 0;
     for (const PaperRun* run : at_all_frictions(r))
@@ -434,6 +452,17 @@ void add_other_losses_and_contacts(Table& table) {
     const Value as_it_is = peak(r.from_steady(1)), slower = peak(r.from_steady(0.5));
     if (!as_it_is || !slower) return std::nullopt;
     return 100 * std::abs(*slower / *as_it_is - 1);
+  });
+  // A tenth larger radii with the same clearance change the largest force by more than 1 %.
+  table.add("by_dimensions", [](Runs r) -> Value {
+    const Parameters p = r.parameters();
+    const Value as_it_is = peak(r.high());
+    const double wider = p.rotor_radius / 10;
+    const Value changed =
+        peak(r.with(r.inputs().mu_high, {{"rotor_radius", p.rotor_radius + wider},
+                                         {"stator_radius", p.stator_radius + wider}}));
+    if (!as_it_is || !changed) return std::nullopt;
+    return std::abs(*changed / *as_it_is - 1) > 0.01 ? 1. : 0.;
   });
   table.add("k_t_peak", change(&PaperInputs::mu_high, "contact_stiffness", peak));
   table.add("k_t_time", change(&PaperInputs::mu_high, "contact_stiffness", time_to_rolling));

@@ -15,11 +15,12 @@ double number_of(const std::string& printed) {
 
 }  // namespace
 
-double half_digit(const std::string& printed) {
+double half_digit(const std::string& printed, bool zeros_count) {
   const std::size_t exponent = printed.find('e');
   const std::string digits = printed.substr(0, exponent);
   const double scale =
       exponent == std::string::npos ? 1 : std::pow(10, number_of(printed.substr(exponent + 1)));
+  if (zeros_count && digits.find('.') == std::string::npos) return scale / 2;
   const std::size_t point = digits.find('.');
   if (point != std::string::npos)
     return scale / 2 * std::pow(10, -static_cast<double>(digits.size() - point - 1));
@@ -30,19 +31,26 @@ double half_digit(const std::string& printed) {
   return scale / 2 * std::pow(10, static_cast<double>(digits.size() - 1 - counts));
 }
 
-Allowed allowed(const std::string& printed, const std::string& rule, double words) {
+bool bounds_a_change(const std::string& rule) {
+  return rule == "minor" || rule == "slight" || rule == "agrees" || rule == "negligible";
+}
+
+Allowed allowed(const std::string& printed, const std::string& rule, double words,
+                bool zeros_count) {
   constexpr double about = 0.05;
-  if (rule == "digits") return {number_of(printed), half_digit(printed)};
+  const auto half = [zeros_count](const std::string& text) {
+    return half_digit(text, zeros_count);
+  };
+  if (rule == "digits") return {number_of(printed), half(printed)};
   if (rule == "about")
     return {number_of(printed),
-            std::max(half_digit(printed), words * about * std::abs(number_of(printed)))};
+            std::max(half(printed), words * about * std::abs(number_of(printed)))};
   if (rule == "range") {
     const std::string to = " to ";
     const std::size_t at = printed.find(to);
     if (at == std::string::npos) throw std::invalid_argument("is no range: " + printed);
     const std::string from = printed.substr(0, at), until = printed.substr(at + to.size());
-    const double least = number_of(from) - half_digit(from),
-                 greatest = number_of(until) + half_digit(until);
+    const double least = number_of(from) - half(from), greatest = number_of(until) + half(until);
     return {(least + greatest) / 2, (greatest - least) / 2};
   }
   if (rule == "is") return {number_of(printed), 0.4999};

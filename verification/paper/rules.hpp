@@ -19,11 +19,15 @@ struct Allowed {
   }
 };
 
-/// `words` multiplies the widths of words. Throws std::invalid_argument for an unknown rule or an
-/// invalid number.
-Allowed allowed(const std::string& printed, const std::string& rule, double words = 1);
+/// `words` multiplies the widths of words; `zeros_count`: those at the end of a whole number are
+/// digits. Throws std::invalid_argument for an unknown rule or an invalid number.
+Allowed allowed(const std::string& printed, const std::string& rule, double words = 1,
+                bool zeros_count = false);
+
+/// Whether a rule bounds a change.
+bool bounds_a_change(const std::string& rule);
 
 /// Half a unit of the last digit of a number as printed.
-double half_digit(const std::string& printed);
+double half_digit(const std::string& printed, bool zeros_count = false);
 
 }  // namespace rotor

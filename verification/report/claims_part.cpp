@@ -115,6 +115,7 @@ bool is_worse(const Json& one, const Json& other) { return severity(one) > sever
 Json claims_json(const std::vector<Number>& numbers) {
   Json claims = Json::object();
   for (const Number& number : numbers) {
+    if (!number.instead.empty()) continue;
     if (!claims.contains(number.claim))
       claims[number.claim] = {{"claim", number.claim},    {"opens", Json()},
                               {"changes", Json()},        {"says", words_of(number)},
@@ -159,6 +160,34 @@ Json turned_json(const std::vector<Number>& numbers) {
                     {"verdict", verdict_json(turned.verdict)},
                     {"others", turned.others}});
   return rows;
+}
+
+Json settled_json(const std::vector<Number>& numbers) {
+  Json all;
+  const auto is_arithmetic = [&](const std::string& claim) {
+    return std::ranges::all_of(numbers, [&](const Number& number) {
+      return number.claim != claim || number.kind == Kind::arithmetic;
+    });
+  };
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    Json its;
+    for (const char* of : {"runs", "arithmetic"})
+      for (const char* verdict : {"claims", "reproduced", "within rounding", "refuted", "depends"})
+        its[of][verdict] = 0;
+    for (const auto& [claim, verdict] : settled_verdicts(numbers, set))
+      for (const std::string& key : {std::string("claims"), verdict}) {
+        Json& count = its[is_arithmetic(claim) ? "arithmetic" : "runs"][key];
+        count = count.get<int>() + 1;
+      }
+    its["runs"]["within_rounding"] = its["runs"]["within rounding"];
+    all[set_keys[set]] = its;
+    const auto verdicts = verdicts_of_claims(numbers, set);
+    for (const Judging& rule : other_rules())
+      all["turned_by"][rule.says][set_keys[set]] = std::ranges::count_if(
+          verdicts_of_claims(numbers, set, rule),
+          [&](const auto& one) { return one.second != verdicts.at(one.first); });
+  }
+  return all;
 }
 
 Json claims_of(int figure, const Json& claims) {

@@ -69,6 +69,7 @@ Json document(const Sources& sources) {
   Json all = {{"title", words.at("title")},
               {"paper", words.at("paper")},
               {"verdict", verdicts_json(claims)},
+              {"settled", settled_json(judged)},
               {"turned", turned_json(judged)},
               {"words", words},
               {"values", values},

@@ -26,6 +26,9 @@ Json document(const Sources& sources);
 Json claims_json(const std::vector<Number>& numbers);
 Json claims_of(int figure, const Json& claims);
 Json turned_json(const std::vector<Number>& numbers);  ///< verdicts that other rules would turn
+/// How many claims have which verdict by every rule, those without a run apart; and how many of all
+/// each other rule turns.
+Json settled_json(const std::vector<Number>& numbers);
 Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
 
