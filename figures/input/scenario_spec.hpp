@@ -13,10 +13,12 @@
 
 namespace rotor {
 
-/// A number that can be stated: one of the scenario, or one from which it follows.
+/// A number that can be stated: one of the scenario, one from which it follows, or one of its
+/// start.
 struct InputQuantity {
   Quantity quantity;
-  std::string_view instead_of;  ///< name of the scenario's number that follows; empty if it is one
+  std::string_view instead_of;  ///< name of the scenario's number that follows; empty if none does
+  double Start::*of_start = nullptr;
 };
 
 /// In the order in which they are documented.
@@ -39,6 +41,7 @@ struct ScenarioSpec {
   std::optional<VelocityJump> velocity_jump;
   std::optional<GravityMoment> gravity_moment;
   std::optional<Method> method;
+  std::optional<Drive> drive;
   std::optional<int> digits;  ///< to be estimated
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }

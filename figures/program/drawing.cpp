@@ -84,7 +84,7 @@ std::string conditions(const ScenarioSpec& stated, bool have_same_equations) {
   equations.gravity_moment = stated.gravity_moment.value_or(equations.gravity_moment);
   std::vector<std::string> all;
   if (have_same_equations) all.emplace_back(equations_in_words(name_of(equations)));
-  for (const auto& [quantity, instead_of] : input_quantities())
+  for (const auto& [quantity, instead_of, of_start] : input_quantities())
     if (const auto found = stated.numbers.find(quantity.name); found != stated.numbers.end()) {
       const auto [unit, in_si] = drawn_unit(quantity.unit);
       all.push_back(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),

@@ -206,7 +206,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
            "a run")
       ->needs(scene);
   std::string heading;
-  for (const auto& [quantity, instead_of] : input_quantities()) {
+  for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
     for (const auto& [first, its] : headings)
       if (first == quantity.name) heading = its;
     std::string meaning(quantity.meaning);

@@ -46,6 +46,10 @@ Json inputs_of(const RunResult& result) {
   Json inputs;
   for (const Quantity& quantity : quantities())
     inputs[std::string(quantity.name)] = quantity.of(result.scenario);
+  for (const InputQuantity& input : input_quantities())
+    if (input.of_start)
+      inputs[std::string(input.quantity.name)] =
+          result.scenario.start ? Json(*result.scenario.start.*input.of_start) : Json();
   inputs["no_mass_loss"] = !result.scenario.parameters.loses_mass;
   return inputs;
 }
@@ -90,6 +94,8 @@ const std::vector<Metadata>& metadata() {
        [](const A& a) { return Json(name_of(a.scenario.equations.gravity_moment)); }},
       {"method", "How the run was computed", one_of(all_names<Method>()),
        [](const A& a) { return Json(name_of(a.scenario.method)); }},
+      {"drive", "What turns the rotor", one_of(all_names<Drive>()),
+       [](const A& a) { return Json(name_of(a.scenario.parameters.drive)); }},
       {"tolerance", "Error allowed in a step by method event; null for rk4", number_or_null(),
        [](const A& a) {
          return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
@@ -219,6 +225,7 @@ Json to_json(const EnergyObserver& energy) {
   const auto of = [](const EnergyBalance& b) -> Json {
     return {{"initial", b.initial},
             {"motor", b.motor},
+            {"drive", b.drive},
             {"gravity", b.gravity},
             {"support_damping", b.support_damping},
             {"contact_damping", b.contact_damping},
@@ -274,7 +281,7 @@ std::vector<Remark> remarks(const RunResult& result) {
                      "state a later until",
                      summary.final_time_s)});
   if (const double start = result.scenario.start_speed_Hz;
-      start > 0 && start < p.motor_off_Hz && p.torque > 0)
+      p.drive == Drive::motor && start > 0 && start < p.motor_off_Hz && p.torque > 0)
     all.push_back(
         {fmt::format("the motor still drives at start_speed_hz = {} Hz, up to motor_off_hz = {} "
                      "Hz; torque = 0 turns it off",

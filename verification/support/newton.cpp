@@ -96,10 +96,15 @@ class Run {
     laws_ = {p, scenario.equations.gravity_moment, at_.body, at_.motor_on};
     x_ = in_stator_axes(at_.state);
     clearance_ = p.stator_radius - p.rotor_radius;
+    if (at_.contact != ContactState::free && laws_.pressure(laws_.rim(x_)) < 0)
+      at_.contact = ContactState::indented;
   }
 
   bool finish() {
-    show(Event::none);
+    if (touches())
+      begin_contact(Event::none);
+    else
+      show(Event::none);
     if (scenario_.loses_mass()) {
       if (!advance(scenario_.parameters.mass_loss_time)) return false;
       lose_mass();
