@@ -64,13 +64,6 @@ template <class S>
 struct Acceleration {
   Vector<S> mass_centre;  ///< of C relative to the stator, m/s^2
   S angular;              ///< q3'', rad/s^2
-
-  friend Acceleration operator+(const Acceleration& a, const Acceleration& b) {
-    return {a.mass_centre + b.mass_centre, a.angular + b.angular};
-  }
-  friend Acceleration operator*(const S& factor, const Acceleration& a) {
-    return {factor * a.mass_centre, factor * a.angular};
-  }
 };
 
 /// Of a mass on a spring, rad/s.
