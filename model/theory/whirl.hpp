@@ -85,23 +85,23 @@ class Whirl {
   /// of |k - m w^2 + k_t x + i (d w + mu k_t x)| rho = m w^2 e with x = 1 - c/rho, m.
   std::optional<double> synchronous_radius(double speed, double friction) const {
     const double force = body_.mass * speed * speed * body_.eccentricity;
-    const double along = stiffness_ + contact_stiffness_ - body_.mass * speed * speed,
-                 across = damping_ * speed + friction * contact_stiffness_;
-    const double pressed = contact_stiffness_ * ring_.clearance;
-    const double a = along * along + across * across, b = pressed * (along + friction * across),
-                 c = (1 + friction * friction) * pressed * pressed - force * force;
-    const double radius = (b + std::sqrt(b * b - a * c)) / a;
-    return radius >= ring_.clearance ? std::optional(radius)
-                                     : std::nullopt;  // NaN if there is none
+    const double softness = stiffness_ - body_.mass * speed * speed, drag = damping_ * speed;
+    const double along = softness + contact_stiffness_,
+                 across = drag + friction * contact_stiffness_;
+    // A quadratic equation of the indentation, with the forces at none.
+    const double along_0 = softness * ring_.clearance, across_0 = drag * ring_.clearance;
+    const double a = along * along + across * across, b = along * along_0 + across * across_0,
+                 c = along_0 * along_0 + across_0 * across_0 - force * force;
+    const double indentation = (std::sqrt(b * b - a * c) - b) / a;  // NaN if there is no circle
+    return indentation >= 0 ? std::optional(ring_.clearance + indentation) : std::nullopt;
   }
 
   /// The least friction at which a small disturbance of that circle grows, by Routh and Hurwitz;
   /// infinite if none does as long as there is a circle.
   double stable_synchronous_friction(double speed) const {
     constexpr double least = 1e-6, most = 10, ratio = 1.02;
-    const double exists = std::min(most, synchronous_friction(speed));
     double low = 0;
-    for (double high = least; low < exists; low = high, high *= ratio) {
+    for (double high = least; high < most; low = high, high *= ratio) {
       if (!synchronous_radius(speed, high)) break;
       if (disturbances_decay(speed, high)) continue;
       for (int halving = 0; halving < 60; ++halving) {
