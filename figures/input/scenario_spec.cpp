@@ -111,9 +111,7 @@ Scenario numbers_of(const ScenarioSpec& stated) {
       if (number(spec, name))
         throw InputError("{}: has no meaning with drive = constant_speed; leave it out", name);
   p.loses_mass = spec.loses_mass.value_or(true);
-  scenario.equations = spec.equations.value_or(scenario.equations);
-  if (spec.velocity_jump) scenario.equations.velocity_jump = *spec.velocity_jump;
-  if (spec.gravity_moment) scenario.equations.gravity_moment = *spec.gravity_moment;
+  scenario.equations = equations_of(spec);
   scenario.method = spec.method.value_or(scenario.method);
   if (spec.digits && scenario.method == Method::rk4)
     throw InputError(
@@ -237,6 +235,13 @@ bool is_own_rotor(const ScenarioSpec& stated) {
   return states("mass") || states("inertia") || states("rotor_radius");
 }
 
+Equations equations_of(const ScenarioSpec& stated) {
+  const Equations usual = is_own_rotor(stated) ? Equations::consistent : Scenario{}.equations;
+  const Equations all = stated.equations.value_or(usual);
+  return {stated.velocity_jump.value_or(all.velocity_jump),
+          stated.gravity_moment.value_or(all.gravity_moment)};
+}
+
 std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
   std::vector<std::string> all;
   for (const Quantity& quantity : quantities()) {
@@ -263,10 +268,11 @@ std::span<const NamedInput> named_inputs() {
   static constexpr std::array all = {
       NamedInput{"equations", name_of(standard.equations),
                  "published (as printed: twice, whole) or corrected, also called consistent (once, "
-                 "balanced)",
+                 "balanced): the default for a rotor with a mass, inertia or radius of its own",
                  [](Spec& s, Text name) {
-                   s.equations =
-                       name == corrected ? Equations::consistent : parse_name<Equations>(name);
+                   if (name != "published" && name != corrected && name != "consistent")
+                     throw InputError("must be published or corrected; not \"{}\"", shown(name));
+                   s.equations = name == "published" ? Equations::published : Equations::consistent;
                  }},
       NamedInput{"velocity_jump", name_of(standard.equations.velocity_jump),
                  "once or twice: how often the mass loss adds Delta_vy to the velocity of C",

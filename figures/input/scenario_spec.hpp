@@ -60,6 +60,8 @@ void check_numbers(const ScenarioSpec& spec);
 
 /// Whether a rotor is not the paper's: its mass, inertia or radius is stated.
 bool is_own_rotor(const ScenarioSpec& stated);
+/// Those that are stated; of a rotor of one's own otherwise the corrected ones.
+Equations equations_of(const ScenarioSpec& stated);
 /// What a rotor has of the paper's that matters: "inertia = 0.009 kg m^2" and so on.
 std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated);
 

@@ -185,6 +185,8 @@ void add_options(CLI::App& command, SweepOptions& options) {
       ->default_str(fmt::format("none; {} with digits", usual_budget_s));
   command.add_flag("--retry", options.retry,
                    "keep the rows of the results that are no refusals, and compute the others");
+  command.add_flag("--force", options.force,
+                   "compute all points again, even if the results have them");
   command.footer(
       "Example:\n"
       "  rotor sweep friction.toml --out results.csv");

@@ -42,15 +42,13 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
   const Body<double> body = MassLoss<double>(p).after;
   const Ring<double> ring(p);
   std::vector<std::string> doubts;
-  const auto note = [&](std::string_view quantity, double value, const char* relation,
-                        double limit) {
-    doubts.push_back(fmt::format("{} is {:.3g}, not {} {:.3g}", quantity, value, relation, limit));
-  };
   const auto above = [&](std::string_view quantity, double value, double limit) {
-    if (!(value > limit)) note(quantity, value, "above", limit);
+    if (!(value > limit))
+      doubts.push_back(fmt::format("{} is {:.3g}, at most {:.3g}", quantity, value, limit));
   };
   const auto below = [&](std::string_view quantity, double value, double limit) {
-    if (!(value < limit)) note(quantity, value, "below", limit);
+    if (!(value < limit))
+      doubts.push_back(fmt::format("{} is {:.3g}, at least {:.3g}", quantity, value, limit));
   };
   if (p.drive == Drive::constant_speed) doubts.emplace_back("a drive holds the speed");
   if (scenario.start) doubts.emplace_back("the rotor does not start in steady response");
@@ -63,15 +61,15 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
     below("the share of its speed that the motor adds in a natural period",
           p.torque / (body.inertia * speed) * two_pi / critical, 0.06);
   if (!law.contact_s) return doubts;
-  const auto [limit, of_what] = std::max(
-      {std::pair(law.lasting_friction(), "up to which forward rub can last"),
-       std::pair(*law.whirl_friction, "up to which rebounds lead to no backward whirl"),
-       std::pair(*law.first_friction, "up to which one impact leads to no backward whirl")});
+  const auto [limit, consequence] =
+      std::max({std::pair(law.lasting_friction(), "forward rub may last instead"),
+                std::pair(*law.whirl_friction, "rebounds may lead to no backward whirl"),
+                std::pair(*law.first_friction, "one impact may lead to no backward whirl")});
   if (std::isinf(limit))
     doubts.emplace_back("forward rub can last at any friction");
   else if (!(ring.friction > limit))
     doubts.push_back(
-        fmt::format("friction is {:.3g}, not above {:.3g}, {}", ring.friction, limit, of_what));
+        fmt::format("friction {:.3g} is below {:.3g}, so {}", ring.friction, limit, consequence));
   below("friction", ring.friction, 1);
   above("the ratio of friction to that of dry whip", ring.friction / Whirl(p).whip_friction(), 30);
   below("the ring's damping ratio", ring_damping_ratio(p), 0.5);
@@ -171,8 +169,10 @@ std::vector<Remark> remarks_on_laws(const Scenario& scenario) {
   const Prediction predicted = prediction_of(scenario);
   std::vector<Remark> all = remarks_on_rotor(scenario, predicted.speed / two_pi);
   if (!predicted.doubts.empty())
-    all.push_back({fmt::format("outside the tested region of the closed forms: {}",
-                               fmt::join(predicted.doubts, "; "))});
+    all.push_back(
+        {fmt::format("these numbers may be far off: the rotor is outside the tested region, "
+                     "since {}",
+                     fmt::join(predicted.doubts, "; "))});
   return all;
 }
 

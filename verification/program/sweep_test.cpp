@@ -309,7 +309,7 @@ TEST_F(SweepCommand, RefusesAPointThatTakesLongerThanItsBudget) {
   write("s.toml", "stop_on = \"end\"\nbudget = 1e-8\n" + rest);
   rotor("sweep s.toml --out r.csv");
   EXPECT_NE(content("r.csv").find("a budget of 1e-08 s is not enough"), std::string::npos);
-  rotor("sweep s.toml --out r.csv --budget 1e-9");
+  rotor("sweep s.toml --out r.csv --budget 1e-9 --force");
   EXPECT_NE(content("r.csv").find("a budget of 1e-09 s is not enough"), std::string::npos);
 }
 
