@@ -55,9 +55,7 @@ int main(const Arguments& arguments) {
   shown["style"] = tints_of_page() + content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
   shown["engine"] = engine_json(build, room / "script", out / "engine.wasm.gz.base64");
-  Json instrument = instrument_json(out);
-  instrument["knobs"] = read_json(room / "knobs.json");
-  shown["instrument"] = instrument.dump();
+  shown["instrument"] = instrument_json(out).dump();
   shown["model"] = content_of(root / "figures/paper/preview/model.svg");
   shown["stills"] = render(content_of(room / "accident.mustache.svg"), {}, accident_json());
   const std::string html =
