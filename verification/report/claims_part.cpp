@@ -102,8 +102,6 @@ Json number_json(const Number& number) {
               {"printed", printed(number)},
               {"rule", rule_of(number)},
               {"is_word", number.printed.empty()},
-              {"least", allowed.least()},
-              {"greatest", allowed.greatest()},
               {"here", shown(here, number)},
               {"corrected_value", shown(corrected.converged, number)},
               {"reason", number.reason}};

@@ -15,8 +15,7 @@ struct Sources {
   std::filesystem::path texts{};           ///< words, with places for numbers: texts.json
   std::filesystem::path scenes{};          ///< figNN.toml
   std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions
-  std::filesystem::path report{};          ///< next to the page: figures in both sets, studies
-  std::filesystem::path tests{};           ///< tests-*.json of GoogleTest
+  std::filesystem::path report{};          ///< next to the page: figures in both sets
   std::string commit_date{};
 };
 
@@ -28,9 +27,6 @@ Json claims_of(int figure, const Json& claims);
 Json turned_json(const std::vector<Number>& numbers);  ///< verdicts that other rules would turn
 Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
-Json studies_json(const Sources& sources);
-Json tests_json(const Sources& sources);
-Json provenance_json(const Sources& sources);
 
 /// Stills of the accident, and the recorded runs and maps of the interactive part.
 Json accident_json();

@@ -43,29 +43,6 @@ Json picture_json(const Sources& sources, const std::string& name) {
   return picture;
 }
 
-/// The settings with which the interactive part shows a run.
-std::string moment_of(const Scenario& scenario) {
-  std::string options;
-  for (const auto& [quantity, instead_of] : input_quantities())
-    if (quantity.in && quantity.name != "until" &&
-        quantity.of(scenario) != quantity.of(Scenario{})) {
-      std::string name(quantity.name);
-      std::ranges::replace(name, '_', '-');
-      options += fmt::format("{}{}={}", options.empty() ? "" : "&", name, quantity.of(scenario));
-    }
-  return options + '/';
-}
-
-Json runs_json(const Scene& scene) {
-  Json runs = Json::array();
-  for (const SceneRun& run : scene.runs)
-    runs.push_back({{"name", scene.runs.size() > 1 ? run.name : ""},
-                    {"moment", moment_of(run.scenario)},
-                    {"is_moment",
-                     run.scenario.method == Method::event && run.scenario.parameters.loses_mass}});
-  return runs;
-}
-
 }  // namespace
 
 Json figures_json(const Sources& sources, const Json& claims) {
@@ -80,7 +57,6 @@ Json figures_json(const Sources& sources, const Json& claims) {
                    {"title", scene.title},
                    {"verdict", verdicts_json(its_claims)},
                    {"picture", picture_json(sources, name)},
-                   {"runs", runs_json(scene)},
                    {"scene", content_of(file)},
                    {"scene_file", "figures/paper/" + name + ".toml"},
                    {"claims", its_claims}});

@@ -49,7 +49,6 @@ int main(const Arguments& arguments) {
                          .scenes = root / "figures/paper",
                          .reference_data = root / "reference-data",
                          .report = out,
-                         .tests = build / "report",
                          .commit_date = arguments[3]});
   std::set<fs::path> seen;
   shown["style"] = tints_of_page() + content_of(room / "page.css");

@@ -19,17 +19,6 @@ rm -f "$out/engine.wasm.gz.base64"
   gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"
 # Unexpected verdicts fail `make verify`, not the page, which shows them.
 "$build/report-numbers" reference-data "$out" >/dev/null || true
-# Studies that were made.
-for study in maps work-precision:bench; do
-  from=$build/${study#*:} to=$out/${study%:*}
-  rm -rf "$to"
-  if compgen -G "$from/*.svg" >/dev/null; then
-    mkdir -p "$to"
-    cp "$from"/*.svg "$from"/*.csv "$to"
-  fi
-done
-mkdir -p "$out/contact-laws"
-cp verification/paper/contact-laws.svg reference-data/contact-laws.csv "$out/contact-laws"
 (cd "$out" && sha256sum claims.csv map.csv figures/*/*.csv >SHA256SUMS)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)
 "$build/report-page" . "$build" "$out" "$date"
