@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "figures/data/csv.hpp"
@@ -54,12 +52,6 @@ Json register_json(const std::filesystem::path& assumptions) {
 }
 
 }  // namespace
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(file.string() + " cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 Json read_json(const std::filesystem::path& file) {
   try {

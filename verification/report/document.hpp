@@ -7,6 +7,7 @@
 
 #include "figures/results/json.hpp"
 #include "verification/paper/claims.hpp"
+#include "verification/support/content.hpp"
 
 namespace rotor {
 
@@ -15,7 +16,7 @@ struct Sources {
   std::filesystem::path texts{};           ///< words, with places for numbers: texts.json
   std::filesystem::path scenes{};          ///< figNN.toml
   std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions
-  std::filesystem::path report{};          ///< next to the page: figures in both sets
+  std::filesystem::path pictures{};        ///< figNN.svg
   std::string commit_date{};
 };
 
@@ -44,9 +45,6 @@ std::string tints_of_page();
 
 /// The numbers of verdicts in each set of equations, in words and as a mark.
 Json verdicts_json(const Json& claims);
-
-/// The whole of a file. Throws std::runtime_error, naming it, if it cannot be read.
-std::string content_of(const std::filesystem::path& file);
 
 /// A JSON file. Throws std::runtime_error, naming it, if it is not valid JSON.
 Json read_json(const std::filesystem::path& file);

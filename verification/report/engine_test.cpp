@@ -1,9 +1,6 @@
 /// The engine's interface to the page; `make check-explore` checks the page itself in a browser.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <regex>
-
 #include "verification/report/engine/explorer.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -55,26 +52,6 @@ TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
       refusal = fmt::format("rotor: {}\n", error.what());
     }
     EXPECT_EQ(refusal, rotor("run" + as_arguments(options)).output);
-  }
-}
-
-// The page's scripts read only existing columns of the motion and keys of the summary.
-TEST_F(Explore, ReadsNothingOfARunThatThereIsNot) {
-  const Picture picture = explorer_.run({{"friction", "0.2"}});
-  const Json& motion = picture.metadata["motion"];
-  for (const auto& entry : fs::directory_iterator(ROTOR_SOURCES "/verification/report/script")) {
-    std::ifstream stream(entry.path());
-    const std::string script{std::istreambuf_iterator<char>(stream), {}};
-    const std::regex read(R"(\b(motion|summary|s)\.(?!js)(\w+))");
-    for (std::sregex_iterator found(script.begin(), script.end(), read), end; found != end;
-         ++found) {
-      const std::string name = (*found)[2];
-      const bool is_column = (*found)[1] == "motion";
-      EXPECT_TRUE(is_column ? std::ranges::find(motion, Json(name)) != motion.end()
-                            : name.find('_') == std::string::npos ||
-                                  picture.metadata["summary"].contains(name))
-          << entry << name;
-    }
   }
 }
 

@@ -48,7 +48,7 @@ int main(const Arguments& arguments) {
   Json shown = document({.texts = room / "texts.json",
                          .scenes = root / "figures/paper",
                          .reference_data = root / "reference-data",
-                         .report = out,
+                         .pictures = build / "figures",
                          .commit_date = arguments[3]});
   std::set<fs::path> seen;
   shown["style"] = tints_of_page() + content_of(room / "page.css");

@@ -72,26 +72,6 @@ TEST(Render, EscapesAndPrintsSymbols) {
             "\u22122.5no");
 }
 
-// So a share of 0.005 % and one of 108 % do not look alike.
-TEST(ClaimRows, PlaceMarksByTheLogarithmOfTheTimesTheAllowance) {
-  for (const auto& [times, at] : {std::pair(0., "50"),
-                                  {-0.5, "43.8"},
-                                  {1., "62.5"},
-                                  {10., "75"},
-                                  {100., "87.5"},
-                                  {1e8, "100"}}) {
-    Number number;
-    number.claim = number.id = "c";
-    number.rule = "minor";
-    number.readings = {{"r"}};
-    const Allowed allowed = number.allowed();
-    number.readings[0].in[0].converged = allowed.middle + times * allowed.half;
-    const Json here = claims_json({number})[0]["worst"]["strip"]["here"];
-    EXPECT_EQ(here["at"], at);
-    EXPECT_EQ(here["is_beyond"], times > 1e3);
-  }
-}
-
 TEST(ApprovedAccident, IsThePictureInTheReadme) {
   expect_approved("figures/paper/preview/accident.svg",
                   render(content_of(room / "accident.mustache.svg"), {}, accident_json()));

@@ -4,19 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
+
+#include "verification/support/content.hpp"
 
 namespace rotor {
 
 inline void expect_approved(const std::string& file, const std::string& text) {
   const std::filesystem::path path = std::filesystem::path(ROTOR_SOURCES) / file;
   if (std::getenv("ROTOR_APPROVE")) std::ofstream(path, std::ios::binary) << text;
-  std::ifstream stream(path, std::ios::binary);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), text)
-      << file << "\nIf this is as it should be: make approve";
+  EXPECT_EQ(content_of(path), text) << file << "\nIf this is as it should be: make approve";
 }
 
 }  // namespace rotor
