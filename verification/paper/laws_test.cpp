@@ -11,6 +11,7 @@
 #include "figures/data/csv.hpp"
 #include "figures/runs/scene.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/content.hpp"
 
 namespace rotor {
 namespace {
@@ -23,9 +24,7 @@ struct LawsOfTheAccident : CommandLine {
   }
   /// Rows of laws.csv for the first rotors of a sweep.
   std::vector<CsvRow> agreement_of(const std::string& sweep, long rotors) const {
-    std::ifstream file(paper + sweep);
-    const std::string all((std::istreambuf_iterator<char>(file)), {});
-    write("few.toml", std::regex_replace(all, std::regex("count = 10000"),
+    write("few.toml", std::regex_replace(content_of(paper + sweep), std::regex("count = 10000"),
                                          "count = " + std::to_string(rotors)));
     EXPECT_EQ(shell("$rotor sweep few.toml --out few.csv >/dev/null 2>&1 && '" + paper +
                     "laws.sh' few.csv > anew.csv")

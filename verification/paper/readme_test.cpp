@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "verification/support/command_line.hpp"
+#include "verification/support/content.hpp"
 
 namespace rotor {
 namespace {
@@ -49,8 +50,7 @@ TEST_P(Readme, HasExamplesThatRun) {
 }
 
 TEST_F(CommandLine, MakesTheNumbersOfTheExamples) {
-  std::ifstream file(ROTOR_SOURCES "/figures/program/README.md");
-  const std::string all{std::istreambuf_iterator<char>(file), {}};
+  const std::string all = content_of(ROTOR_SOURCES "/figures/program/README.md");
   const std::size_t scene = all.find("[parameters]");
   write("my-rotor.toml", all.substr(scene, all.find("```", scene) - scene));
   const Json run = summary("my-rotor.toml"),
@@ -79,9 +79,8 @@ TEST_F(CommandLine, MakesTheNumbersOfTheExamples) {
 INSTANTIATE_TEST_SUITE_P(All, Readme, testing::Values("README.md", "figures/program/README.md"));
 
 TEST(Citation, HasTheVersionOfTheProgram) {
-  std::ifstream file(ROTOR_SOURCES "/CITATION.cff");
-  const std::string all{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(all.find("\nversion: " ROTOR_VERSION "\n"), std::string::npos);
+  EXPECT_NE(content_of(ROTOR_SOURCES "/CITATION.cff").find("\nversion: " ROTOR_VERSION "\n"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "verification/support/command_line.hpp"
+#include "verification/support/content.hpp"
 
 namespace rotor {
 namespace {
@@ -104,8 +105,7 @@ TEST_F(Make, RefusesFlagsThatChangeTheArithmetic) {
 
 // The model needs none of the program's libraries, builds nothing but itself, and brings its C++20.
 TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
-  std::ifstream file(ROTOR_SOURCES "/model/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string readme = content_of(ROTOR_SOURCES "/model/README.md");
   const auto block = [&](const std::string& language) {
     const std::size_t start = readme.find("```" + language + '\n') + language.size() + 4;
     return readme.substr(start, readme.find("```", start) - start);
