@@ -205,28 +205,6 @@ TEST_F(SweepCommand, KeepsNoRowThatCannotBeThatOfItsPoint) {
                  "--retry: s.csv: row 0.1: differs from what is computed now");
 }
 
-// Another program may have saved results or a journal; what is in them is not lost.
-TEST_F(SweepCommand, SaysWhyAHeadIsAnother) {
-  write("s.toml",
-        "[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n[[axis]]\n"
-        "quantity = \"friction\"\nvalues = [0.1, 0.2]\n");
-  ASSERT_EQ(rotor("sweep s.toml").status, 0);
-  shell("cp s.csv whole; cp s.csv r.csv.journal");
-  for (const auto& [change, message] :
-       {std::pair("s/$/\\r/", "has lines that end in CR LF"),
-        {"1s/^/\\xef\\xbb\\xbf/", "starts with a byte-order mark"},
-        {"s/0.2]/0.3]/", "has \"#   values = [0.1, 0.2]\" instead of \"#   values = [0.1, 0.3]\""},
-        {"s/^# rotor .*/# rotor 0.9 (old)/",
-         "has \"# rotor 0.9 (old)\" instead of \"# rotor 1."}}) {
-    const std::string is_of_file =
-        std::string(change).find("0.3") == std::string::npos ? "*.csv*" : "s.toml";
-    shell(fmt::format("sed -i '{}' {}", change, is_of_file));
-    for (const char* command : {"sweep s.toml --retry", "sweep s.toml --out r.csv"})
-      expect_refusal(command, message);
-    shell("cp whole s.csv; cp whole r.csv.journal; sed -i 's/0.3]/0.2]/' s.toml");
-  }
-}
-
 TEST_F(SweepCommand, FailsIfNoPointHasAResult) {
   const auto sweep = [this](const char* stiffnesses) {
     write("s.toml", fmt::format("[parameters]\nmass_loss_speed_hz = 150\nuntil = 1\n[[axis]]\n"

@@ -247,38 +247,6 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   remove("up");
 }
 
-TEST_F(Writing, SaysWhyAFileCannotBeWritten) {
-  write("s.toml",
-        "[parameters]\nuntil = 1e-3\n[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
-  fs::create_directory(folder_ / "folder.svg");
-  ASSERT_EQ(
-      shell("ln -s loop.svg loop.svg; ln -s nowhere/a.svg astray.svg; ln -s /dev/full full.svg; "
-            "mkfifo pipe.svg")
-          .status,
-      0);
-  const std::string long_name = std::string(300, 'a') + ".svg";
-  for (const std::string command :
-       {"run --until 1e-3 --trace ", "sweep s.toml --out ", "plot s.toml --out "}) {
-    const bool is_sweep = command.starts_with("sweep");
-    expect_refusal(command + "loop.svg", "loop.svg: cannot be written: Too many levels");
-    expect_refusal(command + "astray.svg", "astray.svg: cannot be written: there is no folder");
-    expect_refusal(command + "no/a.svg", "no/a.svg: cannot be written: there is no folder no");
-    expect_refusal(command + "s.toml/a.svg", "s.toml/a.svg: cannot be written: Not a directory");
-    expect_refusal(command + long_name, "cannot be written: File name too long");
-    expect_refusal(command + "folder.svg", is_sweep ? "must be a regular file" : "it is a folder");
-    expect_refusal(command + "full.svg", is_sweep ? "must be a regular file" : "No space left");
-    if (is_sweep) expect_refusal(command + "pipe.svg", "must be a regular file");
-  }
-  expect_refusal("figure 3 --out loop.svg", "cannot be written: Too many levels");
-  expect_refusal("figure 3 --scenes loop.svg", "--scenes loop.svg: there is no such folder");
-  expect_refusal("run --scene loop.svg", "loop.svg: cannot be read: Too many levels");
-  expect_refusal("run --scene /proc/self/mem",
-                 "/proc/self/mem: cannot be read: Input/output error");
-  for (const char* name :
-       {"s.toml", "folder.svg", "loop.svg", "astray.svg", "full.svg", "pipe.svg"})
-    remove(name);
-}
-
 // Read-only files, and the file from which the runs are read.
 TEST_F(Writing, ReportsThatItsTargetHasBecomeAFolder) {
   {
