@@ -40,7 +40,7 @@ std::string cells(const Stored& stored) {
 }
 
 Verdict verdict_of(const Number& number, const Reading::InSet& in, const Judging& judging) {
-  const Allowed allowed = number.allowed(judging.words);
+  const Allowed allowed = number.allowed(judging.word_width_factor);
   Verdict verdict{{}, infinity, infinity};
   const auto note = [](double& off, double another) { off = std::min(off, another); };
   if (in.by_rk4 && judging.own_method) note(verdict.off_a, allowed.off(*in.by_rk4));
@@ -51,7 +51,7 @@ Verdict verdict_of(const Number& number, const Reading::InSet& in, const Judging
     note(verdict.off_b, off_range(allowed, in.a.spread));
     note(verdict.off_b, off_range(allowed, in.b.spread));
   }
-  verdict.says = from_best[verdict.off_a <= 1 ? 0 : verdict.off_b <= 1 ? 1 : 2];
+  verdict.verdict = from_best[verdict.off_a <= 1 ? 0 : verdict.off_b <= 1 ? 1 : 2];
   return verdict;
 }
 
@@ -74,7 +74,7 @@ Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging
     case Judging::By::every: {
       Verdict worst = by(0);
       for (std::size_t n = 1; n < number.readings.size(); ++n)
-        if (const Verdict one = by(n); is_worse(one.says, worst.says)) worst = one;
+        if (const Verdict one = by(n); is_worse(one.verdict, worst.verdict)) worst = one;
       return worst;
     }
     default:
@@ -85,22 +85,24 @@ Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging
 void choose_readings(std::vector<Number>& numbers) {
   std::map<std::string, std::vector<Number*>> sentences;
   for (Number& number : numbers) sentences[number.sentence].push_back(&number);
-  for (const auto& [sentence, its] : sentences)
+  for (const auto& [sentence, of_sentence] : sentences)
     for (std::size_t set = 0; set < sets.size(); ++set) {
       std::size_t readings = 1, best = 0;
-      for (const Number* number : its) readings = std::max(readings, number->readings.size());
+      for (const Number* number : of_sentence)
+        readings = std::max(readings, number->readings.size());
       std::optional<std::pair<long, long>> fewest;  // refuted, and within rounding
       for (std::size_t n = 0; n < readings; ++n) {
         std::pair<long, long> count;
-        for (Number* number : its) {
+        for (Number* number : of_sentence) {
           number->decides[set] = n;
-          const std::string says = verdict_of(*number, set).says;
-          count.first += says == "refuted";
-          count.second += says == "within rounding";
+          const std::string verdict = verdict_of(*number, set).verdict;
+          count.first += verdict == "refuted";
+          count.second += verdict == "within rounding";
         }
         if (!fewest || count < *fewest) fewest = count, best = n;
       }
-      for (Number* number : its) number->decides[set] = std::min(best, number->readings.size() - 1);
+      for (Number* number : of_sentence)
+        number->decides[set] = std::min(best, number->readings.size() - 1);
     }
 }
 
@@ -108,9 +110,9 @@ std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>&
                                                       std::size_t set, const Judging& judging) {
   std::map<std::string, std::string> worst;
   for (const Number& number : numbers) {
-    const std::string its = verdict_of(number, set, judging).says;
-    std::string& verdict = worst.try_emplace(number.claim, its).first->second;
-    if (is_worse(its, verdict)) verdict = its;
+    const std::string of_number = verdict_of(number, set, judging).verdict;
+    std::string& verdict = worst.try_emplace(number.claim, of_number).first->second;
+    if (is_worse(of_number, verdict)) verdict = of_number;
   }
   return worst;
 }
@@ -118,8 +120,8 @@ std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>&
 std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
   using By = Judging::By;
   const std::vector<Judging> rules = {
-      {.says = "half the widths of words", .words = 0.5},
-      {.says = "twice the widths of words", .words = 2},
+      {.says = "half the widths of words", .word_width_factor = 0.5},
+      {.says = "twice the widths of words", .word_width_factor = 2},
       {.says = "every reading must hold", .by = By::every},
       {.says = "the first reading for the whole text", .by = By::first},
       {.says = "the second reading for the whole text", .by = By::second},
@@ -128,10 +130,10 @@ std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
   std::vector<Turned> turned;
   for (std::size_t set = 0; set < sets.size(); ++set)
     for (const Number& number : numbers) {
-      const std::string verdict = verdict_of(number, set).says;
+      const std::string verdict = verdict_of(number, set).verdict;
       Turned one{number, set, verdict, {}};
       for (const Judging& rule : rules)
-        if (const std::string other = verdict_of(number, set, rule).says; other != verdict)
+        if (const std::string other = verdict_of(number, set, rule).verdict; other != verdict)
           one.others.push_back(fmt::format("{}: {}", other, rule.says));
       if (!one.others.empty()) turned.push_back(one);
     }
@@ -186,10 +188,10 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
 }
 
 std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& claim) {
-  std::vector<Number> its;
-  std::ranges::copy_if(numbers, std::back_inserter(its),
+  std::vector<Number> found;
+  std::ranges::copy_if(numbers, std::back_inserter(found),
                        [&](const Number& number) { return number.claim == claim; });
-  if (!its.empty()) return its;
+  if (!found.empty()) return found;
   std::set<std::string> claims;
   for (const Number& number : numbers) claims.insert(number.claim);
   throw std::runtime_error(
@@ -260,7 +262,7 @@ std::string to_csv(const std::vector<Number>& numbers) {
       for (const Reading& r : n.readings)
         csv += fmt::format("{},{},{},{},{},{},{:.6g},{},{},{},{},{},{},{},{},{}\n", n.claim, n.id,
                            n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
-                           cell(n.allowed().greatest()), sets[set].name, verdict.says,
+                           cell(n.allowed().greatest()), sets[set].name, verdict.verdict,
                            cell(verdict.off_a), cell(verdict.off_b), r.name,
                            cell(r.in[set].converged), cell(r.in[set].by_rk4), csv_field(n.reason));
     }
@@ -281,10 +283,10 @@ std::string claims_table(const std::vector<Number>& numbers) {
                        "converged", "claim");
   for (auto verdict = from_best.rbegin(); verdict != from_best.rend(); ++verdict)
     for (const Number& n : numbers) {
-      if (verdict_of(n, 0).says != *verdict) continue;
+      if (verdict_of(n, 0).verdict != *verdict) continue;
       const auto converged = n.readings[n.decides[0]].in[0].converged;
-      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10}", *verdict, verdict_of(n, 1).says,
-                                   n.printed.empty() ? n.rule : n.printed,
+      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10}", *verdict,
+                                   verdict_of(n, 1).verdict, n.printed.empty() ? n.rule : n.printed,
                                    converged ? fmt::format("{:.5g}", *converged) : "-"),
                        fmt::format("{}{}: {}{}", n.claim, n.unit.empty() ? "" : ", " + n.unit,
                                    n.says, n.reason.empty() ? "" : " (" + n.reason + ')'),

@@ -30,12 +30,12 @@ double half_digit(const std::string& printed) {
   return scale / 2 * std::pow(10, static_cast<double>(digits.size() - 1 - counts));
 }
 
-Allowed allowed(const std::string& printed, const std::string& rule, double words) {
+Allowed allowed(const std::string& printed, const std::string& rule, double word_width_factor) {
   constexpr double about = 0.05;
   if (rule == "digits") return {number_of(printed), half_digit(printed)};
   if (rule == "about")
-    return {number_of(printed),
-            std::max(half_digit(printed), words * about * std::abs(number_of(printed)))};
+    return {number_of(printed), std::max(half_digit(printed),
+                                         word_width_factor * about * std::abs(number_of(printed)))};
   if (rule == "range") {
     const std::string to = " to ";
     const std::size_t at = printed.find(to);
@@ -46,11 +46,11 @@ Allowed allowed(const std::string& printed, const std::string& rule, double word
     return {(least + greatest) / 2, (greatest - least) / 2};
   }
   if (rule == "is") return {number_of(printed), 0.4999};
-  if (rule == "few") return {6, 4 * words};
-  if (rule == "minor") return {0, 10 * words};
-  if (rule == "slight" || rule == "agrees") return {0, 5 * words};
-  if (rule == "negligible") return {0, words};
-  if (rule == "major") return {100, 50 * words, true};
+  if (rule == "few") return {6, 4 * word_width_factor};
+  if (rule == "minor") return {0, 10 * word_width_factor};
+  if (rule == "slight" || rule == "agrees") return {0, 5 * word_width_factor};
+  if (rule == "negligible") return {0, word_width_factor};
+  if (rule == "major") return {100, 50 * word_width_factor, true};
   if (rule == "unchanged") return {0, 1e-6};
   throw std::invalid_argument("there is no rule " + rule);
 }

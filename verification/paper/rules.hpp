@@ -19,9 +19,9 @@ struct Allowed {
   }
 };
 
-/// `words` multiplies the widths of words. Throws std::invalid_argument for an unknown rule or an
+/// Throws std::invalid_argument for an unknown rule or an
 /// invalid number.
-Allowed allowed(const std::string& printed, const std::string& rule, double words = 1);
+Allowed allowed(const std::string& printed, const std::string& rule, double word_width_factor = 1);
 
 /// Half a unit of the last digit of a number as printed.
 double half_digit(const std::string& printed);

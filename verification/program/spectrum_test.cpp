@@ -96,9 +96,10 @@ TEST_F(Spectrum, HasTheRadiusOfACircleAtAnySpeed) {
   ASSERT_EQ(rotor("plot circles.toml --from 0 --spectrum --out spectrum.csv").status, 0);
   std::map<std::string, std::pair<double, double>> highest;
   for (const CsvRow& row : read_csv(folder_ / "spectrum.csv")) {
-    auto& its = highest[row["run"]];
+    auto& largest = highest[row["run"]];
     const auto amplitude = static_cast<double>(row.number("displacement_m"));
-    if (amplitude > its.second) its = {static_cast<double>(row.number("frequency_Hz")), amplitude};
+    if (amplitude > largest.second)
+      largest = {static_cast<double>(row.number("frequency_Hz")), amplitude};
     EXPECT_EQ(row.number("force_N"), 0);
   }
   ASSERT_EQ(highest.size(), circles.size());
