@@ -1,7 +1,6 @@
-/// Run time against error: each method, over its steps or tolerances, on scenes of the paper; and
-/// how many points of a sweep one core computes. `benchmark FOLDER SWEEP` prints tables and writes
-/// FOLDER/work-precision.csv. Only ratios of times are comparable between machines. The reference
-/// is a run in extended precision by another stepper.
+/// Run time against error: each method, over its steps or tolerances, on scenes of the paper.
+/// `benchmark FOLDER` prints tables and writes FOLDER/work-precision.csv. Only ratios of times are
+/// comparable between machines. The reference is a run in extended precision by another stepper.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,10 +8,8 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "figures/data/files.hpp"
-#include "figures/sweep/sweep_row.hpp"
 #include "model/integration/fehlberg.hpp"
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
@@ -206,42 +203,8 @@ void print_ratios(const std::vector<Curve>& all) {
   fmt::print("\n- : the method does not reach that error with any of its settings.\n");
 }
 
-/// How many points of a sweep one core computes, by outcome, judged by some of them.
-void print_throughput(const std::filesystem::path& file) {
-  const Sweep sweep = read_sweep(file);
-  SweepRows rows(sweep);
-  rows(0);  // shares its preparations with the others
-  struct Measured {
-    long points = 0;
-    double time_s = 0;
-  };
-  std::map<std::string, Measured> measured;
-  Measured all;
-  const long every = sweep.points() / 2000 + 1;
-  for (long n = 0; n < sweep.points(); n += every) {
-    const double begin_s = processor_s();
-    std::istringstream row(rows(n));
-    const double its_s = processor_s() - begin_s;
-    std::string outcome;  // the first column of the results
-    for (std::size_t i = 0; i <= sweep.quantities().size(); ++i) std::getline(row, outcome, ',');
-    for (Measured* const of : {&measured[outcome], &all}) {
-      ++of->points;
-      of->time_s += its_s;
-    }
-  }
-  fmt::print("\n{}, one core\n{:<12} {:>7} {:>9} {:>9} {:>10}\n", sweep.title, "outcome", "points",
-             "ms each", "a second", "% of time");
-  const auto print = [&](const std::string& outcome, const Measured& of) {
-    const double each_s = of.time_s / static_cast<double>(of.points);
-    fmt::print("{:<12} {:>7} {:>9.3f} {:>9.0f} {:>10.0f}\n", outcome, of.points, 1e3 * each_s,
-               1 / each_s, 100 * of.time_s / all.time_s);
-  };
-  for (const auto& [outcome, of] : measured) print(outcome, of);
-  print("all", all);
-}
-
 int main(const Arguments& arguments) {
-  if (arguments.size() != 2) throw std::runtime_error("needs: FOLDER SWEEP");
+  if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER");
   const std::filesystem::path folder = arguments[0];
   std::filesystem::create_directories(folder);
   std::string csv =
@@ -275,7 +238,6 @@ int main(const Arguments& arguments) {
   FileTransaction files;
   files.write(folder / "work-precision.csv", csv);
   files.commit();
-  print_throughput(arguments[1]);
   return 0;
 }
 
