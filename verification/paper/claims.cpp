@@ -12,6 +12,7 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
 #include "verification/paper/readings.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

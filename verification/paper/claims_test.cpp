@@ -9,8 +9,8 @@
 #include <regex>
 #include <set>
 
-#include "figures/data/csv.hpp"
 #include "verification/paper/readings.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <set>
 
-#include "figures/data/csv.hpp"
 #include "verification/paper/claims.hpp"
 #include "verification/paper/contact_laws.hpp"
 #include "verification/paper/readings.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

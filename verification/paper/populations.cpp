@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "figures/data/csv.hpp"
 #include "verification/paper/readings.hpp"
 #include "verification/paper/rules.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -11,6 +11,7 @@
 #include "model/run/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/paper_figures.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "figures/data/csv.hpp"
 #include "figures/results/version.hpp"
 #include "verification/report/page.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "figures/data/csv.hpp"
+#include "verification/support/read_csv.hpp"
 #include "verification/validation/cases.hpp"
 
 namespace rotor {
