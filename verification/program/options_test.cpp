@@ -43,7 +43,11 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
   const std::map<std::string, double> found = {{"clearance", 2e-3},
                                                {"lost_mass", 0.01},
                                                {"mass_loss_speed_hz", 34},
-                                               {"contact_exponent", 1.1}};  // not below 1
+                                               {"contact_exponent", 1.1},  // not below 1
+                                               {"start_x", 1e-3},
+                                               {"start_y", 2e-3},
+                                               {"start_velocity_x", -0.1},
+                                               {"start_velocity_y", 0.2}};
   const Json standard = inputs(stated(short_run, true));
   for (const InputQuantity& input_quantity : input_quantities()) {
     const std::string name(input_quantity.quantity.name);
@@ -69,6 +73,9 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
       EXPECT_EQ(summary("--scene " + scene), by_option) << scene << ' ' << name;
     Json expected = standard;
     expected["until"] = numbers["until"];
+    for (const InputQuantity& other : input_quantities())
+      if (input_quantity.of_start && other.of_start)
+        expected[std::string(other.quantity.name)] = 0.;
     if (name == "clearance")
       expected["stator_radius"] = 0.06 + value;
     else if (name == "lost_mass")  // Eq. (5)

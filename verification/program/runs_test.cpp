@@ -228,7 +228,7 @@ TEST(StopsAtTheOutcome, MayBeInFlight) {
     const RunResult whole = result(scenario, {}), stopped = result(scenario, StopOn::outcome);
     EXPECT_EQ(stopped.summary.outcome, outcome);
     EXPECT_EQ(contradiction(stopped, whole), "");
-    EXPECT_LT(5 * stopped.end.counters.right_hand_sides, whole.end.counters.right_hand_sides);
+    EXPECT_LT(4 * stopped.end.counters.right_hand_sides, whole.end.counters.right_hand_sides);
   }
 }
 

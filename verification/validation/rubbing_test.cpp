@@ -93,7 +93,7 @@ constexpr auto borders = std::to_array<Border>({{0.9, .0606, .145, .146},
                                                 {1.5, .0379, .068, .069},
                                                 {2, .0305, .045, .046}});
 
-TEST(SynchronousRub, HasItsBorderOfStabilityWhereJiangAndUlbrichHaveIt) {
+TEST(SynchronousCircle, HasItsBorderOfStabilityWhereJiangAndUlbrichHaveIt) {
   for (const Border& border : borders)
     EXPECT_NEAR(Whirl(dimensionless(0.01)).stable_synchronous_friction(border.speed), border.stable,
                 0.5e-4)
@@ -101,7 +101,7 @@ TEST(SynchronousRub, HasItsBorderOfStabilityWhereJiangAndUlbrichHaveIt) {
 }
 
 // The circle is a solution of the engine's equations, too.
-TEST(SynchronousRub, StaysOnItsCircle) {
+TEST(SynchronousCircle, StaysOnItsCircle) {
   for (const double friction : {0.01, 0.05, 0.1})
     for (const double frequency_Hz : {100., 150.}) {
       const Parameters p = unbalanced(1e4, friction);
@@ -113,7 +113,7 @@ TEST(SynchronousRub, StaysOnItsCircle) {
 }
 
 // A disturbance decays below the border and grows above it.
-TEST(SynchronousRub, IsStableBelowTheBorderOnly) {
+TEST(SynchronousCircle, IsStableBelowTheBorderOnly) {
   const auto expect_border = [](Parameters p, double speed, double until_s) {
     const double border = Whirl(p).stable_synchronous_friction(speed);
     ASSERT_TRUE(std::isfinite(border));
