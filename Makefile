@@ -89,9 +89,6 @@ PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
 REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
 # The engine in the page: a compiler for browsers, and the parser of its optimiser.
 EXPLORE_PACKAGES := emscripten node-acorn
-# Sweeps over many machines; linking MPI makes a program start 30 ms later.
-MPI_PACKAGES := libopenmpi-dev openmpi-bin procps
-
 # Ball arithmetic with FLINT and Arb.
 PROVE_PACKAGES := libflint-dev libflint-arb-dev
 # A discrete-element code for granular media.
@@ -112,7 +109,7 @@ endef
 .DEFAULT_GOAL := help
 .PHONY: help deps need-deps program build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
-        laws contact-laws deps-mutants deps-clang deps-portable deps-mpi deps-explore engine explore check-explore mpi stress \
+        laws contact-laws deps-mutants deps-clang deps-portable deps-explore engine explore check-explore stress \
         sanitize portable deps-prove prove deps-validate validate clean force
 
 help: ## start: list all targets
@@ -156,9 +153,6 @@ deps-prove: deps
 deps-validate: deps
 	$(call install,$(VALIDATE_PACKAGES))
 
-deps-mpi: deps
-	$(call install,$(MPI_PACKAGES))
-
 deps-explore: deps
 	$(call install,$(EXPLORE_PACKAGES))
 
@@ -180,7 +174,7 @@ configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BU
 define build-target
 	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(patsubst $(home)%,%,$(elsewhere)); remove it: make clean))
 	$(if $(and $(2),$(shell command -v dpkg-query),$(call missing,$(3))),$(error Missing packages: $(call missing,$(3)) (make deps-$(2) installs them)))
-	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2)$(4:%= -D ROTOR_DIGITS=%) -U 'MPI_*' -U 'GSL_*' 2>&1) || { \
+	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2)$(4:%= -D ROTOR_DIGITS=%) -U 'GSL_*' 2>&1) || { \
 	  echo "$$log" >&2; $(if $(2),echo "Install $(3) anew for make $(2)." >&2; )exit 1; })
 	@flock $(BUILD) cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|Re-checking/d'
 endef
@@ -274,10 +268,6 @@ sanitize: need-deps ## code: run the tests with sanitizers
 	@cmake --build $(BUILD)/sanitize --target verification
 	@verification/tests.sh $(BUILD)/sanitize verification$(if $(TESTS), $(call quote,$(TESTS)))
 
-mpi: build ## code: build build/mpi/rotor, which mpirun runs on many machines
-	$(call build-target,rotor-mpi,mpi,$(MPI_PACKAGES))
-	@verification/program/mpi.sh $(BUILD)/mpi/rotor
-
 engine: need-deps
 	@verification/report/engine/build.sh $(BUILD)
 explore: engine report ## paper: make the page with the engine: drag to rerun the accident
@@ -331,19 +321,16 @@ laws: build ## data: laws.csv: the closed forms on 10,000 rotors, with a picture
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
 bench-programs: build ## code: build the programs of make bench, stress and reference
-	$(call build-target,benchmark random-rotors stable-steps reference random-digits,bench,$(BENCH_PACKAGES))
+	$(call build-target,benchmark random-rotors reference random-digits,bench,$(BENCH_PACKAGES))
 bench: bench-programs ## code: measure run time against error of each method, with pictures
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench figures/maps/speed-friction.toml
 	@for scene in 1 2 3 4 5 6 7; do \
 	  figures/draw.sh $(BUILD)/bench/work-precision-$$scene.$(FORMAT) \
 	    "data = '$(BUILD)/bench/work-precision.csv'; scene = $$scene" verification/benchmark/work-precision.gp; done
 
-stress: build ## code: test 5,000 random rotors, with pictures (minutes)
-	$(call build-target,random-rotors stable-steps random-digits)
+stress: build ## code: test 5,000 random rotors and estimated digits (minutes)
+	$(call build-target,random-rotors random-digits)
 	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 5000 $(BUILD)/stress-results
-	@$(BUILD)/stable-steps $(BUILD)/stress-results
-	@figures/draw.sh $(BUILD)/stress-results/stability.$(FORMAT) "data = '$(BUILD)/stress-results/stability.csv'" \
-	  verification/robustness/stress.gp
 	@$(BUILD)/random-digits $(RUNS) $(SEED)
 
 clean: ## start: remove the folder build

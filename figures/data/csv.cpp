@@ -119,12 +119,6 @@ void CsvRow::fail(std::string_view reason) const {
   throw std::runtime_error(fmt::format("{}: {}", place_, reason));
 }
 
-CsvRow read_row(const std::string& line, std::string place, CsvRow::Headings headings) {
-  std::istringstream stream(line);
-  int ignored = 0;
-  return {std::move(place), std::move(headings), next_row(stream, ignored)};
-}
-
 void read_csv(const std::filesystem::path& file, const std::function<void(const CsvRow&)>& take) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(fmt::format("{}: cannot be read", file.string()));

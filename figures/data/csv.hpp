@@ -69,9 +69,6 @@ class CsvRow {
   std::vector<std::string> cells_;
 };
 
-/// A row from its line.
-CsvRow read_row(const std::string& line, std::string place, CsvRow::Headings headings);
-
 /// The rows of a CSV file below its header row, one after the other. Lines that start with "#" are
 /// skipped.
 void read_csv(const std::filesystem::path& file, const std::function<void(const CsvRow&)>& take);

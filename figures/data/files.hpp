@@ -71,9 +71,6 @@ class FileTransaction {
   /// Throws, too, if the file is the source or has been opened already.
   OutputFile& open(const std::filesystem::path& file);
   void write(const std::filesystem::path& file, std::string_view text) { open(file).write(text); }
-  void write_to_all(std::string_view text) {
-    for (const auto& file : files_) file->write(text);
-  }
   void commit();
 
  private:

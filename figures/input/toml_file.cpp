@@ -36,27 +36,10 @@ std::string content_of(const std::filesystem::path& file) {
   if (error) refuse(error.message());
   if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
   if (contains(std::array{".csv", ".json", ".journal"}, file.extension()))
-    throw InputError(
-        "{}: holds results, not a scene or a sweep; rotor plot draws those of a sweep, FILE.csv",
-        file.string());
+    throw InputError("{}: holds results, not a scene or a sweep", file.string());
   std::string text = read_file(file, most + 1);
   if (text.size() > most) refuse(fmt::format("it is larger than {} bytes", most));
   return text;
-}
-
-/// The number that starts in a line and column, which is counted in letters.
-std::string_view decimals_at(std::string_view text, const toml::source_position& place) {
-  for (auto line = place.line; line > 1; --line) text.remove_prefix(text.find('\n') + 1);
-  const auto is_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; };
-  for (auto column = place.column; column > 1 || !is_letter(text.front()); text.remove_prefix(1))
-    if (is_letter(text.front())) --column;
-  return text.substr(0, text.find_first_not_of("0123456789+-._eE"));
-}
-
-/// Whether a decimal number that was read as 0 is another one.
-bool vanishes(std::string_view decimals) {
-  return decimals.substr(0, decimals.find_first_of("eE")).find_first_of("123456789") !=
-         std::string_view::npos;
 }
 
 /// The keys of inputs.
@@ -68,8 +51,7 @@ TomlFile::Keys input_keys() {
 
 }  // namespace
 
-TomlFile::TomlFile(const std::filesystem::path& file, const std::filesystem::path& name)
-    : file_(name.empty() ? file : name), content_(content_of(file)) {
+TomlFile::TomlFile(const std::filesystem::path& file) : file_(file), content_(content_of(file)) {
   if (const long line = line_with_a_deep_key(content_); line > 0)
     throw InputError("{}:{}: a key has more than 200 parts", file_.string(), line);
   try {
@@ -95,14 +77,9 @@ void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const 
            choices(name_of_symbol(key.str()), {allowed.begin(), allowed.end()}, list_of_inputs));
 }
 
-std::optional<double> TomlFile::number(const toml::node& node, std::string_view key) const {
+std::optional<double> TomlFile::number(const toml::node& node) {
   if (const auto* const whole = node.as_integer()) return static_cast<double>(whole->get());
-  const auto found = node.value<double>();
-  if (found == 0.)  // the parser does not report an underflow
-    if (const std::string_view text = decimals_at(content_, node.source().begin); vanishes(text))
-      fail(node, key, "{} is too small for a double, the least of which is 4.9e-324; state 0",
-           text);
-  return found;
+  return node.value<double>();
 }
 
 std::optional<std::string> TomlFile::text(const toml::table& in, std::string_view key) const {

@@ -18,9 +18,8 @@ class TomlFile {
  public:
   using Keys = std::vector<std::string_view>;
 
-  /// Reads and parses a regular file of bounded size. All functions throw InputError, which refers
-  /// to the file by another name if there is one.
-  explicit TomlFile(const std::filesystem::path& file, const std::filesystem::path& name = {});
+  /// Reads and parses a regular file of bounded size. All functions throw InputError.
+  explicit TomlFile(const std::filesystem::path& file);
 
   const toml::table& root() const { return root_; }
   const std::filesystem::path& path() const { return file_; }
@@ -47,7 +46,7 @@ class TomlFile {
     if (!node) return std::nullopt;
     std::optional<T> found;
     if constexpr (std::is_same_v<T, double>)
-      found = number(*node, key);
+      found = number(*node);
     else if (node->is_boolean() == std::is_same_v<T, bool>)
       found = node->value<T>();
     const auto text = node->value<std::string>();
@@ -55,8 +54,8 @@ class TomlFile {
       fail(*node, key, "must be {}{}", kind, text ? fmt::format(", not \"{}\"", shown(*text)) : "");
     return found;
   }
-  /// The node as a double, if it is a number, whole or not, that a double can hold.
-  std::optional<double> number(const toml::node& node, std::string_view key) const;
+  /// The node as a double, if it is a number, whole or not.
+  static std::optional<double> number(const toml::node& node);
   /// One line without control characters, because messages and pictures show it.
   std::optional<std::string> text(const toml::table& in, std::string_view key) const;
   /// A time in seconds: finite and not below zero.

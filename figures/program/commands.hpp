@@ -27,11 +27,9 @@ struct FigureOptions : CommonOptions {
 };
 
 struct PlotOptions : CommonOptions {
-  std::string file;  ///< a scene, a sweep, or a sweep's results
-  std::string out;   ///< if empty, the file's name, what is drawn if it is stated, and .svg
+  std::string file;  ///< a scene
+  std::string out;   ///< if empty, the file's name with .svg
   std::optional<double> from_s, until_s;
-  bool spectrum = false;
-  std::string column;  ///< of a sweep; empty: the largest normal force
 };
 
 struct SweepOptions {
@@ -39,8 +37,7 @@ struct SweepOptions {
   std::string out;                 ///< the file's name with .csv, if empty
   int jobs = 0;                    ///< threads; 0: as many as there are cores
   std::optional<double> budget_s;  ///< of each point
-  bool dry_run = false;
-  bool retry = false;  ///< keep the rows of earlier results that are no refusals
+  bool retry = false;              ///< keep the rows of earlier results that are no refusals
 };
 
 /// The case to run or estimate.
@@ -54,29 +51,21 @@ struct RunOptions : CaseOptions {
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
-  std::optional<double> every_s;  ///< equal intervals; adaptive if neither this nor rows is stated
-  std::optional<long> rows;
+  std::optional<double> every_s;  ///< equal intervals; adaptive if it is not stated
   std::optional<StopOn> stop_on;
   bool json_schema = false;
   std::optional<double> budget_s;  ///< of each run with digits
   bool energy = false;             ///< by cause, in the summary
-  bool keep_partial = false;       ///< keep what was computed before an interruption
 };
 
 /// `rotor figure` writes the data of the paper's figures.
 void write_figures(const FigureOptions& options);
 
-/// `rotor plot` draws a scene or a sweep.
+/// `rotor plot` draws a scene.
 void plot(const PlotOptions& stated);
-void plot_sweep(const PlotOptions& options);
-/// Spectra of displacement and force in the stator's frame, over the scene's window: a picture, or
-/// the numbers if the output file is a CSV file.
-void plot_spectrum(const Scene& scene, const PlotOptions& options, const std::string& conditions);
 
 /// `rotor sweep` runs many rotors.
 void run_sweep(const SweepOptions& options);
-/// The same for a sweep that has been read, on all cores.
-void write_sweep(const Sweep& sweep, const std::string& out);
 
 /// `rotor run` runs any rotor.
 void run_rotor(const RunOptions& options);

@@ -26,7 +26,7 @@ std::string conditions(const ScenarioSpec& stated, bool have_same_equations = tr
 /// written.
 class Drawing {
  public:
-  /// The picture of a scene or sweep file.
+  /// The picture of a scene.
   Drawing(const std::string& file, const std::string& out);
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
@@ -36,8 +36,8 @@ class Drawing {
   std::filesystem::path file(const std::string& name) const { return folder_.path / name; }
   void write(const std::string& name, std::string_view text) const;
 
-  /// Settings for the texts above a picture: `heading`, which is the title or the name of the scene
-  /// or sweep; and `conditions` in a number of `lines` of so many letters, which end between items.
+  /// Settings for the texts above a picture: `heading`, which is the title or the name of the
+  /// scene; and `conditions` in a number of `lines` of so many letters, which end between items.
   std::string headings(const std::string& title, std::string conditions,
                        std::size_t most = 140) const;
 

@@ -151,37 +151,26 @@ void add_options(CLI::App& command, FigureOptions& options) {
 }
 
 void add_options(CLI::App& command, PlotOptions& options) {
-  add_name(command, "file", options.file,
-           "scene or sweep file (TOML), or the results of a sweep (CSV)")
-      ->required();
+  add_name(command, "file", options.file, "scene file (TOML)")->required();
   add_name(command, "--out", options.out,
-           "picture: .svg, .pdf or .png (default: the file's name, with -spectrum or the column if "
-           "one is stated, and .svg)");
+           "picture: .svg, .pdf or .png (default: the file's name with .svg)");
   add_seconds(command, "--from", options.from_s,
               "start of what is drawn (default: the scene's window, or shortly before the first "
               "mass loss)");
   add_seconds(command, "--until", options.until_s,
               "end of what is drawn (default: the end of the window or the run)");
-  command.add_flag("--spectrum", options.spectrum,
-                   "draw the spectrum of displacement and force in the stator's frame over that "
-                   "time, with f, 2f, f_n and the whirl frequency marked; or, with --out FILE.csv, "
-                   "write its numbers");
-  add_name(command, "--column", options.column,
-           "result of a sweep to draw beside the outcome (default: the largest normal force)",
-           "a column");
   add_options(command, static_cast<CommonOptions&>(options));
   command.footer(std::string(precedence) +
-                 "\nExamples:\n"
-                 "  rotor plot my-rotor.toml --until 0.05\n"
-                 "  rotor plot friction.csv --column rolling_onset_speed_Hz");
+                 "\nExample:\n"
+                 "  rotor plot my-rotor.toml --until 0.05");
 }
 
 void add_options(CLI::App& command, SweepOptions& options) {
   add_name(command, "file", options.file,
            "sweep file (TOML): parameters, and the quantities that vary")
       ->required();
-  auto* out = add_name(command, "--out", options.out,
-                       "results, one row per point (default: the file's name with .csv)");
+  add_name(command, "--out", options.out,
+           "results, one row per point (default: the file's name with .csv)");
   command.add_option("--jobs", options.jobs, "threads (default: one per core)")
       ->transform(whole_number())
       ->check({[](const std::string& text) -> std::string {
@@ -194,17 +183,10 @@ void add_options(CLI::App& command, SweepOptions& options) {
   add_seconds(command, "--budget", options.budget_s,
               "time allowed for each point, instead of the file's budget")
       ->default_str(fmt::format("none; {} with digits", usual_budget_s));
-  command
-      .add_flag("--dry-run", options.dry_run,
-                "print the number of points, and about how long they take")
-      ->excludes(out);
-  command.add_flag(
-      "--retry", options.retry,
-      "keep the rows of the results that are no refusals, and compute the others; only "
-      "the count of draws may differ from that of the results");
+  command.add_flag("--retry", options.retry,
+                   "keep the rows of the results that are no refusals, and compute the others");
   command.footer(
-      "Examples:\n"
-      "  rotor sweep friction.toml --dry-run\n"
+      "Example:\n"
       "  rotor sweep friction.toml --out results.csv");
 }
 
@@ -275,17 +257,10 @@ void add_options(CLI::App& command, RunOptions& options) {
               "start of the trace, which then extends to the end of the run (default: the scene's "
               "window, or from shortly before the mass loss)")
       ->needs(trace);
-  auto* every = add_seconds(command, "--every", options.every_s,
-                            "interval between rows of the trace, as spectra need it (default: as "
-                            "many rows as the curves need)")
-                    ->needs(trace);
-  command
-      .add_option("--rows", options.rows,
-                  "number of rows of the trace, at equal intervals from its start to its end; "
-                  "fewer if the run stops early")
-      ->transform(whole_number())
-      ->needs(trace)
-      ->excludes(every);
+  add_seconds(command, "--every", options.every_s,
+              "interval between rows of the trace, as spectra need it (default: as many rows as "
+              "the curves need)")
+      ->needs(trace);
   add_name(command, "--events", options.events,
            "write time, kind, state, normal force and slip of the located events to this CSV file");
   auto* digits = command.add_option_function<double>(
@@ -300,8 +275,6 @@ void add_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--energy", options.energy,
                    "add to the summary where the energy goes from the mass loss on, until rolling "
                    "and until the end");
-  command.add_flag("--keep-partial", options.keep_partial,
-                   "when interrupted, write what has been computed, marked as cut short");
   command.footer(
       "Examples:\n"
       "  rotor run --friction 0.15 --equations corrected\n"
@@ -372,7 +345,7 @@ int main(int argc, char** argv) {
     command->callback([&options, run] { run(options); });
   };
   add_command("figure", "Write the data of the paper's figures as CSV", figure, write_figures);
-  add_command("plot", "Draw the motions of a scene, their spectra, or a sweep", plot_options, plot);
+  add_command("plot", "Draw the motions of a scene", plot_options, plot);
   add_command("run", "Run any rotor and mass loss", run_options, run_rotor);
   add_command("estimate", "Predict by closed forms, without a run, what happens", estimate,
               estimate_rotor);

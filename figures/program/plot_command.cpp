@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "figures/input/toml_file.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/provenance.hpp"
 
@@ -48,7 +47,7 @@ std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
 }
 
 /// Force, speed, displacement and orbit.
-void plot_motion(const Scene& scene, const PlotOptions& options, const std::string& shared) {
+void plot_motion(const Scene& scene, const PlotOptions& options) {
   const Drawing drawing(options.file, options.out);
   const SceneData data = std::move(compute({{1, scene}}).at(1));
   const std::vector<Panel> panels = {
@@ -57,31 +56,22 @@ void plot_motion(const Scene& scene, const PlotOptions& options, const std::stri
     for (const Panel& panel : panels)
       drawing.write(fmt::format("run{}-{}.csv", n, panel.column),
                     rows_of(panel.columns, scene, data.curves[n - 1]));
-  drawing.finish(drawing.headings(scene.title, shared) + variables(scene, data.results), "plot.gp");
-}
-
-bool is_sweep(const std::filesystem::path& file) {
-  if (file.extension() == ".csv") return true;
-  const TomlFile toml(file);
-  return toml.root().contains("axis") || toml.root().contains("sample");
+  drawing.finish(
+      drawing.headings(scene.title, conditions_of(scene)) + variables(scene, data.results),
+      "plot.gp");
 }
 
 }  // namespace
 
 void plot(const PlotOptions& stated) {
   PlotOptions options = stated;
-  if (options.out.empty())  // another one for each kind of picture
-    options.out = fmt::format("{}{}{}{}.svg", std::filesystem::path(options.file).stem().string(),
-                              options.spectrum ? "-spectrum" : "",
-                              options.column.empty() ? "" : "-", options.column);
-  if (is_sweep(options.file)) return plot_sweep(options);
-  if (!options.column.empty()) throw InputError("--column: needs a sweep; this is a scene");
+  if (options.out.empty())
+    options.out = std::filesystem::path(options.file).stem().string() + ".svg";
   Scene scene = read_scene(options.file, {options.stated, {}});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
-  const std::string shared = conditions_of(scene);
-  options.spectrum ? plot_spectrum(scene, options, shared) : plot_motion(scene, options, shared);
+  plot_motion(scene, options);
   say_what_is_assumed(scene.runs);
 }
 

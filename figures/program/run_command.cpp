@@ -29,7 +29,6 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
   refuse(!options.trace.empty(), "are not estimated in a --trace");
   refuse(!options.events.empty(), "excludes --events; --json has the events");
   refuse(options.energy, "are not estimated for --energy");
-  refuse(options.keep_partial, "excludes --keep-partial");
 }
 
 /// The scene, with everything that the options state.
@@ -65,18 +64,14 @@ double end_of(const Scene& scene) {
 
 /// The interval between the rows of a trace, if it is to be constant.
 std::optional<double> distance(const RunOptions& options, const Scene& scene) {
-  if (!options.every_s && !options.rows) return std::nullopt;
-  const char* const option = options.every_s ? "--every" : "--rows";
+  if (!options.every_s) return std::nullopt;
   if (scene.runs.front().scenario.method == Method::rk4)
-    throw InputError("{}: only --method event knows the motion between its steps", option);
+    throw InputError("--every: only --method event knows the motion between its steps");
   if (scene.window.from_rolling_onset)
-    throw InputError("{}: needs a window that starts at a stated time", option);
+    throw InputError("--every: needs a window that starts at a stated time");
   const double length_s = end_of(scene) - scene.window.from_s;
   constexpr double most_rows = 1e9;
   if (!(length_s > 0)) refuse_empty_trace(options);
-  if (options.rows && (*options.rows < 2 || static_cast<double>(*options.rows) > most_rows))
-    throw InputError("--rows {}: must be from 2 to {}", *options.rows, most_rows);
-  if (options.rows) return length_s / static_cast<double>(*options.rows - 1);
   if (!(*options.every_s > 0 && length_s / *options.every_s < most_rows))
     throw InputError("--every {}: must be above 0 s, and large enough for less than {} rows",
                      *options.every_s, most_rows);
@@ -161,13 +156,9 @@ RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups
   RunResult result =
       finish(writes ? RunUpCheckpoint(scenario) : run_ups.checkpoint_before(scenario, progress),
              scenario, options.stop_on, observers);
-  if (result.early.interrupted) {
-    files.write_to_all(fmt::format("# cut short at {} s of {} s by an interruption\n",
-                                   result.end.last.time_s, scenario.until));
-  } else if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0)) {
+  if (is_interrupted()) throw Interrupted();
+  if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0))
     refuse_empty_trace(options);
-  }
-  if (is_interrupted() && !options.keep_partial) throw Interrupted();
   files.commit();
   if (!options.trace.empty() && !is_standard_output(options.trace))
     say_what_is_traced(options, scene, trace ? trace->rows() : samples->rows());
@@ -218,12 +209,6 @@ void run_rotor(const RunOptions& options) {
     if (one_of_many) row["run"] = run.name;
     row.update(report.summary);
     runs.push_back(row);
-    if (const auto cut = row.find("cut_short_at_s"); cut != row.end()) {
-      messages.push_back(of_run(
-          fmt::format("cut short at {} s by an interruption{}", cut->get<double>(),
-                      &run == &scene.runs.back() ? "" : "; the later runs have not started")));
-      break;
-    }
   }
   const bool standard_output_is_taken =
       is_standard_output(options.trace) || is_standard_output(options.events);

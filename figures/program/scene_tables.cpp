@@ -1,8 +1,5 @@
-#include <deque>
-
 #include "figures/program/commands.hpp"
-#include "figures/program/progress.hpp"
-#include "figures/runs/production.hpp"
+#include "figures/results/run_result.hpp"
 
 namespace rotor {
 namespace {
@@ -15,20 +12,16 @@ constexpr long most_rows = 2'000'000;
 std::map<int, SceneData> compute(const std::map<int, Scene>& scenes) {
   std::map<int, SceneData> data;
   long rows = 0;
-  std::deque<Recorder> recorders;
-  std::deque<SummaryObserver> summaries;
-  std::deque<ObserverGroup> observers;
-  std::vector<Request> requests;
-  for (const auto& [number, scene] : scenes) {
-    auto& own = data[number].curves;
-    own.reserve(scene.runs.size());  // the recorders refer to them
+  RunUps run_ups;
+  Interruptible monitor;
+  for (const auto& [number, scene] : scenes)
     for (const SceneRun& run : scene.runs) {
+      const std::string place = scene.file.string() + ": ";
       if (run.stated.digits)
-        throw InputError("{}: digits: are not estimated for curves; state a tolerance to draw them",
-                         scene.file.string());
-      const Scenario& scenario = run.scenario;
-      Table& table = own.emplace_back(NamedTable{run.name, Table(scene.columns.size())}).table;
-      const auto add_row = [&table, &rows](auto row) {
+        throw InputError("{}digits: are not estimated for curves; state a tolerance to draw them",
+                         place);
+      Table table(scene.columns.size());
+      const auto add_row = [&](auto row) {
         if (++rows > most_rows)
           throw InputError(
               "more than {} rows are too many to draw; a shorter window has fewer, and rotor run "
@@ -36,23 +29,22 @@ std::map<int, SceneData> compute(const std::map<int, Scene>& scenes) {
               most_rows);
         table.add(row);
       };
-      ObserverGroup& both = observers.emplace_back();
-      both.add(summaries.emplace_back(scenario));
-      both.add(recorders.emplace_back(scene.window, scene.columns, scenario, sampling, add_row));
-      requests.push_back({scenario, &both, scene.file.string() + ": " + run.name});
-    }
-  }
-  Interruptible interruptible;
-  produce(std::move(requests), interruptible);
-  if (is_interrupted()) throw Interrupted();
-  auto summary = summaries.begin();
-  for (auto& [number, own] : data)
-    for (NamedTable& table : own.curves) {
-      own.results.push_back((summary++)->summary());
-      if (table.table.rows() == 0)
-        throw InputError("{}: no part of the run \"{}\" lies in the window",
-                         scenes.at(number).file.string(), table.name);
-      table.table = thinned(table.table, thinning - sampling);
+      try {
+        Recorder recorder(scene.window, scene.columns, run.scenario, sampling, add_row);
+        ObserverGroup observers = {&monitor, &recorder};
+        const double latest_s = scene.window.from_rolling_onset
+                                    ? std::numeric_limits<double>::infinity()
+                                    : scene.window.from_s;
+        RunUpCheckpoint run_so_far = run_ups.checkpoint_before(run.scenario, monitor, latest_s);
+        data[number].results.push_back(
+            finish(std::move(run_so_far), run.scenario, std::nullopt, observers).summary);
+      } catch (const std::runtime_error& error) {
+        throw std::runtime_error(place + run.name + ": " + error.what());
+      }
+      if (is_interrupted()) throw Interrupted();
+      if (table.rows() == 0)
+        throw InputError("{}no part of the run \"{}\" lies in the window", place, run.name);
+      data[number].curves.push_back({run.name, thinned(table, thinning - sampling)});
     }
   return data;
 }

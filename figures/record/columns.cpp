@@ -67,7 +67,7 @@ constexpr std::array table = {
            "power of the contact's damper, negative; also while the ring springs back",
            [](InstantView& v) { return v.ring().damping_power(v.rim_point(), v.at().contact); }},
     Column{"support_energy_J", "potential energy of the supports' springs",
-           [](InstantView& v) { return v.supports().springs.energy(v.motion().displacement); }},
+           [](InstantView& v) { return v.supports().spring_energy(v.motion().displacement); }},
     Column{"contact_energy_J", "potential energy of the indented ring",
            [](InstantView& v) { return v.ring().energy(v.rim_point(), v.at().contact); }},
     Column{"contact_state", "0 free, 1 sliding, 2 rolling, 3 free with the ring still indented",

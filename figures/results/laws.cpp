@@ -21,7 +21,7 @@ struct Prediction {
 };
 
 double speed_at_loss(const Scenario& scenario) {
-  if (scenario.mass_loss_speed_Hz > 0) return two_pi * scenario.mass_loss_speed_Hz;
+  if (scenario.mass_loss_speed_Hz) return two_pi * *scenario.mass_loss_speed_Hz;
   const Parameters& p = scenario.parameters;
   const double start = two_pi * scenario.start_speed_Hz;
   const double off = two_pi * p.motor_off_Hz;
@@ -161,14 +161,7 @@ Json laws_or_nulls(const Scenario& scenario) {
 
 std::vector<Remark> remarks_on_laws(const Scenario& scenario) {
   const Prediction predicted = prediction_of(scenario);
-  const Accident& law = predicted.law;
-  const double stiffness =
-      Ring<double>(scenario.parameters).law.linear("the indentation").stiffness;
-  const double zeta = ring_damping_ratio(scenario.parameters);
-  const double force = predicted.rolls
-                           ? *law.rolling_force  // without the dashpot's part
-                           : law.impact_force.value_or(0) / impact(zeta) * swing_after_blow(zeta);
-  std::vector<Remark> all = remarks_on_rotor(scenario, predicted.speed / two_pi, force / stiffness);
+  std::vector<Remark> all = remarks_on_rotor(scenario, predicted.speed / two_pi);
   if (!predicted.doubts.empty())
     all.push_back({fmt::format("outside the tested region of the closed forms: {}",
                                fmt::join(predicted.doubts, "; "))});

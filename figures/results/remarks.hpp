@@ -17,9 +17,7 @@ struct Remark {
 };
 
 /// What an engineer would question about a rotor, be it run or estimated: inputs that are probably
-/// in other units, and an indentation, m, for which the contact law and the round ring are
-/// not valid; it may still grow if it is `at_least` that.
-std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<double> loss_speed_Hz,
-                                     double indentation, bool at_least = false);
+/// in other units.
+std::vector<Remark> remarks_on_rotor(const Scenario& scenario, std::optional<double> loss_speed_Hz);
 
 }  // namespace rotor

@@ -23,7 +23,7 @@ Json json_of(long count) { return count; }
 Json json_of(bool whether) { return whether; }
 
 /// What a summary has besides the results.
-struct Circumstance {
+struct Metadata {
   std::string_view key, meaning;
   Json allowed;  ///< in JSON schema
   Json (*value)(const RunResult&);
@@ -50,13 +50,13 @@ Json inputs_of(const RunResult& result) {
   return inputs;
 }
 
-const std::vector<Circumstance>& circumstances() {
+const std::vector<Metadata>& metadata() {
   using A = RunResult;
   const auto with = [](Json names, const Json& more) {
     names.push_back(more);
     return names;
   };
-  static const std::vector<Circumstance> all = {
+  static const std::vector<Metadata> all = {
       {"stop_on",
        "Where the run was to stop early. A run that stopped at its outcome or at rolling has null "
        "for values that the rest of the run could change",
@@ -130,10 +130,10 @@ Json allowed(T Summary::* /*of*/, bool may_be_open) {
 
 }  // namespace
 
-RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<StopOn> stop_on,
-                 Observer& others) {
-  Simulation& simulation = way.simulation;
-  SummaryObserver& summary = way.summary;
+RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
+                 std::optional<StopOn> stop_on, Observer& others) {
+  Simulation& simulation = run_so_far.simulation;
+  SummaryObserver& summary = run_so_far.summary;
   ObserverGroup observers = {&others};
   std::optional<StopObserver> stop;
   if (stop_on) observers.add(stop.emplace(*stop_on, scenario));
@@ -145,11 +145,7 @@ RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<St
     summary.on_instant(simulation.instant());
   const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
   const bool stop_reached = stop && stop->is_reached();
-  return {scenario,
-          summary.summary(),
-          end,
-          {stop_on, stop_reached, end.stopped && !stop_reached},
-          summary.reversals()};
+  return {scenario, summary.summary(), end, {stop_on, stop_reached, end.stopped && !stop_reached}};
 }
 
 Json to_json(const RunResult& result, const std::vector<std::string>* only) {
@@ -161,9 +157,8 @@ Json to_json(const RunResult& result, const std::vector<std::string>* only) {
           !result.early.leaves_rest_open() || field.is_settled(result.summary)
               ? std::visit([&](auto of) { return json_of(result.summary.*of); }, field.value)
               : Json();
-  for (const Circumstance& said : circumstances())
-    if (is_wanted(said.key)) json[std::string(said.key)] = said.value(result);
-  if (result.early.interrupted) json["cut_short_at_s"] = result.summary.final_time_s;
+  for (const Metadata& entry : metadata())
+    if (is_wanted(entry.key)) json[std::string(entry.key)] = entry.value(result);
   return json;
 }
 
@@ -185,12 +180,10 @@ Json summary_schema() {
             field.value));
     required.push_back(field.key);
   }
-  for (const Circumstance& said : circumstances()) {
-    describe(said.key, said.meaning, said.allowed);
-    required.push_back(said.key);
+  for (const Metadata& entry : metadata()) {
+    describe(entry.key, entry.meaning, entry.allowed);
+    required.push_back(entry.key);
   }
-  describe("cut_short_at_s", "Time at which the run was interrupted; otherwise absent",
-           type("number"));
   describe("digits",
            "Only with --digits: how many were asked for; which values have fewer, and how many; "
            "whether counts and outcome are estimated to be those of exact arithmetic (if not, "
@@ -291,7 +284,8 @@ std::vector<Remark> remarks(const RunResult& result) {
                                summary.touch_downs_before_loss)});
   // Steps per half period of the contact; with ten, the error of the largest force is about 1 %.
   constexpr double few_steps = 10;
-  const double steps = std::numbers::pi * std::sqrt(p.mass / Ring<double>(p).typical_stiffness()) /
+  const double steps = std::numbers::pi /
+                       natural_frequency(Ring<double>(p).typical_stiffness(), p.mass) /
                        result.scenario.step_rub;
   if (result.scenario.method == Method::rk4 && summary.touch_downs > 0 && steps < few_steps)
     all.push_back({fmt::format("a contact lasts about {:.2g} steps of step_rub = {} s: the "
@@ -300,22 +294,12 @@ std::vector<Remark> remarks(const RunResult& result) {
                    Of::limit});
   // At mu = 0.05 each multiplies errors by 2.7 in the mean: so many use up the tolerance.
   const double many = -std::log(result.scenario.tolerance);
-  const auto is_sensitive = [&](const std::string& cause) {
-    all.push_back({cause + ", differences in the last digits may lead to another course; a sample "
-                           "of runs shows it"});
-  };
   if (static_cast<double>(summary.touch_downs) > many)
-    is_sensitive(fmt::format("with {} touch-downs", summary.touch_downs));
-  if (result.reversals > 1)
-    is_sensitive(
-        fmt::format("the rotation reversed {} times out of contact, as a pendulum's may: near its "
-                    "turning points",
-                    result.reversals));
-  const double clearance = Ring<double>(p).clearance;
-  const double displacement =
-      std::max(summary.max_displacement_m.value_or(0), summary.max_displacement_before_loss_m);
-  const auto of_rotor = remarks_on_rotor(result.scenario, summary.speed_at_mass_loss_Hz,
-                                         displacement - clearance, early.leaves_rest_open());
+    all.push_back(
+        {fmt::format("with {} touch-downs, differences in the last digits may lead to another "
+                     "course; a sample of runs shows it",
+                     summary.touch_downs)});
+  const auto of_rotor = remarks_on_rotor(result.scenario, summary.speed_at_mass_loss_Hz);
   all.insert(all.end(), of_rotor.begin(), of_rotor.end());
   return all;
 }

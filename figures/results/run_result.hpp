@@ -28,13 +28,12 @@ struct RunResult {
   Summary summary;
   RunEnd end;
   EarlyEnd early;
-  long reversals = 0;  ///< of the rotation out of contact
 };
 
 /// Continues a run from a checkpoint to its end, or to where it is to stop. `others` are shown
 /// everything from the checkpoint on.
-RunResult finish(RunUpCheckpoint way, const Scenario& scenario, std::optional<StopOn> stop_on,
-                 Observer& others);
+RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
+                 std::optional<StopOn> stop_on, Observer& others);
 
 /// Null: has not happened. With `only`, the values with these keys.
 Json to_json(const RunResult& result, const std::vector<std::string>* only = nullptr);

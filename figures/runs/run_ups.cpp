@@ -19,10 +19,10 @@ Scenario endless(Scenario run_up) {
   return run_up;
 }
 
-RunUpCheckpoint of(const Scenario& scenario, const RunUpCheckpoint& way) {
-  RunUpCheckpoint checkpoint = way;
-  checkpoint.simulation = way.simulation.with(scenario);
-  checkpoint.summary = way.summary.with(scenario);
+RunUpCheckpoint branched(const Scenario& scenario, const RunUpCheckpoint& run_so_far) {
+  RunUpCheckpoint checkpoint = run_so_far;
+  checkpoint.simulation = run_so_far.simulation.with(scenario);
+  checkpoint.summary = run_so_far.summary.with(scenario);
   return checkpoint;
 }
 
@@ -99,16 +99,16 @@ RunUpCheckpoint RunUps::follow(std::vector<RunUpCheckpoint>& checkpoints, double
                                         return limit_s < time_s(checkpoint);
                                       });
   const RunUpCheckpoint& last = *(later - 1);
-  RunUpCheckpoint way = last;
-  ObserverGroup observers = {&monitor, &way.summary};
-  way.simulation.run_up(until_s, observers);
+  RunUpCheckpoint run_so_far = last;
+  ObserverGroup observers = {&monitor, &run_so_far.summary};
+  run_so_far.simulation.run_up(until_s, observers);
   const long on_the_way = steps(last) - steps(checkpoints.front());
-  const bool is_far = steps(way) - steps(last) >= least_steps + on_the_way / parts_of_way;
-  if (is_far && !way.simulation.stopped()) {
-    checkpoints.insert(later, way);
+  const bool is_far = steps(run_so_far) - steps(last) >= least_steps + on_the_way / parts_of_way;
+  if (is_far && !run_so_far.simulation.stopped()) {
+    checkpoints.insert(later, run_so_far);
     ++checkpoints_;
   }
-  return way;
+  return run_so_far;
 }
 
 RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& monitor,
@@ -117,14 +117,14 @@ RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& mo
                until_s = std::min(latest_s, scenario.run_up_end());
   if (!scenario.loses_mass() || !(std::min(until_s, speed_s) > 0)) return RunUpCheckpoint(scenario);
   Family& shared = family(scenario);
-  if (until_s <= speed_s) return of(scenario, follow(shared.checkpoints, until_s, monitor));
+  if (until_s <= speed_s) return branched(scenario, follow(shared.checkpoints, until_s, monitor));
   if (shared.later.empty() || shared.later.front().summary.time_of_speed_s() != speed_s) {
-    RunUpCheckpoint way = follow(shared.checkpoints, speed_s, monitor);
-    if (way.simulation.stopped()) return way;
+    RunUpCheckpoint run_so_far = follow(shared.checkpoints, speed_s, monitor);
+    if (run_so_far.simulation.stopped()) return run_so_far;
     checkpoints_ += 1 - shared.later.size();
-    shared.later = {of(scenario, way)};
+    shared.later = {branched(scenario, run_so_far)};
   }
-  return of(scenario, follow(shared.later, until_s, monitor));
+  return branched(scenario, follow(shared.later, until_s, monitor));
 }
 
 SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
@@ -159,8 +159,8 @@ Scenario scenario_of(const ScenarioSpec& spec) {
 
 Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
   Scenario scenario = stated_scenario(spec);
-  const double speed_Hz = scenario.mass_loss_speed_Hz;
-  if (speed_Hz == 0) return scenario;
+  if (!scenario.mass_loss_speed_Hz) return scenario;
+  const double speed_Hz = *scenario.mass_loss_speed_Hz;
   Parameters& p = scenario.parameters;
   const bool states_end = spec.numbers.contains("until");
   Interruptible monitor;
@@ -176,7 +176,7 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
         reached.greatest_Hz,
         speed_Hz > p.motor_off_Hz ? "; above motor_off_hz the motor is off" : "");
   p.mass_loss_time = *reached.time_s;
-  if (p.mass_loss_time == 0) scenario.mass_loss_speed_Hz = 0;
+  if (p.mass_loss_time == 0) scenario.mass_loss_speed_Hz.reset();
   if (!states_end) scenario.until += p.mass_loss_time;
   return scenario;
 }

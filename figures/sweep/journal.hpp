@@ -4,13 +4,10 @@
 
 #include <sys/types.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
-
-#include "figures/sweep/point_scheduler.hpp"
 
 namespace rotor {
 
@@ -18,47 +15,43 @@ namespace rotor {
 /// head of another sweep.
 std::string difference(std::string_view head, std::string_view wanted, std::string_view advice);
 
-/// The journal of FILE is FILE.journal: the head, and the rows in the order in which they were
-/// done, each after its point and a check sum of everything up to and including the row. All
-/// functions throw std::runtime_error.
+/// The journal of FILE is FILE.journal: the head and the first rows of FILE. All functions throw
+/// std::runtime_error.
 class Journal {
  public:
-  /// Resumes from the undamaged part of the journal that exists, as far as its rows are of
-  /// different points of the sweep, or starts one. Refuses a journal that another sweep is writing,
-  /// and one with another head.
-  Journal(const std::filesystem::path& file, std::string head, long points);
+  using IsRowOf = std::function<bool(long point, std::string_view row)>;
+
+  /// Resumes after the last row of the journal that exists, or starts one; rows from the first one
+  /// on that is not whole, or not of its point, are cut off. Refuses a journal that another sweep
+  /// is writing, and one with another head.
+  Journal(const std::filesystem::path& file, std::string head, long points, IsRowOf is_row_of);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
-  const DonePoints& done() const { return done_; }  ///< whose rows are in the journal
-  off_t dropped() const { return dropped_; }        ///< bytes after them, damaged or too many
+  long rows() const { return rows_; }
+  off_t dropped() const { return dropped_; }  ///< bytes that were cut off
   const std::filesystem::path& path() const { return path_; }
 
-  /// Adds the row of a point, a line. It survives the end of the program; after a power cut the
-  /// check sums show how many did.
-  void write(long point, std::string_view row);
+  /// Adds the row of the next point, with its end of line. It survives the end of the program.
+  void write(std::string_view row);
 
-  /// Writes FILE in the order of the points, whole or not at all, and removes the journal. Passes
-  /// each row to `see`.
+  /// Writes FILE, whole or not at all, and removes the journal. Passes each row to `see`.
   void finish(const std::function<void(std::string_view row)>& see = {});
 
  private:
   void open();
-  void resume();
-  template <class Take>
-  off_t read_rows(const Take& take);
+  off_t read_rows(const std::function<void(std::string_view row)>& see);
   void write_all(std::string_view text);
   [[noreturn]] void fail(std::string_view reason) const;
   [[noreturn]] void fail_by_errno(std::string_view what = "cannot be written") const;
 
   std::filesystem::path file_, path_;
   std::string head_;
+  IsRowOf is_row_of_;
   int descriptor_ = -1;
-  long points_;
-  DonePoints done_;
+  long points_, rows_ = 0;
   off_t dropped_ = 0;
-  std::uint64_t sum_ = 0;  ///< of the head and all rows
 };
 
 }  // namespace rotor

@@ -69,9 +69,8 @@ struct Sweep {
   std::vector<std::string> quantities() const;  ///< the ones that vary
 };
 
-/// Reads a TOML sweep file. Throws InputError, also if a corner of the axes is not physical; it
-/// refers to the file by another name if there is one.
-Sweep read_sweep(const std::filesystem::path& file, const std::filesystem::path& name = {});
+/// Reads a TOML sweep file. Throws InputError, also if a corner of the axes is not physical.
+Sweep read_sweep(const std::filesystem::path& file);
 
 /// A point of a sweep.
 struct SweepPoint {

@@ -139,7 +139,7 @@ class SweepReader : TomlFile {
   }
 
   double listed_number(const toml::node& item, std::string_view key) const {
-    const auto found = TomlFile::number(item, key);
+    const auto found = TomlFile::number(item);
     if (!found) fail(item, key, "must be numbers");
     return *found;
   }
@@ -297,8 +297,6 @@ class SweepReader : TomlFile {
 
 }  // namespace
 
-Sweep read_sweep(const std::filesystem::path& file, const std::filesystem::path& name) {
-  return SweepReader(file, name).read();
-}
+Sweep read_sweep(const std::filesystem::path& file) { return SweepReader(file).read(); }
 
 }  // namespace rotor

@@ -29,9 +29,8 @@ class SweepRows {
   /// refused. Throws Interrupted.
   std::string operator()(long n);
 
-  /// Throws std::runtime_error if a row, which is no refusal, cannot be that of a point: by the
-  /// schema of the results, or by what the inputs determine.
-  void check(long n, const CsvRow& row);
+  /// Whether a line can be the row of a point: it begins with its values.
+  bool is_row_of(long n, std::string_view row) const;
 
  private:
   const Sweep& sweep_;

@@ -94,9 +94,9 @@ Computation<S> compute(const Scenario& scenario, const S& tolerance,
   RotorSystem<S> rotor(scenario.parameters, scenario.equations);
   const BasicInstant<S> start = start_of<S>(scenario);
   MassLoss<S> loss(scenario.parameters);
-  if (scenario.mass_loss_speed_Hz > 0) {
+  if (scenario.mass_loss_speed_Hz) {
     RotorSystem<S> to_speed = rotor;
-    to_speed.motor_off = rotor.radians_per_turn() * as_typed<S>(scenario.mass_loss_speed_Hz);
+    to_speed.motor_off = rotor.radians_per_turn() * as_typed<S>(*scenario.mass_loss_speed_Hz);
     // Precision moves it by far less.
     const S latest_s = S(1.01) * S(scenario.parameters.mass_loss_time);
     loss.time_s = time_of_next(EventMethod<S>(to_speed, tolerance, start), Event::motor_off,

@@ -60,9 +60,9 @@ Scenario disturbed(Scenario scenario) {
   for (const Quantity& quantity : quantities())
     if (quantity.name != "contact_exponent")  // in which 1 is no number like others
       disturb(quantity.in(scenario));
-  for (double* of : {&scenario.parameters.clearance, &scenario.parameters.lost_mass,
-                     &scenario.mass_loss_speed_Hz})
-    disturb(*of);
+  for (auto* of : {&scenario.parameters.clearance, &scenario.parameters.lost_mass,
+                   &scenario.mass_loss_speed_Hz})
+    if (*of) disturb(**of);
   return scenario;
 }
 

@@ -27,7 +27,8 @@ constexpr long negligible = 1'000'000;
 /// Those of a summary.
 template <class S>
 std::vector<NamedValue<S>> values_of(const BasicSummary<S>& summary, const Parameters& p) {
-  const S length = Ring<S>(p).clearance / negligible, force = SupportSprings<S>(p).force(length);
+  const S length = Ring<S>(p).clearance / negligible,
+          force = as_typed<S>(p.support_stiffness) * length;
   std::vector<NamedValue<S>> all;
   for (const SummaryField<S>& field : summary_fields<S>) {
     const S size = field.scale == ErrorScale::length  ? length
@@ -55,7 +56,7 @@ std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const Scenario& 
   const S length = max(least, S(m.displacement.norm()));
   const S velocity = max(S(least * abs(m.speed)), S(m.velocity.norm()));
   const bool is_stated = at.event == Event::none ||  // the end
-                         (at.event == Event::mass_loss && scenario.mass_loss_speed_Hz == 0);
+                         (at.event == Event::mass_loss && !scenario.mass_loss_speed_Hz);
   return {{"time_s", at.time_s, S(0), is_stated},
           {"q1_m", q[0], length},
           {"q2_m", q[1], length},

@@ -28,9 +28,9 @@ struct MassLoss {
 
   /// k_u, from Eq. (5) if the lost mass is stated.
   static S unbalance_factor(const Parameters& p) {
-    if (p.lost_mass == 0) return as_typed<S>(p.unbalance_factor);
+    if (!p.lost_mass || *p.lost_mass == 0) return as_typed<S>(p.unbalance_factor);
     const S m = as_typed<S>(p.mass), e = as_typed<S>(p.eccentricity),
-            lost = as_typed<S>(p.lost_mass);
+            lost = as_typed<S>(*p.lost_mass);
     return 1 + lost * (e + as_typed<S>(p.rotor_radius)) / ((m - lost) * e);  // never below 1
   }
 

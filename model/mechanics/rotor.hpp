@@ -7,9 +7,11 @@
 /// a contact. A chart such as rotating_frame.hpp defines the basis of the components.
 #pragma once
 
+#include <cmath>
 #include <type_traits>
 
-#include "model/mechanics/support_springs.hpp"
+#include "model/mechanics/parameters.hpp"
+#include "model/mechanics/plane.hpp"
 
 namespace rotor {
 
@@ -59,6 +61,13 @@ struct Acceleration {
   S angular;              ///< q3'', rad/s^2
 };
 
+/// Of a mass on a spring, rad/s.
+template <class S>
+S natural_frequency(const S& stiffness, const std::type_identity_t<S>& mass) {
+  using std::sqrt;
+  return sqrt(stiffness / mass);
+}
+
 /// T, J.
 template <class S>
 S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
@@ -71,14 +80,14 @@ S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
 /// supports, gravity, motor.
 template <class S>
 struct Supports {
-  SupportSprings<S> springs;
+  S stiffness;               ///< k, N/m
   S damping;                 ///< d, N s/m
   S gravity;                 ///< g, m/s^2
   S torque;                  ///< M_mot while the motor drives, N m
   bool balanced_by_springs;  ///< whether the springs' preload takes its share of the gravity moment
 
   Supports(const Parameters& p, Equations equations)
-      : springs(p),
+      : stiffness(as_typed<S>(p.support_stiffness)),
         damping(as_typed<S>(p.support_damping)),
         gravity(as_typed<S>(p.gravity)),
         torque(as_typed<S>(p.torque)),
@@ -86,22 +95,26 @@ struct Supports {
 
   /// Force on the supports at a position and a velocity of O, N.
   Vector<S> bearing_force(const Vector<S>& displacement, const Vector<S>& velocity) const {
-    return springs.force(displacement) + damping * velocity;
+    return stiffness * displacement + damping * velocity;
   }
   /// Its rate, N/s.
-  Vector<S> bearing_force_rate(const Vector<S>& displacement, const Vector<S>& velocity,
-                               const Vector<S>& acceleration) const {
-    return springs.force_rate(displacement, velocity) + damping * acceleration;
+  Vector<S> bearing_force_rate(const Vector<S>& velocity, const Vector<S>& acceleration) const {
+    return stiffness * velocity + damping * acceleration;
   }
   /// Upper bound of its magnitude, N.
   S greatest_bearing_force(const S& distance, const S& velocity) const {
-    return springs.force(distance) + damping * velocity;
+    return stiffness * distance + damping * velocity;
   }
 
   Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
-    const Vector<S> force = -damping * motion.velocity - springs.force(motion.displacement);
+    const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;
     return {force, -damping * cross(motion.displacement, motion.velocity) +
                        gravity_moment(body, motion) + (motor_on ? torque : S(0))};  // Eq. (4)
+  }
+
+  /// Energy stored in the springs, J.
+  S spring_energy(const Vector<S>& displacement) const {
+    return stiffness * displacement.squaredNorm() / 2;
   }
 
   /// Power of the motor, and of the dampers, W.
@@ -122,10 +135,8 @@ struct Supports {
 
   /// The steady response to the unbalance at a constant speed in rad/s, gravity's moment left out:
   /// O_a C = e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes, as complex numbers, m.
-  /// Throws std::domain_error unless the springs are linear.
   Vector<S> unbalance_response(const Body<S>& body, const S& speed) const {
     if (speed == 0) return {body.eccentricity, S(0)};  // without springs, too
-    const S& stiffness = springs.linear_stiffness("the steady response to the unbalance");
     const Vector<S> force(stiffness, damping * speed);
     const Vector<S> impedance = force - Vector<S>(body.mass * speed * speed, S(0));
     const Vector<S> inverse =
@@ -135,7 +146,6 @@ struct Supports {
   /// Its derivative by the speed, e_x m w (2 k + i w d) / (k - m w^2 + i w d)^2, m s.
   Vector<S> unbalance_response_by_speed(const Body<S>& body, const S& speed) const {
     if (speed == 0) return {S(0), S(0)};
-    const S& stiffness = springs.linear_stiffness("the steady response to the unbalance");
     const Vector<S> impedance(stiffness - body.mass * speed * speed, damping * speed);
     const Vector<S> inverse =
         Vector<S>(impedance.x(), -impedance.y()) * (1 / impedance.squaredNorm());

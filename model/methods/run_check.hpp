@@ -59,7 +59,7 @@ class RunCheck {
             share = min(S(fixed_steps), S(truncation_ * static_cast<S>(steps_)));
     const S grown = now - energy_ - rotor.motor_torque() * (at.state[2] - from_.state[2]);
     const S all =
-        max({now, energy_, rotor.supports.springs.energy(Vector<S>(rotor.ring.clearance, S(0)))});
+        max({now, energy_, rotor.supports.spring_energy(Vector<S>(rotor.ring.clearance, S(0)))});
     if (!(grown <=
           gravity_work(rotor) + share * all + rounding(rotor, at) + rounding(rotor, from_)))
       return fmt::format("the energy grew by {:.4g} J from {:.4g} J between {:.9f} s and {:.9f} s",
@@ -78,7 +78,7 @@ class RunCheck {
   static S energy(const RotorSystem<S>& rotor, const BasicInstant<S>& at) {
     const Motion<S> m = at.motion();
     S all =
-        kinetic_energy(at.body, m) + rotor.supports.springs.energy(m.displacement) +
+        kinetic_energy(at.body, m) + rotor.supports.spring_energy(m.displacement) +
         at.body.mass * rotor.supports.gravity * (at.body.eccentricity - m.eccentricity.dot(m.down));
     if (at.contact != ContactState::free)
       all += rotor.ring.energy(rotor.ring.rim_point(m), at.contact);

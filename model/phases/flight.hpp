@@ -46,8 +46,7 @@ struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::be
   }
 
   S phase_swing(const Unknowns& x, const S& h) const {
-    return rotor.phase_swing(rotor.supports.springs.tangent_stiffness(rotor.ring.clearance),
-                             chart.speed(x), h);
+    return rotor.phase_swing(rotor.supports.stiffness, chart.speed(x), h);
   }
 
   /// Every contact multiplies the errors at its start, and a flight is cheap: errors of length are
@@ -63,10 +62,9 @@ struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::be
     const Motion<S> m = chart.kinematics(x).motion;
     const Supports<S>& supports = rotor.supports;
     const Vector<S> of_O = acceleration_of_centre(acceleration(mobility, m, rotor.loads(m)), m);
-    return {
-        {ExtremeValue<S>::length(m.displacement, m.velocity),
-         ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
-                                 supports.bearing_force_rate(m.displacement, m.velocity, of_O))}};
+    return {{ExtremeValue<S>::length(m.displacement, m.velocity),
+             ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
+                                     supports.bearing_force_rate(m.velocity, of_O))}};
   }
 };
 
@@ -122,7 +120,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     S angular_acceleration;  ///< rad/s^2
   };
 
-  /// Bounds that hold through a step, with contact or not, on linear springs. The deviation from
+  /// Bounds that hold through a step, with contact or not. The deviation from
   /// the synchronous motion is a damped oscillation, driven only by the residual that the
   /// synchronous motion leaves, and its amplitude grows by no more than that. Twice the residual at
   /// the ends of the step, plus a thousandth of the amplitude, is taken as its bound in between.
@@ -130,7 +128,6 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     using std::abs, std::max, std::min, std::sqrt;
     const Body<S>& body = rotor.body;
     const Supports<S>& supports = rotor.supports;
-    if (!supports.springs.is_linear()) return std::nullopt;
     const S h = to.time - from.time, e = body.eccentricity;
     const S frequency = rotor.support_frequency();
     const auto synchronous = [&] {
@@ -167,8 +164,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
   /// How far the deviation is from a free damped oscillation, m/s^2.
   S drive(const Point& at, const S& frequency) const {
     const Supports<S>& supports = rotor.supports;
-    const S k = supports.springs.linear_stiffness("the free oscillation") / rotor.body.mass,
-            d = supports.damping / rotor.body.mass;
+    const S k = supports.stiffness / rotor.body.mass, d = supports.damping / rotor.body.mass;
     const Vector<S> velocity = chart.deviation_rate(at.x);
     return norm(frequency * (chart.deviation(at.rates) - velocity),
                 chart.deviation_rate(at.rates) + d * velocity + k * chart.deviation(at.x));

@@ -1,8 +1,9 @@
 /// Coordinates of a rotor without contact. In the stator's frame the rotation hardly moves the mass
 /// centre, because the supports are soft; well above the critical speed only the synchronous motion
-/// is left of it, and the unknowns are the deviation from that. A new chart subtracts the steady
-/// response alone: short flights between contacts are not worth the series. The axes are the
-/// stator's, turned to a recent position of the rotor's axes, so that the angle stays small.
+/// is left of it, and the unknowns are the deviation from that. While the rotor vibrates, as after
+/// contacts and a mass loss, the steady response alone is subtracted: the series costs more and
+/// allows no longer steps. The axes are the stator's, turned to a recent position of the rotor's
+/// axes, so that the angle stays small.
 #pragma once
 
 #include <array>
@@ -198,9 +199,8 @@ class FlightChart {
   /// which measures the ripple, and of the eccentricity. From half to four times of that, run-ups
   /// and flights of the paper's rotor cost the same within 3 %.
   bool vibrates(const Unknowns& x) const {
-    const Supports<S>& supports = rotor_.supports;
-    const S k = supports.springs.tangent_stiffness(S(0)), m = rotor_.body.mass;
-    const S force = (m * supports.gravity + k * rotor_.body.eccentricity) / 2000;
+    const S &k = rotor_.supports.stiffness, &m = rotor_.body.mass;
+    const S force = (m * rotor_.supports.gravity + k * rotor_.body.eccentricity) / 2000;
     return k * (k * deviation(x).squaredNorm() + m * deviation_rate(x).squaredNorm()) >
            force * force;
   }
@@ -246,11 +246,9 @@ class FlightChart {
   }
 
   /// Above 1.4 times the critical speed. Nearer to it the response changes too fast with the speed
-  /// to be worth subtracting. Springs that are not linear have no such response.
+  /// to be worth subtracting.
   bool is_fast(const S& speed) const {
-    const SupportSprings<S>& springs = rotor_.supports.springs;
-    const S critical = springs.tangent_stiffness(S(0)) / rotor_.body.mass;  // squared
-    return springs.is_linear() && speed * speed > 2 * critical;
+    return speed * speed > 2 * rotor_.supports.stiffness / rotor_.body.mass;
   }
 
   RotorSystem<S> rotor_;

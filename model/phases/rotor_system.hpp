@@ -45,11 +45,8 @@ struct RotorSystem {
   /// Becomes negative where the motor is to be switched off.
   S motor_guard(const S& speed) const { return motor_on ? motor_off - speed : S(1); }
 
-  /// Highest natural frequency on the supports without contact, rad/s.
-  S support_frequency() const {
-    using std::sqrt;
-    return sqrt(supports.springs.tangent_stiffness(ring.clearance) / body.mass);
-  }
+  /// Natural frequency on the supports without contact, rad/s.
+  S support_frequency() const { return natural_frequency(supports.stiffness, body.mass); }
 
   /// Highest natural rate of change in flight, rad/s.
   S flight_frequency(const S& speed) const {
@@ -59,18 +56,18 @@ struct RotorSystem {
 
   /// The same in contact.
   S contact_frequency(const S& speed) const {
-    using std::max, std::sqrt;
-    return max(flight_frequency(speed), sqrt(ring.typical_stiffness() / body.mass));
+    using std::max;
+    return max(flight_frequency(speed), natural_frequency(ring.typical_stiffness(), body.mass));
   }
 
   /// Upper bound of the phase angle through which a motion swings in a step of length h, rad: its
   /// natural vibration with that stiffness plus the rotation, seen from the stator. Vibrations that
   /// swing further in one step are below its tolerance.
   S phase_swing(const S& vibrating_stiffness, const S& speed, const S& h) const {
-    using std::abs, std::min, std::sqrt;
+    using std::abs, std::min;
     const S furthest(16);  // at the loosest tolerance steps reach about a third of it
     const S rotation = body.eccentricity > 0 ? S(abs(speed)) : S(0);
-    return min(furthest, S(h * sqrt(vibrating_stiffness / body.mass))) + h * rotation;
+    return min(furthest, S(h * natural_frequency(vibrating_stiffness, body.mass))) + h * rotation;
   }
 };
 

@@ -57,7 +57,7 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
         change(rates[Chart::normal_velocity], chart.tangential_velocity(rates));
     return {{{k.displacement, k.normal_velocity},
              ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
-                                     rotor.supports.bearing_force_rate(position, drift, change)),
+                                     rotor.supports.bearing_force_rate(drift, change)),
              {-force(k), pressure_rate(k, rates)}}};
   }
 
@@ -117,7 +117,7 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   S grip(const Pressed& p, const S& holding_friction) const {
     // Friction of the size of rounding errors is available even if F_n has vanished.
     const S rounding =
-        64 * std::numeric_limits<S>::epsilon() * rotor.supports.springs.force(p.k.displacement);
+        64 * std::numeric_limits<S>::epsilon() * rotor.supports.stiffness * p.k.displacement;
     const S limit = rotor.ring.friction * -p.normal_force + rounding;
     return limit * limit - holding_friction * holding_friction;
   }

@@ -210,7 +210,7 @@ class SynchronousMotion {
   void expand(const RotorSystem<S>& rotor, const Vector<S>& down) {
     using std::sqrt;
     const Supports<S>& supports = rotor.supports;
-    const S k = supports.springs.linear_stiffness("the synchronous motion");
+    const S k = supports.stiffness;
     const S d = supports.damping, m = rotor.body.mass;
     const S e = rotor.body.eccentricity, inertia = rotor.body.inertia;
     const S rounding = 100 * std::numeric_limits<S>::epsilon();

@@ -55,7 +55,7 @@ void EnergyObserver::on_instant(const Instant& at) {
 void EnergyObserver::take_stock(const Instant& at) {
   const Motion<double> m = at.motion();
   balance_.kinetic = kinetic_energy(at.body, m);
-  balance_.support_springs = supports_.springs.energy(m.displacement);
+  balance_.support_springs = supports_.spring_energy(m.displacement);
   balance_.contact_spring = ring_.energy(ring_.rim_point(m), at.contact);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "model/scenario/instant.hpp"
@@ -15,13 +14,11 @@ enum class Outcome { rolling, stalled, sliding, freed, no_contact, bouncing, und
 
 /// The farthest that O can get from O_a, m, while the rotor stays clear of the ring and keeps its
 /// speed: the steady response to the unbalance plus a vibration about it that can only decay. The
-/// ripple of the speed due to gravity, and its effect on O, are neglected. Infinite unless the
-/// springs of the supports are linear.
+/// ripple of the speed due to gravity, and its effect on O, are neglected.
 template <class S>
 S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion) {
-  using std::hypot, std::sqrt;
-  if (!supports.springs.is_linear()) return std::numeric_limits<S>::infinity();
-  const S frequency = sqrt(supports.springs.linear_stiffness("the reach") / body.mass);
+  using std::hypot;
+  const S frequency = natural_frequency(supports.stiffness, body.mass);
   const Vector<S> along = motion.eccentricity / body.eccentricity;  // the rotor's axis x
   const Vector<S> steady =
       body.eccentricity > 0
@@ -42,10 +39,8 @@ class BasicOutcomeWatch {
       : parameters_(scenario.parameters),
         supports_(scenario.parameters, scenario.equations),
         until_s_(scenario.until) {
-    using std::sqrt;
-    const S period =
-        RotorSystem<S>::radians_per_turn() *
-        sqrt(as_typed<S>(parameters_.mass) / supports_.springs.tangent_stiffness(S(0)));
+    const S period = RotorSystem<S>::radians_per_turn() /
+                     natural_frequency(supports_.stiffness, as_typed<S>(parameters_.mass));
     time_of_speed_s_ = until_s_ - stalling_periods * period;
   }
 
@@ -69,10 +64,9 @@ class BasicOutcomeWatch {
   Outcome outcome() const {
     if (rolled_) return Outcome::rolling;
     if (is_stalled()) return Outcome::stalled;
-    using std::sqrt;
     const Ring<S> ring(parameters_);
-    const S contact_period =
-        RotorSystem<S>::radians_per_turn() * sqrt(last_.body.mass / ring.typical_stiffness());
+    const S contact_period = RotorSystem<S>::radians_per_turn() /
+                             natural_frequency(ring.typical_stiffness(), last_.body.mass);
     if (contact_since_s_ && last_.time_s - *contact_since_s_ > contact_period)
       return Outcome::sliding;
     const bool is_free = last_.contact == ContactState::free;
@@ -83,14 +77,14 @@ class BasicOutcomeWatch {
 
   /// Whether the free rotor cannot reach the ring until the end of the run, nor stall, at any speed
   /// that it can have until then: driven by its motor or by gravity, braked by the damping of its
-  /// supports or by gravity. Linear springs only.
+  /// supports or by gravity.
   bool stays_clear() const {
     using std::abs, std::hypot, std::max, std::min, std::sqrt;
     const Body<S>& body = last_.body;
     const Motion<S> motion = last_.motion();
     const S clearance = Ring<S>(parameters_).clearance, e = body.eccentricity;
     const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
-    const S stiffness = supports_.springs.linear_stiffness("the resonance");
+    const S& stiffness = supports_.stiffness;
     if (!(stiffness > 0)) return false;  // any rounded velocity takes it anywhere
     const S square = stiffness / body.mass, decay = supports_.damping / body.mass;
     const auto response = [&](const S& w) {  // steady displacement of O by the unbalance
@@ -156,8 +150,7 @@ class BasicOutcomeWatch {
   }
 
   S fastest_stall() const {  // rad/s
-    using std::sqrt;
-    return S(stalling_speeds) * sqrt(supports_.springs.tangent_stiffness(S(0)) / last_.body.mass);
+    return S(stalling_speeds) * natural_frequency(supports_.stiffness, last_.body.mass);
   }
 
   /// A rotor stalls if over this many natural periods of its supports it

@@ -257,7 +257,6 @@ class BasicSummaryObserver : public BasicObserver<S> {
     if (!watch_.early_speed() && last_progress_ && last_progress_->time_s <= time_s &&
         time_s < now.time_s)
       watch_.note_speed(last_progress_->speed);
-    if (last_progress_ && !last_.touches() && last_progress_->speed * now.speed < 0) ++reversals_;
     last_progress_ = whirl_ = now;
     if (!rolls_) return true;
     if (!rolls_since_) rolls_since_ = now;
@@ -272,15 +271,9 @@ class BasicSummaryObserver : public BasicObserver<S> {
 
   const BasicSummary<S>& summary() const { return summary_; }
 
-  /// How often the rotation changed its direction out of contact, as when a heavy rotor swings like
-  /// a pendulum.
-  long reversals() const { return reversals_; }
-
  private:
   void note_parameters(const Parameters& p) {
-    using std::sqrt;
-    const S mass = as_typed<S>(p.mass),
-            natural = sqrt(S(supports_.springs.tangent_stiffness(S(0)) / mass));
+    const S mass = as_typed<S>(p.mass), natural = natural_frequency(supports_.stiffness, mass);
     summary_.critical_speed_Hz = in_Hz(natural);
     if (natural > 0) summary_.damping_ratio = supports_.damping / (2 * mass * natural);
     loses_mass_ = p.loses_mass;
@@ -348,7 +341,6 @@ class BasicSummaryObserver : public BasicObserver<S> {
   std::optional<Extreme> ignored_;
   BasicInstant<S> last_;
   bool begun_ = false, rolls_ = false, loses_mass_ = true;
-  long reversals_ = 0;
   std::optional<BasicProgress<S>> last_progress_;
   std::optional<BasicProgress<S>> whirl_;        ///< where the angle was last known
   std::optional<BasicProgress<S>> rolls_since_;  ///< its angle counted like the present one

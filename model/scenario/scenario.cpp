@@ -86,8 +86,9 @@ Scenario run_up_part(const Scenario& scenario) {
   using P = Parameters;
   for (double P::*const later :
        {&P::contact_stiffness, &P::contact_damping, &P::contact_exponent, &P::reference_indentation,
-        &P::friction, &P::unbalance_factor, &P::lost_mass, &P::mass_loss_time})
+        &P::friction, &P::unbalance_factor, &P::mass_loss_time})
     part.parameters.*later = standard.parameters.*later;
+  part.parameters.lost_mass = standard.parameters.lost_mass;
   part.parameters.loses_mass = standard.parameters.loses_mass;
   part.equations.velocity_jump = standard.equations.velocity_jump;
   part.until = standard.until;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,7 @@ struct Scenario {
   double tolerance = 1e-11;   // of event: error allowed in a step, relative to the phase's scale()
   double step_run_up = 1e-4;  // of rk4: step until the mass loss or the first contact, s
   double step_rub = 5e-6;     // of rk4: step after that, s
-  double mass_loss_speed_Hz = 0;  // of the mass loss, if stated instead of its time
+  std::optional<double> mass_loss_speed_Hz{};  // if stated instead of the time of the mass loss
 
   bool operator==(const Scenario&) const = default;
 

@@ -27,13 +27,12 @@ inline double whirling_friction(const Parameters& p, double mass, double velocit
                                 double restitution) {
   const double kicks = velocity * (1 + restitution) / (1 - restitution);
   const double way = Ring<double>(p).clearance / kicks;
-  const double k = SupportSprings<double>(p).linear_stiffness("the friction that leads to whirl");
-  return std::sqrt(way * (way * k + p.support_damping) / mass);
+  return std::sqrt(way * (way * p.support_stiffness + p.support_damping) / mass);
 }
 
 /// Before the mass loss, rad/s.
 inline double critical_speed(const Parameters& p) {
-  return std::sqrt(SupportSprings<double>(p).linear_stiffness("the critical speed") / p.mass);
+  return natural_frequency(p.support_stiffness, p.mass);
 }
 
 /// About the largest displacement of O in a run-up through the critical speed, m: at most that of
@@ -69,9 +68,9 @@ struct Accident {
     const Whirl whirl(p);
     const Ring<double> ring(p);
     const double m = body.mass, e_1 = body.eccentricity, r = ring.rotor_radius, c = ring.clearance;
-    const double k = SupportSprings<double>(p).linear_stiffness("the laws of the accident");
+    const double k = p.support_stiffness;
     const auto [k_t, d_t] = ring.law.linear("the laws of the accident");
-    const double natural = std::sqrt(k / m), d = p.support_damping;
+    const double natural = natural_frequency(k, m), d = p.support_damping;
     const double jumps = equations.velocity_jump == VelocityJump::twice ? 2 : 1;
     const double limit =
         natural * (c - e_1) /
@@ -86,7 +85,7 @@ struct Accident {
     const Complex v_O = response.velocity(*contact_s) * std::conj(outwards);
     const Complex v_C =
         v_O + i * speed * e_1 * std::exp(i * speed * *contact_s) * std::conj(outwards);
-    const double contact_rate = std::sqrt(k_t / m);
+    const double contact_rate = natural_frequency(k_t, m);
     const double zeta = d_t / (2 * m * contact_rate);
     impact_force = k_t * v_O.real() / contact_rate * impact(zeta);
     whirl_friction =

@@ -22,8 +22,8 @@ class MassLossResponse {
  public:
   using Complex = std::complex<double>;
 
-  /// Throws std::domain_error for supports that do not vibrate, because they have no stiffness or
-  /// at least critical damping, and for springs that are not linear.
+  /// Throws std::domain_error for supports that do not vibrate: without stiffness, or
+  /// with at least critical damping.
   MassLossResponse(const Parameters& p, Equations equations, double speed)
       : speed_(speed), clearance_(Ring<double>(p).clearance) {
     const MassLoss<double> loss(p);
@@ -38,7 +38,7 @@ class MassLossResponse {
     const Complex z(after[0], after[1]), rate = Complex(after[3], after[4]) + i * speed * z;
     steady_ = steady(loss.after);
     decay_ = p.support_damping / (2 * loss.after.mass);
-    const double stiffness = supports.springs.linear_stiffness("the response to the mass loss");
+    const double stiffness = p.support_stiffness;
     const double square = stiffness / loss.after.mass - decay_ * decay_;
     if (!(square > 0))
       throw std::domain_error(fmt::format(

@@ -10,13 +10,12 @@
 
 namespace rotor {
 
-/// The rotor after its mass loss. Throws std::domain_error unless the springs of its supports and
-/// the ring are linear.
+/// The rotor after its mass loss. Throws std::domain_error unless the ring is linear.
 class Whirl {
  public:
   explicit Whirl(const Parameters& p)
       : body_(MassLoss<double>(p).after),
-        stiffness_(SupportSprings<double>(p).linear_stiffness("the whirl along the ring")),
+        stiffness_(p.support_stiffness),
         damping_(p.support_damping),
         ring_(p),
         contact_stiffness_(ring_.law.linear("the whirl along the ring").stiffness) {}
@@ -29,7 +28,7 @@ class Whirl {
 
   /// Below this friction backward sliding whirl dies at any rate.
   double whip_friction() const {
-    return damping_ * std::sqrt((stiffness_ + contact_stiffness_) / body_.mass) /
+    return damping_ * natural_frequency(stiffness_ + contact_stiffness_, body_.mass) /
            contact_stiffness_;
   }
 
@@ -81,7 +80,7 @@ class Whirl {
   }
 
  private:
-  double natural_rate() const { return std::sqrt(stiffness_ / body_.mass); }
+  double natural_rate() const { return natural_frequency(stiffness_, body_.mass); }
 
   Body<double> body_;
   double stiffness_, damping_;

@@ -5,21 +5,16 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <regex>
 #include <sstream>
 
 #include "verification/support/command_line.hpp"
+#include "verification/support/content.hpp"
 
 namespace rotor {
 namespace {
 
 const fs::path approved = ROTOR_SOURCES "/verification/approved";
-
-std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 class Approved : public CommandLine, public testing::WithParamInterface<std::string> {
  protected:

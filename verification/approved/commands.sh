@@ -8,7 +8,7 @@ numbers() { sed -E 's/[0-9]+(\.[0-9]+){2} \([^)]+\)/(version)/;/^(paper|Fig\.)/!
 
 # Writes a scene, or a sweep, and runs the program on it.
 scene() { printf '%b\n' "$1" >scene.toml && shift && rotor run --scene scene.toml "$@"; }
-sweep() { printf '%b\n' "$1" >sweep.toml && shift && rotor sweep sweep.toml --dry-run "$@"; }
+sweep() { printf '%b\n' "$1" >sweep.toml && shift && rotor sweep sweep.toml "$@"; }
 
 # The texts of a picture in their order, without tic labels. Numbers of the paper are kept.
 texts() {

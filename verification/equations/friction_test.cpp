@@ -20,10 +20,10 @@ class Inspector : public Observer {
     const auto k = ring_.rim_point(m);
     const double normal = ring_.elastic_force(k);
     // Rounding of rho and of the velocities in the spring and the dashpot.
-    const double rounding = 2e-14 * ((ring_.law.tangent_stiffness(std::abs(k.indentation)) +
-                                      supports_.springs.tangent_stiffness(k.displacement)) *
-                                         k.displacement +
-                                     ring_.law.damping() * (std::abs(k.normal_velocity) + 1));
+    const double rounding =
+        2e-14 * ((ring_.law.tangent_stiffness(std::abs(k.indentation)) + supports_.stiffness) *
+                     k.displacement +
+                 ring_.law.damping() * (std::abs(k.normal_velocity) + 1));
     EXPECT_LE(normal, rounding);
     if (at.contact == ContactState::rolling) {
       EXPECT_LE(std::abs(k.slip_velocity), 1e-12 * (1 + std::abs(ring_.rotor_radius * m.speed)));

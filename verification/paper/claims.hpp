@@ -97,10 +97,7 @@ std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
 
 std::string to_csv(const std::vector<Number>& numbers);
 
-/// All numbers with their verdicts; last, the figures about which nothing is claimed.
+/// All numbers with their verdicts.
 std::string claims_table(const std::vector<Number>& numbers);
-
-/// Of Figs. 2-17.
-std::vector<int> figures_without_claim(const std::vector<Number>& numbers);
 
 }  // namespace rotor

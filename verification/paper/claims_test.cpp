@@ -11,7 +11,6 @@
 
 #include "figures/data/csv.hpp"
 #include "verification/paper/readings.hpp"
-#include "verification/support/command_line.hpp"
 
 namespace rotor {
 namespace {
@@ -177,23 +176,6 @@ TEST(Claims, HaveTheReadingsOfASentenceInOneOrder) {
             its.id != "onset_at_peak") {
           EXPECT_EQ(n, place) << its.id;
         }
-}
-
-struct NewClaims : CommandLine {};
-
-TEST_F(NewClaims, WithoutARowInTheEnsemblesSayHowToGetIt) {
-  write("claims.csv",
-        "claim,number,sentence,figures,place,says,printed,rule,unit,kind,conditions,readings,"
-        "verdict,corrected,reason\n"
-        "mine,mine,,,,operating speed,943,digits,rad/s,arithmetic,,speed_rad,,,\n");
-  write("ensembles.csv", "equations,population,number,reading,draws,valued,median,p5,p95,holds\n");
-  try {
-    judged_numbers(folder_);
-    ADD_FAILURE() << "judged without an ensemble";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("make ensembles ID=mine"), std::string::npos)
-        << error.what();
-  }
 }
 
 TEST(Verdicts, OfClaimsAreTheWorstOfTheirNumbersAndChangeWithTheWidthOfWords) {

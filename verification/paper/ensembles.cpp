@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "figures/data/csv.hpp"
-#include "figures/sweep/point_scheduler.hpp"
+#include "figures/sweep/compute_in_order.hpp"
 #include "verification/paper/readings.hpp"
 
 namespace rotor {
@@ -26,15 +26,14 @@ double value_of(const std::string& reading, PaperRuns& runs) {
 
 void in_parallel(long count, int threads, const std::function<void(long)>& work_on,
                  const std::function<void(long)>& report) {
-  PointScheduler scheduler({}, count, [](long, std::string_view) {});
   std::atomic<long> done = 0;
   const Work one = [&](long n) {
     work_on(n);
     ++done;
     return std::string();
   };
-  work(
-      scheduler, threads, [&] { return one; }, [&] { report(done); });
+  compute_in_order(
+      0, count, threads, [&] { return one; }, [](const std::string&) {}, [&] { report(done); });
 }
 
 Draws evaluate(const std::vector<std::string>& readings, long count,

@@ -82,8 +82,8 @@ std::vector<Reason> read_reasons(const std::filesystem::path& table) {
   for (const CsvRow& row : read_csv(table)) {
     if (!criteria.contains(row["judged"])) row.fail("judged: must be a criterion of reasons.hpp");
     const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
-    reasons.push_back({row["reason"], row["place"], row["says"], row["quantity"], number("from"),
-                       number("until"), row["spacing"] == "log", number("most_friction"),
+    reasons.push_back({row["reason"], row["quantity"], number("from"), number("until"),
+                       row["spacing"] == "log", number("most_friction"),
                        criteria.at(row["judged"])});
   }
   return reasons;

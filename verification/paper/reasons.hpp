@@ -20,7 +20,7 @@ enum class Criterion {
 
 /// A row of reference-data/reasons.csv.
 struct Reason {
-  std::string id, place, says, quantity;
+  std::string id, quantity;
   double from, until;  ///< of the quantity, from the least to the most risky value, SI
   bool is_logarithmic;
   double most_friction;  ///< of the rotors on which it is tried

@@ -158,9 +158,9 @@ TEST_F(Fuzz, ScenesAreReadOrRefusedByFileAndLine) {
 
 TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
   Random random(2);
-  std::vector<std::string> options = {"--trace",  "--events",       "--columns",     "--from",
-                                      "--scene",  "--run",          "--json",        "--equations",
-                                      "--method", "--no-mass-loss", "--keep-partial"};
+  std::vector<std::string> options = {"--trace",  "--events",      "--columns", "--from",
+                                      "--scene",  "--run",         "--json",    "--equations",
+                                      "--method", "--no-mass-loss"};
   for (std::string name : quantity_names()) {
     std::replace(name.begin(), name.end(), '_', '-');
     options.push_back("--" + name);

@@ -60,97 +60,14 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
 }
 
-// The share that rolls at each point of a map, and of a distribution with draws that have no
-// result.
-TEST_F(Gnuplot, DrawsASweepInARelativeFolder) {
-  fs::create_directory(folder_ / "drafts");
-  write("s.toml",
-        "[parameters]\nequations = \"consistent\"\nstart_speed_hz = 150\nuntil = 1e-3\n"
-        "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.2]\n");
-  const auto [status, output] = shell("TMPDIR=drafts $rotor plot s.toml --column outcome");
-  EXPECT_EQ(status, 0) << output;
-  EXPECT_TRUE(fs::is_empty(folder_ / "drafts"));
-}
-
-TEST_F(Gnuplot, GetsTheSharesOfTheDraws) {
-  const std::string sample =
-      "[sample]\ncount = 7\nseed = 1\n[[sample.over]]\nquantity = \"friction\"\n"
-      "uniform = [0.02, 0.3]\n";
-  const std::string rotor_at_150_Hz = "[parameters]\nstart_speed_hz = 150\nuntil = 0.06\n";
-  write("map.toml", "columns = [\"outcome\"]\n" + rotor_at_150_Hz +
-                        "[[axis]]\nquantity = \"mass\"\nvalues = [5, 4, 6]\n[[axis]]\nquantity = "
-                        "\"clearance\"\nvalues = [2e-3, 3e-3]\n" +
-                        sample);
-  write("sample.toml", rotor_at_150_Hz + sample);
-  const auto drawn = [&](const std::string& name, const std::string& kept,
-                         const std::string& column) {
-    write_gnuplot("PATH=${PATH#*:} gnuplot \"$@\"" + kept + " \"$KEPT\"\n");
-    EXPECT_EQ(rotor("sweep " + name + ".toml --out " + name + ".csv").status, 0);
-    const auto [status, output] =
-        shell("KEPT=$PWD/kept PATH=$PWD:$PATH $rotor plot " + name + ".csv " + column);
-    EXPECT_EQ(status, 0) << output;
-    std::string text = content("kept");
-    std::replace(text.begin(), text.end(), ',', ' ');
-    std::istringstream lines(text);
-    std::vector<std::array<double, 3>> all;
-    for (std::string line; std::getline(lines, line);)
-      if (std::array<double, 3> row{};
-          std::sscanf(line.c_str(), "%lf %lf %lf", &row[0], &row[1], &row[2]) >= 2)
-        all.push_back(row);
-    return std::pair(all, read_csv(folder_ / (name + ".csv")));
-  };
-  const auto [cells, draws] = drawn("map", " && cp panel0.csv", "");
-  ASSERT_EQ(cells.size(), 6U);
-  double parts = 0;
-  for (const auto& [x, y, share] : cells) {
-    const auto first = static_cast<std::size_t>(7 * (2 * y + x));
-    const auto roll = std::count_if(draws.begin() + static_cast<long>(first),
-                                    draws.begin() + static_cast<long>(first + 7),
-                                    [](const CsvRow& row) { return row["outcome"] == "rolling"; });
-    EXPECT_NEAR(share, static_cast<double>(roll) / 7, 1e-6);
-    parts += share * (1 - share);
-  }
-  EXPECT_GT(parts, 0);  // some, but not all
-  shell("sed -i '$d' map.csv");
-  expect_refusal("plot map.csv", "map.csv: has 41 rows; the sweep file above them has 42 points");
-  shell("sed -i 's/^#   count = .*/#   count = 0/' map.csv");
-  expect_refusal(
-      "plot map.csv",
-      fmt::format("rotor: map.csv:{}: count: must be at least 1",
-                  shell("grep -n 'count = 0' map.csv | cut -d: -f1 | tr -d '\\n'").output));
-  const auto [bins, sample_draws] =
-      drawn("sample", " -e 'set print \"bins\"; print $bins' && cp bins",
-            "--column rolling_onset_speed_Hz");
-  const auto roll = std::count_if(sample_draws.begin(), sample_draws.end(), [](const CsvRow& row) {
-    return !row["rolling_onset_speed_Hz"].empty();
-  });
-  double sum = 0;
-  for (const auto& bin : bins) sum += bin[1];
-  EXPECT_NEAR(sum, static_cast<double>(roll) / 7, 1e-6);
-  EXPECT_LT(roll, 7);
-}
-
-// Frequencies of 0, a single value, values that hardly differ, and results that no point has.
-// gnuplot prints nothing.
+// Values that do not vary. gnuplot prints nothing.
 TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
-  const std::string axis = "until = 1e-3\n[[axis]]\nquantity = \"friction\"\n",
-                    close = "from = 0.1\nto = 0.1000000000001\npoints = 2\n";
-  for (const std::string& parameters :
-       {std::string("support_stiffness = 0\nstart_speed_hz = 50\nuntil = 0.01\n"),
-        std::string("torque = 0\nno_mass_loss = true\nuntil = 0.01\n"), axis + "values = [0.1]\n",
-        axis + close, axis + close + "spacing = \"log\"\n"}) {
+  for (const std::string parameters : {"support_stiffness = 0\nstart_speed_hz = 50\nuntil = 0.01\n",
+                                       "torque = 0\nno_mass_loss = true\nuntil = 0.01\n"}) {
     write("s.toml", "[parameters]\nequations = \"consistent\"\n" + parameters);
-    const bool is_scene = parameters.find("axis") == std::string::npos;
-    for (const char* option : {is_scene ? "--spectrum" : "", is_scene ? "" : "--column outcome"}) {
-      const auto [status, output] = rotor(std::string("plot s.toml ") + option + " 2>messages");
-      EXPECT_EQ(output, std::string(*option == '\0' ? "s"
-                                    : is_scene      ? "s-spectrum"
-                                                    : "s-outcome") +
-                            ".svg\n")
-          << parameters << option;
-      EXPECT_EQ(content("messages").find("gnuplot"), std::string::npos) << content("messages");
-      EXPECT_EQ(content("messages").find("arning"), std::string::npos) << content("messages");
-    }
+    EXPECT_EQ(rotor("plot s.toml 2>messages").output, "s.svg\n") << parameters;
+    EXPECT_EQ(content("messages").find("gnuplot"), std::string::npos) << content("messages");
+    EXPECT_EQ(content("messages").find("arning"), std::string::npos) << content("messages");
   }
 }
 

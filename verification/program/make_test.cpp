@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "verification/support/command_line.hpp"
+#include "verification/support/content.hpp"
 
 namespace rotor {
 namespace {
@@ -102,27 +103,9 @@ TEST_F(Make, RefusesFlagsThatChangeTheArithmetic) {
   }
 }
 
-// MPI without its headers stops only a build that asks for it; CI=false is no CI.
-TEST_F(Make, DoesNotLookForOptionalPackagesUnasked) {
-  program("mpicxx", "echo c++ -I/nowhere -lmpi\n");
-  const auto configure = [&](const std::string& with) {
-    return shell("CI=false PATH=$PWD:$PATH cmake -S '" ROTOR_SOURCES
-                 "' -B made -G Ninja -DROTOR_VERIFICATION=OFF -DHAS_QUADMATH=OFF -DROTOR_WITH=" +
-                 with);
-  };
-  const auto [status, output] = configure("");
-  EXPECT_EQ(status, 0) << output;
-  EXPECT_EQ(content("made/build.ninja").find("-Werror"), std::string::npos);
-  if (shell("command -v mpicxx").status == 0) return;  // the real one's headers would be found
-  const auto [asked_status, asked_output] = configure("mpi");
-  EXPECT_NE(asked_status, 0);
-  EXPECT_NE(asked_output.find("MPI"), std::string::npos) << asked_output;
-}
-
 // The model needs none of the program's libraries, builds nothing but itself, and brings its C++20.
 TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
-  std::ifstream file(ROTOR_SOURCES "/model/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string readme = content_of(ROTOR_SOURCES "/model/README.md");
   const auto block = [&](const std::string& language) {
     const std::size_t start = readme.find("```" + language + '\n') + language.size() + 4;
     return readme.substr(start, readme.find("```", start) - start);

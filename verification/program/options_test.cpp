@@ -165,7 +165,6 @@ TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
         "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\ngravity = 0\n");
   for (const auto& [arguments, head, first, last] :
        {std::tuple("--run a", "run,time_s,rho_m", "a,0.004,", "a,0.012,"),
-        {"--run b --rows 5", "run,time_s,rho_m", "b,0.004,", "b,0.012,"},
         {"--run b --every 0.002", "run,time_s,rho_m", "b,0.004,", "b,0.012,"},
         {"--run b --until 0.008", "run,time_s,rho_m", "b,0.004,", "b,0.008,"},
         {"--run b --from 0.007", "run,time_s,rho_m", "b,0.007,", "b,0.02,"},
@@ -175,8 +174,8 @@ TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
     EXPECT_EQ(rows.at(0), head);
     EXPECT_TRUE(rows.at(1).starts_with(first)) << arguments << ": " << rows[1];
     EXPECT_TRUE(rows.back().starts_with(last)) << arguments << ": " << rows.back();
-    const bool is_even = std::regex_search(arguments, std::regex("--(rows|every)"));
-    EXPECT_TRUE(rows.size() == 1 + 5 || !is_even) << arguments;
+    EXPECT_TRUE(rows.size() == 1 + 5 || std::string(arguments).find("--every") == std::string::npos)
+        << arguments;
   }
   EXPECT_EQ(rotor("run --scene two.toml --run a --trace t.csv --until 0.003").status, 1);
 }

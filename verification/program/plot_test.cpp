@@ -84,36 +84,6 @@ TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
   EXPECT_LT(content("s.svg").size(), 400'000U);
 }
 
-// A title of its own, what varies and what does not, in mm; rectangles for the cells of a map, also
-// where a renderer would blend those of an image; bars at the points of an axis.
-TEST_F(Plot, SaysAndShowsWhatASweepStates) {
-  const std::string head =
-      "columns = [\"outcome\"]\n[parameters]\nequations = \"corrected\"\nstart_speed_hz = "
-      "150\nuntil = "
-      "0.01\n[[axis]]\nquantity = \"clearance\"\nfrom = 2e-3\nto = 3e-3\npoints = 3\n";
-  write("map.toml", head + "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n");
-  write("bars.toml",
-        head +
-            "[sample]\ncount = 4\nseed = 1\n[[sample.over]]\nquantity = \"eccentricity\"\n"
-            "uniform = [1e-4, 2e-4]\n");
-  for (const auto& [name, says] :
-       {std::pair("map", "corrected equations, start speed = 150 Hz, until = 0.01 s"),
-        {"bars", "4 draws of eccentricity from 0.1 to 0.2 mm; corrected equations, "}}) {
-    ASSERT_EQ(rotor(std::string("plot ") + name + ".toml").status, 0);
-    const std::string svg = content(std::string(name) + ".svg");
-    for (const std::string text : {says, "clearance, mm"})
-      EXPECT_NE(svg.find(text), std::string::npos) << text;
-    EXPECT_EQ(svg.find("<image"), std::string::npos);
-    std::size_t cells = 0;
-    for (std::size_t at = 0;
-         (at = svg.find("<polygon shape-rendering='crispEdges'", at)) != svg.npos; ++at)
-      ++cells;
-    if (name == std::string("map")) {
-      EXPECT_EQ(cells, 6U);
-    }
-  }
-}
-
 // All that is stated, in whole items, and as far as it is drawn.
 TEST_F(Plot, SaysWhatIsDrawnInWholeItems) {
   const std::vector<std::string> items = {
@@ -139,33 +109,6 @@ TEST_F(Plot, SaysWhatIsDrawnInWholeItems) {
   EXPECT_FALSE(shows("until = 0.03 s"));
 }
 
-// A row belongs to the point of its values, wherever it is; what belongs to none is refused.
-TEST_F(Plot, PlacesRowsByTheirValues) {
-  write("s.toml",
-        "columns = [\"outcome\", \"peak_force_to_rolling_N\"]\n[parameters]\nstart_speed_hz = "
-        "150\nuntil = 0.01\n[[axis]]\nquantity = \"clearance\"\nfrom = 2e-3\nto = 3e-3\npoints = "
-        "3\n[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.3]\n");
-  ASSERT_EQ(rotor("sweep s.toml --out s.csv").status, 0);
-  const std::string change =
-      "sed -n '/^#/p;/^clearance/p' s.csv >b.csv; sed '/^#/d;/^clearance/d' ";
-  const auto drawn = [&](const std::string& command) {
-    shell(change + command + " >>b.csv");
-    EXPECT_EQ(rotor("plot b.csv --out b.svg").status, 0);
-    return content("b.svg");
-  };
-  EXPECT_TRUE(drawn("s.csv | sort -t, -k2 -r") == drawn("s.csv"));
-  for (const auto& [edit, complaint] :
-       {std::pair("2d;1p",
-                  "is no point of the sweep file above the results, or one that an earlier"),
-        {"1s/^0.002/0.007/", "is no point of the sweep file above the results"},
-        {"1s/bouncing/bounce/", ": outcome: must be one of: "},
-        {"1s/,[0-9.]*,,$/,-inf,,/", ": peak_force_to_rolling_N: must be a number below"},
-        {"1s/,[0-9.]*,,$/,1e305,,/", ": peak_force_to_rolling_N: must be a number below"}}) {
-    shell(change + "s.csv | sed '" + edit + "' >>b.csv");
-    expect_refusal("plot b.csv", complaint);
-  }
-}
-
 // Also of a name that is not UTF-8. iconv reads nothing else.
 TEST_F(Plot, DrawsLettersOnly) {
   write("a.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.001\n");
@@ -174,39 +117,6 @@ TEST_F(Plot, DrawsLettersOnly) {
     ASSERT_EQ(rotor("plot '" + name + ".toml' --out a.svg").status, 0);
     EXPECT_EQ(shell("iconv -f UTF-8 -t UTF-16 a.svg >a.txt").status, 0) << name;
     EXPECT_EQ(content("a.svg").find("\xef\xbf\xbe"), std::string::npos);
-  }
-}
-
-// Also where the rows of the panels alternate. Listed values have none: they are in any order.
-TEST_F(Plot, DrawsTheLineOfASweepInEachPanel) {
-  for (const auto& [axis, lines] :
-       {std::pair("from = 0.1\nto = 0.2\npoints = 11\n", 1), {"values = [0.1, 0.2, 0.15]\n", 0}}) {
-    write("s.toml",
-          "columns = [\"outcome\", \"peak_force_to_rolling_N\"]\n[parameters]\nstart_speed_hz = "
-          "150\nuntil = 0.01\n[[axis]]\nquantity = \"friction\"\n" +
-              std::string(axis) +
-              "[[axis]]\nquantity = \"equations\"\nvalues = [\"published\", \"consistent\"]\n");
-    ASSERT_EQ(rotor("plot s.toml").status, 0);
-    const std::string picture = content("s.svg");
-    for (const std::string of : {"a", "b"}) {  // after a gap, a path goes on with an M
-      const auto from = picture.find("gnuplot_plot_1" + of),
-                 to = picture.find("gnuplot_plot_2" + of);
-      ASSERT_LT(from, to);
-      EXPECT_EQ(std::ranges::count(picture.substr(from, to - from), 'M'), lines);
-    }
-  }
-}
-
-// Of whichever largest force is drawn.
-TEST_F(Plot, DrawsAForceOfZeroWhereNothingTouches) {
-  write("s.toml",
-        "stop_on = \"end\"\n[parameters]\nequations = \"consistent\"\nstart_speed_hz = 50\nuntil = "
-        "0.1\n[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.2\npoints = 3\n");
-  for (const char* column : {"peak_force_to_rolling_N", "peak_normal_force_N"}) {
-    ASSERT_EQ(rotor(std::string("plot s.toml --column ") + column).status, 0);
-    EXPECT_EQ(content(std::string("s-") + column + ".svg").find("no point has this result"),
-              std::string::npos)
-        << column;
   }
 }
 

@@ -141,17 +141,6 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
   EXPECT_EQ(read_csv(folder_ / "t.csv").front()["run"], "b, but friction = 0.1");
 }
 
-// Under eighty times its weight, with the whole moment of gravity, it turns to and fro.
-TEST_F(Runs, WarnOfARotorThatSwingsLikeAPendulum) {
-  const auto warns = [&](const std::string& options) {
-    return rotor("run " + options).output.find("the rotation reversed") != std::string::npos;
-  };
-  EXPECT_TRUE(
-      warns("--inertia 2.4e-3 --clearance 6.8e-3 --gravity 773 --start-speed-hz 2.07 --until 4 "
-            "--support-damping 0.5"));
-  EXPECT_FALSE(warns(""));
-}
-
 TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
   const Json whole = summary(""), stopped = summary("--stop-on rolling");
   EXPECT_EQ(stopped["stop_reached"], true);

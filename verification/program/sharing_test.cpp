@@ -4,18 +4,17 @@
 #include <random>
 
 #include "figures/results/run_result.hpp"
-#include "figures/runs/production.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "model/scenario/observer.hpp"
 
 namespace rotor {
 namespace {
 
-std::string finished(RunUpCheckpoint way, const Scenario& scenario) {
-  way.simulation.finish(way.summary);
+std::string finished(RunUpCheckpoint run_so_far, const Scenario& scenario) {
+  run_so_far.simulation.finish(run_so_far.summary);
   return to_json({scenario,
-                  way.summary.summary(),
-                  {way.simulation.instant(), way.simulation.counters()},
+                  run_so_far.summary.summary(),
+                  {run_so_far.simulation.instant(), run_so_far.simulation.counters()},
                   {}})
       .dump(1);
 }
@@ -127,6 +126,7 @@ struct Log : Observer {
     seen.push_back(static_cast<double>(at.event));
     seen.push_back(at.body.mass);
   }
+  static constexpr long numbers = 10;  ///< of an instant
   bool wants;
   std::vector<double> seen;
 };
@@ -137,35 +137,29 @@ class Steps : public Observer {
   long count = 0;
 };
 
-TEST(Production, ShowsEachObserverWhatARunOfItsOwnShows) {
+// In any order, and from any time on.
+TEST(RunUps, AreThoseOfRunsOfTheirOwn) {
   std::vector<Scenario> all = scenarios();
-  std::shuffle(all.begin(), all.end(), std::mt19937_64(4));
-  std::vector<Log> logs;
-  for (std::size_t n = 0; n < all.size(); ++n) logs.emplace_back(n % 3 == 0);
-  std::vector<Request> requests;
-  for (std::size_t n = 0; n < all.size(); ++n) requests.push_back({all[n], &logs[n]});
-  Observer null_observer;
-  produce(requests, null_observer);
+  std::mt19937_64 random(4);
+  std::shuffle(all.begin(), all.end(), random);
+  std::vector<std::string> keys;  // costs differ
+  for (const auto& field : summary_fields<double>) keys.emplace_back(field.key);
+  RunUps run_ups;
   for (std::size_t n = 0; n < all.size(); ++n) {
-    Log alone(n % 3 == 0);
-    run(all[n], alone);
-    EXPECT_TRUE(alone.seen == logs[n].seen) << n;
+    const bool shows_maxima = n % 3 == 0;
+    Log alone(shows_maxima), shared(shows_maxima);
+    const double latest_s = n % 2 == 0 ? all[n].until : 1 + static_cast<double>(random() % 30);
+    RunUpCheckpoint run_so_far = run_ups.checkpoint_before(all[n], shared, latest_s);
+    shared.seen.clear();
+    const RunResult result = finish(std::move(run_so_far), all[n], std::nullopt, shared);
+    const RunResult expected = finish(RunUpCheckpoint(all[n]), all[n], std::nullopt, alone);
+    EXPECT_EQ(to_json(result, &keys), to_json(expected, &keys)) << n;
+    ASSERT_LE(shared.seen.size(), alone.seen.size());
+    const auto after_first = shared.seen.begin() + Log::numbers;  // where the run continues
+    EXPECT_TRUE(std::equal(shared.seen.rbegin(), std::make_reverse_iterator(after_first),
+                           alone.seen.rbegin()))
+        << n;
   }
-}
-
-TEST(Production, IntegratesARunUpAndEqualRunsOnce) {
-  Scenario scenario{.until = 29.11, .tolerance = 1e-8}, other = scenario;
-  other.parameters.friction = 0.1;
-  Observer null_observer;
-  const auto steps = [&](const std::vector<Scenario>& all) {
-    std::vector<Request> requests;
-    for (const Scenario& each : all) requests.push_back({each, &null_observer});
-    Steps monitor;
-    produce(requests, monitor);
-    return monitor.count;
-  };
-  EXPECT_LT(steps({scenario, other}), 2 * steps({scenario}));
-  EXPECT_EQ(steps({scenario, other, scenario}), steps({scenario, other}));
 }
 
 // Inputs that act only after the mass loss, its time and the end do not separate run-ups.

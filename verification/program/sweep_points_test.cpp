@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "figures/data/csv.hpp"
-#include "figures/sweep/point_scheduler.hpp"
+#include "figures/sweep/compute_in_order.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "verification/support/command_line.hpp"
 
@@ -89,40 +89,37 @@ TEST_F(SweepPointsOf, ANormalDistributionAreSo) {
   }
 }
 
-// Each once, as soon as it is done, although the first one is slow; but those done already.
-TEST(PointScheduler, PassesEachRowOnAtOnce) {
-  DonePoints done;
-  for (const long n : {1, 5}) done.add(n);
-  std::set<long> seen;
-  std::atomic<long> passed = 0;
-  long passed_while_slow = 0;
-  PointScheduler scheduler(done, 40000, [&](long n, std::string_view row) {
-    EXPECT_EQ(fmt::format("{}", n), row);
-    EXPECT_TRUE(seen.insert(n).second);
-    ++passed;
-  });
+// Although the first one is slow, for which not all others wait.
+TEST(ComputeInOrder, PassesEachRowOnOnce) {
+  long passed = 0;
+  std::atomic<long> computed = 0;
+  long computed_while_slow = 0;
   const auto make = [&]() -> Work {
     return [&](long n) {
-      if (n == 0) {
+      if (n == 10) {
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        passed_while_slow = passed;
+        computed_while_slow = computed;
       }
+      ++computed;
       return fmt::format("{}", n);
     };
   };
-  work(scheduler, 3, make, [] {});
-  EXPECT_EQ(seen.size(), 40000U - 2);
-  EXPECT_FALSE(seen.contains(1) || seen.contains(5));
-  EXPECT_GT(passed_while_slow, 1000);
-  EXPECT_LT(passed_while_slow, 20000);  // memory is bounded
+  compute_in_order(10, 40000, 3, make, [&](const std::string& row) {
+    EXPECT_EQ(row, fmt::format("{}", 10 + passed++));
+  });
+  EXPECT_EQ(passed, 40000 - 10);
+  EXPECT_GT(computed_while_slow, 1000);
+  EXPECT_LT(computed_while_slow, 20000);  // memory is bounded
 }
 
-TEST(PointScheduler, EndsWithWhatTheWorkThrows) {
-  PointScheduler scheduler({}, 1000, [](long, std::string_view) {});
+TEST(ComputeInOrder, EndsWithWhatTheWorkThrows) {
+  long passed = 0;
   const auto make = []() -> Work {
     return [](long n) -> std::string { return n == 500 ? throw std::runtime_error("at 500") : ""; };
   };
-  EXPECT_THROW(work(scheduler, 2, make, [] {}), std::runtime_error);
+  EXPECT_THROW(compute_in_order(0, 1000, 2, make, [&](const std::string&) { ++passed; }),
+               std::runtime_error);
+  EXPECT_LE(passed, 500);
 }
 
 // The map over the rounding of the inputs varies printed inputs within their digits.

@@ -176,8 +176,7 @@ TEST_F(Trace, ShowsAMaximumCloseToTheEndsOfItsWindow) {
 TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
   const std::string window = "--from 29.1 --until 29.13 --columns ",
                     columns = "time_s,q1_m,q2_m,q3_rate_rad_per_s,normal_force_N";
-  const auto rows = numbers(window + columns + " --rows 61");
-  EXPECT_NEAR(numbers(window + columns + " --every 5e-4").at(30)[1], rows.at(30)[1], 1e-12);
+  const auto rows = numbers(window + columns + " --every 5e-4");
   EXPECT_EQ(numbers(window + "time_s --every 6.1e-4").size(), 50U);  // the last not at the end
   ASSERT_EQ(rows.size(), 61U);
   for (std::size_t n = 0; n < rows.size(); ++n)

@@ -177,8 +177,7 @@ TEST_F(Writing, LeavesNothingBehindWhereFilesMayNotGrow) {
   for (const char* command :
        {"run --scene s.toml --trace t.csv", "run --scene s.toml --trace - >t.csv",
         "run --scene s.toml --json >t.csv", "estimate --help >t.csv", "figure --out .",
-        "plot s.toml", "plot s.toml --spectrum", "plot sweep.toml",
-        "sweep sweep.toml --out t.csv --jobs 1"}) {
+        "plot s.toml", "sweep sweep.toml --out t.csv --jobs 1"}) {
     const auto [status, output] =
         shell(std::string("ulimit -f 1; TMPDIR=$PWD/drafts $rotor ") + command + "; ls drafts");
     EXPECT_TRUE(output.starts_with("rotor: ") && output.ends_with(": File too large\n"))
@@ -213,19 +212,6 @@ TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
   remove("pipe");
 }
 
-// Also if a program sends its signal twice, to a process and to its group.
-TEST_F(Writing, KeepsWhatWasComputedIfThatIsAskedFor) {
-  const auto [status, output] =
-      with_rows("--json --keep-partial", "kill -INT %1; kill -TERM %1; wait %1");
-  EXPECT_EQ(status, 0) << output;
-  EXPECT_NE(output.find("\"cut_short_at_s\": "), std::string::npos) << output;
-  const std::string trace = content("t.csv");
-  EXPECT_NE(trace.find("\n# cut short at "), std::string::npos);
-  EXPECT_EQ(trace.back(), '\n');
-  EXPECT_GT(read_csv(folder_ / "t.csv").size(), 100U);
-  remove("t.csv");
-}
-
 // Relative links from their own folder; also links whose target does not exist yet.
 TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   ASSERT_EQ(shell("mkdir -p other/sub && ln -s target other/link && ln -s other/sub up").status, 0);
@@ -245,38 +231,6 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   EXPECT_GT(rows_of("other/t.csv").size(), 10U);
   fs::remove_all(folder_ / "other");
   remove("up");
-}
-
-TEST_F(Writing, SaysWhyAFileCannotBeWritten) {
-  write("s.toml",
-        "[parameters]\nuntil = 1e-3\n[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
-  fs::create_directory(folder_ / "folder.svg");
-  ASSERT_EQ(
-      shell("ln -s loop.svg loop.svg; ln -s nowhere/a.svg astray.svg; ln -s /dev/full full.svg; "
-            "mkfifo pipe.svg")
-          .status,
-      0);
-  const std::string long_name = std::string(300, 'a') + ".svg";
-  for (const std::string command :
-       {"run --until 1e-3 --trace ", "sweep s.toml --out ", "plot s.toml --out "}) {
-    const bool is_sweep = command.starts_with("sweep");
-    expect_refusal(command + "loop.svg", "loop.svg: cannot be written: Too many levels");
-    expect_refusal(command + "astray.svg", "astray.svg: cannot be written: there is no folder");
-    expect_refusal(command + "no/a.svg", "no/a.svg: cannot be written: there is no folder no");
-    expect_refusal(command + "s.toml/a.svg", "s.toml/a.svg: cannot be written: Not a directory");
-    expect_refusal(command + long_name, "cannot be written: File name too long");
-    expect_refusal(command + "folder.svg", is_sweep ? "must be a regular file" : "it is a folder");
-    expect_refusal(command + "full.svg", is_sweep ? "must be a regular file" : "No space left");
-    if (is_sweep) expect_refusal(command + "pipe.svg", "must be a regular file");
-  }
-  expect_refusal("figure 3 --out loop.svg", "cannot be written: Too many levels");
-  expect_refusal("figure 3 --scenes loop.svg", "--scenes loop.svg: there is no such folder");
-  expect_refusal("run --scene loop.svg", "loop.svg: cannot be read: Too many levels");
-  expect_refusal("run --scene /proc/self/mem",
-                 "/proc/self/mem: cannot be read: Input/output error");
-  for (const char* name :
-       {"s.toml", "folder.svg", "loop.svg", "astray.svg", "full.svg", "pipe.svg"})
-    remove(name);
 }
 
 // Read-only files, and the file from which the runs are read.

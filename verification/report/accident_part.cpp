@@ -101,8 +101,7 @@ Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
 }  // namespace
 
 Json accident_json() {
-  Observer nobody;
-  const Picture picture = Explorer().run({{"from", "29.095"}, {"until", "29.14"}}, nobody, 1e-6);
+  const Picture picture = Explorer().run({{"until", "29.14"}}, 1e-6);
   return {{"stills", stills_json(frames_of(picture), Parameters{})},
           {"enlarged", fmt::format("{:g}", enlarged)}};
 }

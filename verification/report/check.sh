@@ -13,7 +13,7 @@ else
   failed=1
 fi
 
-tests=$(ROTOR=$build/rotor node --test verification/report/script.test.mjs) || { echo "$tests" >&2; failed=1; }
+tests=$(node --test verification/report/script.test.mjs) || { echo "$tests" >&2; failed=1; }
 
 if ! command -v hunspell >/dev/null; then
   echo "check-report: there is no hunspell: make deps-report installs it" >&2

@@ -64,24 +64,11 @@ std::string range_of(const Stored& stored) {
              : "";
 }
 
-/// The position of a value along a strip, in percent of its width: the allowed interval is the
-/// middle quarter; beyond it the scale is logarithmic, up to a thousand times the allowance.
-constexpr double most_times = 1e3;
-double place(const Allowed& allowed, double value) {
-  const double off = allowed.off(value), decades = std::log10(std::clamp(off, 1., most_times));
-  return std::round(500 +
-                    std::copysign(125 * (std::min(off, 1.) + decades), value - allowed.middle)) /
-         10;
-}
-Json mark(const Allowed& allowed, const std::optional<double>& value) {
-  if (!value || !std::isfinite(*value)) return {};
-  return {{"at", fmt::format("{}", place(allowed, *value))},
-          {"is_beyond", allowed.off(*value) > most_times}};
-}
-Json bar(const Allowed& allowed, const Stored& stored) {
-  if (!std::isfinite(stored.spread.low)) return {};
-  const double from = place(allowed, stored.spread.low), to = place(allowed, stored.spread.high);
-  return {{"from", fmt::format("{}", from)}, {"wide", fmt::format("{:.1f}", to - from)}};
+/// How far a value is from the number as printed, which needs no rule.
+std::string deviation(const std::optional<double>& value, const Number& number) {
+  const bool is_number = !number.printed.empty() && !is_statement(number) && number.rule != "range";
+  if (!is_number || !value || !std::isfinite(*value) || std::stod(number.printed) == 0) return "";
+  return fmt::format("{:+.2g} %", 100 * (*value / std::stod(number.printed) - 1));
 }
 
 /// With its class of the page's style.
@@ -91,8 +78,6 @@ Json verdict_json(const std::string& verdict) {
 
 /// A number by the reading that decides.
 Json number_json(const Number& number) {
-  const Allowed allowed = number.allowed();
-  const bool has_strip = number.rule != "is", is_drawn = number.is_drawn();
   const Reading::InSet &reading = number.readings[number.decides[0]].in[0],
                        &corrected = number.readings[number.decides[1]].in[1];
   const auto here = number.kind == Kind::method ? reading.by_rk4 : reading.converged;
@@ -102,18 +87,13 @@ Json number_json(const Number& number) {
               {"printed", printed(number)},
               {"rule", rule_of(number)},
               {"is_word", number.printed.empty()},
-              {"least", allowed.least()},
-              {"greatest", allowed.greatest()},
               {"here", shown(here, number)},
+              {"deviation", deviation(here, number)},
               {"corrected_value", shown(corrected.converged, number)},
+              {"corrected_deviation", deviation(corrected.converged, number)},
               {"reason", number.reason}};
-  if (has_strip && is_drawn)
+  if (number.rule != "is" && number.is_drawn())
     all["ranges"] = {{"as_printed", range_of(reading.b)}, {"corrected", range_of(corrected.b)}};
-  if (has_strip)
-    all["strip"] = {{"a", is_drawn ? bar(allowed, reading.a) : Json()},
-                    {"b", is_drawn ? bar(allowed, reading.b) : Json()},
-                    {"here", mark(allowed, here)},
-                    {"corrected", mark(allowed, corrected.converged)}};
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const Verdict verdict = verdict_of(number, set);
     all[set_keys[set]] = verdict_json(verdict.says);

@@ -7,6 +7,7 @@
 
 #include "figures/results/json.hpp"
 #include "verification/paper/claims.hpp"
+#include "verification/support/content.hpp"
 
 namespace rotor {
 
@@ -15,8 +16,7 @@ struct Sources {
   std::filesystem::path texts{};           ///< words, with places for numbers: texts.json
   std::filesystem::path scenes{};          ///< figNN.toml
   std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions
-  std::filesystem::path report{};          ///< next to the page: figures in both sets, studies
-  std::filesystem::path tests{};           ///< tests-*.json of GoogleTest
+  std::filesystem::path pictures{};        ///< figNN.svg
   std::string commit_date{};
 };
 
@@ -28,9 +28,6 @@ Json claims_of(int figure, const Json& claims);
 Json turned_json(const std::vector<Number>& numbers);  ///< verdicts that other rules would turn
 Json values_json(const std::vector<Number>& numbers);
 Json figures_json(const Sources& sources, const Json& claims);
-Json studies_json(const Sources& sources);
-Json tests_json(const Sources& sources);
-Json provenance_json(const Sources& sources);
 
 /// Stills of the accident, and the recorded runs and maps of the interactive part.
 Json accident_json();
@@ -48,9 +45,6 @@ std::string tints_of_page();
 
 /// The numbers of verdicts in each set of equations, in words and as a mark.
 Json verdicts_json(const Json& claims);
-
-/// The whole of a file. Throws std::runtime_error, naming it, if it cannot be read.
-std::string content_of(const std::filesystem::path& file);
 
 /// A JSON file. Throws std::runtime_error, naming it, if it is not valid JSON.
 Json read_json(const std::filesystem::path& file);

@@ -1,11 +1,8 @@
-/// The figures: pictures, data of both sets of equations, claims, statements of their scenes.
+/// The figures: pictures, claims, statements of their scenes.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <regex>
 
-#include "figures/input/words.hpp"
 #include "figures/runs/scene.hpp"
 #include "verification/report/document.hpp"
 
@@ -31,41 +28,6 @@ std::string inline_svg(std::string svg, const std::string& name) {
   return replaced(svg, "[ \t]*\n\\s*", "\n");
 }
 
-/// The picture, and the data of each set of equations.
-Json picture_json(const Sources& sources, const std::string& name) {
-  Json picture = {
-      {"svg", inline_svg(content_of(sources.report / "figures" / (name + ".svg")), name)},
-      {"svg_file", fmt::format("figures/{}.svg", name)},
-      {"data", Json::array()}};
-  for (const std::string set : {"published", "consistent"})
-    picture["data"].push_back({{"equations", equations_in_words(set)},
-                               {"csv_file", fmt::format("figures/{}/{}.csv", set, name)}});
-  return picture;
-}
-
-/// The settings with which the interactive part shows a run.
-std::string moment_of(const Scenario& scenario) {
-  std::string options;
-  for (const auto& [quantity, instead_of] : input_quantities())
-    if (quantity.in && quantity.name != "until" &&
-        quantity.of(scenario) != quantity.of(Scenario{})) {
-      std::string name(quantity.name);
-      std::ranges::replace(name, '_', '-');
-      options += fmt::format("{}{}={}", options.empty() ? "" : "&", name, quantity.of(scenario));
-    }
-  return options + '/';
-}
-
-Json runs_json(const Scene& scene) {
-  Json runs = Json::array();
-  for (const SceneRun& run : scene.runs)
-    runs.push_back({{"name", scene.runs.size() > 1 ? run.name : ""},
-                    {"moment", moment_of(run.scenario)},
-                    {"is_moment",
-                     run.scenario.method == Method::event && run.scenario.parameters.loses_mass}});
-  return runs;
-}
-
 }  // namespace
 
 Json figures_json(const Sources& sources, const Json& claims) {
@@ -79,8 +41,7 @@ Json figures_json(const Sources& sources, const Json& claims) {
                    {"name", name},
                    {"title", scene.title},
                    {"verdict", verdicts_json(its_claims)},
-                   {"picture", picture_json(sources, name)},
-                   {"runs", runs_json(scene)},
+                   {"picture", inline_svg(content_of(sources.pictures / (name + ".svg")), name)},
                    {"scene", content_of(file)},
                    {"scene_file", "figures/paper/" + name + ".toml"},
                    {"claims", its_claims}});

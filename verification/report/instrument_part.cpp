@@ -1,12 +1,11 @@
 /// The accident for the interactive part of the page: the paper's cases in the form of the engine's
-/// answers, and the map of outcomes with the laws of model/theory.
+/// answers, and the map of outcomes.
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <map>
 
 #include "figures/data/csv.hpp"
-#include "model/theory/accident.hpp"
 #include "verification/report/document.hpp"
 #include "verification/report/engine/explorer.hpp"
 
@@ -72,70 +71,23 @@ Json quantised(const Table& all, const Json& names, double until_s) {
   return columns;
 }
 
-/// A number of rows of a table, and its last row.
-Table thinned(const Table& table) {
-  constexpr std::size_t kept = 1000;
-  Table some(table.columns());
-  const std::size_t every = table.rows() / kept + 1;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    if (row % every == 0 || row + 1 == table.rows()) some.add(table.row(row));
-  return some;
-}
-
 Json runs_json() {
   Explorer explorer;
-  Observer nobody;
   Json runs = Json::array();
   for (const Set& set : sets)
     for (Options options : cases) {
       if (set.equations != Equations::published) options["equations"] = set.name;
-      const Picture picture = explorer.run(options, nobody, closeness);
+      const Picture picture = explorer.run(options, closeness);
       Json run = picture.metadata;
       const double until_s = std::min(run["until_s"].get<double>(), last_change_s(run) + kept_s);
       run["until_s"] = until_s;
       run["options"] = options;
       run["motion"] = quantised(picture.motion, picture.metadata["motion"], until_s);
-      run["works"] = quantised(thinned(picture.works), picture.metadata["works"], until_s);
       for (Json& event : run["events"])
         event = {{"event", event["event"]}, {"time_s", event["time_s"]}};
       runs.push_back(run);
     }
   return runs;
-}
-
-/// Limits by the laws, as lines over the speed at the loss, Hz.
-Json laws_json(const Equations& equations) {
-  constexpr double step_Hz = 0.5, most_Hz = 180, most_friction = 0.5;
-  Json lines = {{"contact", Json::array()},
-                {"whirl", Json::array()},
-                {"forward", Json::array()},
-                {"force", Json::array()}};
-  bool touched = false;
-  for (double speed_Hz = 3; speed_Hz <= most_Hz; speed_Hz += step_Hz) {
-    Parameters p;
-    const auto law = [&] { return Accident(p, equations, two_pi * speed_Hz); };
-    try {
-      const Accident at = law();
-      const bool touches = at.contact_s.has_value();
-      if (touches != touched) lines["contact"].push_back(speed_Hz - step_Hz / 2);
-      touched = touches;
-      if (at.whirl_friction && *at.whirl_friction < most_friction)
-        lines["whirl"].push_back({speed_Hz, *at.whirl_friction});
-      if (touches && at.forward_friction < most_friction)
-        lines["forward"].push_back({speed_Hz, at.forward_friction});
-      double low = 0.02, high = most_friction;  // the force grows with friction
-      const auto exceeds = [&](double friction) {
-        p.friction = friction;
-        return law().peak_force().value_or(0) > 300e3;
-      };
-      if (!exceeds(high)) continue;
-      for (int halving = 0; halving < 20; ++halving)
-        (exceeds((low + high) / 2) ? high : low) = (low + high) / 2;
-      if (high > at.whirl_friction.value_or(0)) lines["force"].push_back({speed_Hz, high});
-    } catch (const std::domain_error&) {  // touches the ring before the loss
-    }
-  }
-  return lines;
 }
 
 /// Outcomes by their places among `outcomes`, row after row; a rotor that touches the ring before
@@ -154,7 +106,6 @@ Json maps_json(const std::filesystem::path& csv) {
     while (outcomes.at(code).name != name) ++code;
     map["cells"].back().get_ref<std::string&>() += std::to_string(code);
   }
-  for (const Set& set : sets) maps.at(set.name)["laws"] = laws_json(set.equations);
   return maps;
 }
 

@@ -48,16 +48,13 @@ int main(const Arguments& arguments) {
   Json shown = document({.texts = room / "texts.json",
                          .scenes = root / "figures/paper",
                          .reference_data = root / "reference-data",
-                         .report = out,
-                         .tests = build / "report",
+                         .pictures = build / "figures",
                          .commit_date = arguments[3]});
   std::set<fs::path> seen;
   shown["style"] = tints_of_page() + content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
   shown["engine"] = engine_json(build, room / "script", out / "engine.wasm.gz.base64");
-  Json instrument = instrument_json(out);
-  instrument["knobs"] = read_json(room / "knobs.json");
-  shown["instrument"] = instrument.dump();
+  shown["instrument"] = instrument_json(out).dump();
   shown["model"] = content_of(root / "figures/paper/preview/model.svg");
   shown["stills"] = render(content_of(room / "accident.mustache.svg"), {}, accident_json());
   const std::string html =

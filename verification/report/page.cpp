@@ -42,19 +42,21 @@ std::string in_print(std::string number) {
   return number;
 }
 
-/// In a form such as f1 or p1; empty for one that there is not.
+/// In a form such as f1; empty for one that there is not.
 std::string in_form(const std::string& form, double number) {
-  static const std::regex known("[fp]([0-4])");
+  static const std::regex known("[fkmp]([0-4])");
   std::smatch found;
   if (!std::regex_match(form, found, known)) return "";
-  return in_print(fmt::format("{:.{}f}", form[0] == 'p' ? 100 * number : number, form[1] - '0'));
+  const double factor = form[0] == 'k' ? 1e-3 : form[0] == 'm' ? 1e3 : form[0] == 'p' ? 100 : 1;
+  return in_print(fmt::format("{:.{}f}", factor * number, form[1] - '0'));
 }
 
-/// What stands at a place such as published.peak_kN.f1; empty if nothing does.
+/// What stands at a place such as published.mu_03.peak_normal_force_N.k1; empty if nothing does.
 std::string text_at(const std::string& place, const Json& values) {
   const Json* at = &values;
   std::istringstream names(place);
   for (std::string name; std::getline(names, name, '.');) {
+    if (at->is_null()) return "none";
     if (at->is_number()) return names.eof() ? in_form(name, at->get<double>()) : "";
     if (!at->contains(name)) return "";
     at = &at->at(name);

@@ -8,9 +8,10 @@
 
 namespace rotor {
 
-/// Texts with numbers for their placeholders: {{peak.f1}} has one digit after the point,
-/// {{peak.p1}} as well, in percent. Throws std::invalid_argument, with the text, for a placeholder
-/// without a value.
+/// Texts with numbers for their placeholders: {{peak_N.f1}} has one digit after the point,
+/// {{peak_N.k1}} as well, in thousands, m1 in thousandths, p1 in percent; "none" for a result that
+/// a run does not have. Throws std::invalid_argument, with the text, for a placeholder without a
+/// value.
 Json with_numbers(const Json& texts, const Json& values);
 
 /// The template, rendered, with those that it includes by name. Items of lists know whether they

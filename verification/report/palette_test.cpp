@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 
 #include "figures/input/words.hpp"
 #include "verification/report/document.hpp"
+#include "verification/support/approved.hpp"
 
 namespace rotor {
 namespace {
@@ -37,12 +36,8 @@ TEST(Palette, TellsOutcomesApartInGrey) {
 
 // What gnuplot and the page's scripts read is the table's.
 TEST(ApprovedPalette, IsThatOfTheTable) {
-  for (const auto& [file, now] : {std::pair("/figures/paper/palette.gp", palette_of_gnuplot()),
-                                  {"/verification/report/script/words.js", words_of_page()}}) {
-    const std::string path = std::string(ROTOR_SOURCES) + file;
-    if (std::getenv("ROTOR_APPROVE")) std::ofstream(path, std::ios::binary) << now;
-    EXPECT_EQ(content_of(path), now) << "If this is as it should be: make approve";
-  }
+  expect_approved("figures/paper/palette.gp", palette_of_gnuplot());
+  expect_approved("verification/report/script/words.js", words_of_page());
 }
 
 }  // namespace

@@ -3,10 +3,7 @@
 # and writes the page: report.sh BUILD
 set -euo pipefail
 build=$1 out=$1/report
-rm -rf "$out/figures"
-mkdir -p "$out/figures/published" "$out/figures/consistent"
-cp "$build"/figures/fig[0-9][0-9].svg "$out/figures"
-for set in published consistent; do cp "$build/figures/$set"/fig[0-9][0-9].csv "$out/figures/$set"; done
+mkdir -p "$out"
 # The coarse map of the first screen, made again if program or map have changed.
 map=$build/maps/page
 mkdir -p "$map"
@@ -19,18 +16,6 @@ rm -f "$out/engine.wasm.gz.base64"
   gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"
 # Unexpected verdicts fail `make verify`, not the page, which shows them.
 "$build/report-numbers" reference-data "$out" >/dev/null || true
-# Studies that were made.
-for study in maps work-precision:bench stability:stress-results; do
-  from=$build/${study#*:} to=$out/${study%:*}
-  rm -rf "$to"
-  if compgen -G "$from/*.svg" >/dev/null; then
-    mkdir -p "$to"
-    cp "$from"/*.svg "$from"/*.csv "$to"
-  fi
-done
-mkdir -p "$out/contact-laws"
-cp verification/paper/contact-laws.svg reference-data/contact-laws.csv "$out/contact-laws"
-(cd "$out" && sha256sum claims.csv map.csv figures/*/*.csv >SHA256SUMS)
 date=$(git show -s --format=%cs HEAD 2>/dev/null || echo unknown)
 "$build/report-page" . "$build" "$out" "$date"
 rm -f "$out/engine.wasm.gz.base64"

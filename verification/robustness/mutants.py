@@ -34,7 +34,7 @@ ROOT = HERE.parent.parent
 WORK = ROOT / 'build' / 'mutants'
 TREE, BUILD = WORK / 'tree', WORK / 'build'
 WORKERS = os.cpu_count() or 1
-NOT_MET = {'verification/report/engine/main.cpp', 'figures/sweep/ranks.cpp'}  # run only in a browser, or under mpirun
+NOT_MET = {'verification/report/engine/main.cpp'}  # runs only in a browser
 RANDOM_ROTORS = 'RandomRotors.MoveByNewtonsLaws'  # make verify runs it in addition to the tests
 MORE = 1.5  # times as many mechanical changes are tried as are asked for: some do not compile
 

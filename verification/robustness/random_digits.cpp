@@ -6,7 +6,7 @@
 #include <atomic>
 #include <thread>
 
-#include "figures/sweep/point_scheduler.hpp"
+#include "figures/sweep/compute_in_order.hpp"
 #include "verification/support/digits_judge.hpp"
 #include "verification/support/program.hpp"
 
@@ -21,10 +21,10 @@ int main(const Arguments& arguments) {
   for (long n = 0; n < count; ++n) scenarios.push_back(runs.scenario());
 
   std::string given;  // a letter for each run and number of digits
-  PointScheduler scheduler({}, count, [&](long, std::string_view letters) {
+  const auto take = [&](const std::string& letters) {
     given += letters;
     fmt::print(stderr, "\r{} of {} runs", given.size() / judged_digits.size(), count);
-  });
+  };
   std::atomic<long> falsehoods = 0;
   const auto worker = [&]() -> Work {
     return [&](long n) {
@@ -39,8 +39,8 @@ int main(const Arguments& arguments) {
       return letters;
     };
   };
-  work(scheduler, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), worker,
-       [] {});
+  compute_in_order(0, count, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+                   worker, take);
   fmt::print(stderr, "\n");
   fmt::print("{} random runs of seed {}, {} of whose digits are false:\n", count, arguments[1],
              falsehoods.load());

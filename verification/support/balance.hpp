@@ -76,7 +76,7 @@ class BalanceObserver : public Observer {
     const Motion<double> m = at.motion();
     const double indentation =
         at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
-    double energy = kinetic_energy(at.body, m) + supports_.springs.energy(m.displacement) +
+    double energy = kinetic_energy(at.body, m) + supports_.spring_energy(m.displacement) +
                     contact_energy_by_formula(parameters_, indentation);
     if (conserves_gravity())
       energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);

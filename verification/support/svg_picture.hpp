@@ -87,17 +87,16 @@ inline bool is_clipped(const std::string& group, const std::string& text,
 
 struct DrawnCurve {
   Points points;  ///< pixels
-  Tics x, y;
+  Tics y;
 };
 
 /// A picture as gnuplot's SVG has it: each grid line comes before its label, and the axes of a
-/// panel before its curves. A panel without numbers at its x axis has that of the last one. Curves
-/// of insets, which have no grid, are left out.
+/// panel before its curves. Curves of insets, which have no grid, are left out.
 struct DrawnPicture {
   explicit DrawnPicture(const std::string& svg) {
-    Tics panel_x, y_axis;
+    Tics y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
-    bool in_curve = false, in_inset = false, x_is_old = false, y_is_old = false;
+    bool in_curve = false, in_inset = false, y_is_old = false;
     std::string group;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
@@ -114,9 +113,8 @@ struct DrawnPicture {
         const bool is_first = tag.size() > 21 && tag[20] == '1' && (tag[21] < '0' || tag[21] > '9');
         if (is_first) in_inset = y_is_old && !curves.empty();  // an inset has no grid
         in_curve = !in_inset;
-        if (is_first) panel_x = x_is_old ? Tics() : x;
-        if (in_curve) curves.push_back({{}, panel_x, y_axis});
-        x_is_old = y_is_old = true;
+        if (in_curve) curves.push_back({{}, y_axis});
+        y_is_old = true;
       } else if (tag.starts_with("<path")) {
         const bool is_grid =
             svg.substr(at, svg.find(" d='", at) - at).find("gridline") != std::string::npos;
@@ -131,28 +129,20 @@ struct DrawnPicture {
         }
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
-        const std::size_t fill = group.find("fill=\"") + 6;
-        colours.push_back(group.substr(fill, group.find('"', fill) - fill));
         if (is_clipped(group, texts.back(), canvas)) clipped.push_back(texts.back());
-        if (line.size() >= 2 && !texts.back().empty()) {
-          const double value = number_of(texts.back());
-          const bool upright = line.front().first == line.back().first;
-          if (!upright && std::exchange(y_is_old, false)) y_axis.clear();
-          if (upright && std::exchange(x_is_old, false)) x.clear();
-          (upright ? x : y_axis)[value] = upright ? line[0].first : line[0].second;
+        const bool is_level = line.size() >= 2 && line.front().first != line.back().first;
+        if (is_level && !texts.back().empty()) {
+          if (std::exchange(y_is_old, false)) y_axis.clear();
+          y_axis[number_of(texts.back())] = line[0].second;
         }
         line.clear();
       }
     }
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.empty(); });
-    for (DrawnCurve& curve : curves)
-      if (curve.x.empty()) curve.x = x;
   }
 
-  Tics x;  ///< of the last panel
   std::vector<DrawnCurve> curves;
   std::vector<std::string> texts;
-  std::vector<std::string> colours;  ///< of the texts, such as rgb(0,114,178)
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
 };
 

@@ -1,14 +1,10 @@
-// The map of outcomes over speed and friction, with the laws' lines and a pin for each of the paper's cases.
+// The map of outcomes over speed and friction, with a pin for each of the paper's cases.
 import { cleared, colour } from "./colours.js";
 import { ticks } from "./curves.js";
 import { outcomes } from "./words.js";
 
 /// Outcomes by the letters of the map's cells.
 export const letters = Object.fromEntries(Object.keys(outcomes).map((name, n) => [n, name]));
-const laws = {
-  contact: { dash: [], name: "contact", width: 2 }, whirl: { dash: [9, 3, 2, 3], name: "backward whirl", width: 2 },
-  forward: { dash: [8, 4], name: "forward rub ends", width: 2 }, force: { dash: [2, 3], name: "300 kN", width: 2 },
-};
 const left = 44, right = 13, top = 8, bottom = 40;
 
 export class OutcomeMap {
@@ -87,7 +83,6 @@ export class OutcomeMap {
     if (!this.#now || this.#canvas.clientWidth === 0) return;
     const { ctx, height } = cleared(this.#canvas), box = this.#box;
     this.#paintCells(ctx, box);
-    this.#paintLaws(ctx);
     ctx.fillStyle = colour("text");
     ctx.textAlign = "center";
     for (const { value, text } of ticks(box.from[0], box.to[0], box.width / 70)) ctx.fillText(text, this.#place([value, 0])[0], height - 24);
@@ -123,27 +118,6 @@ export class OutcomeMap {
       }
     });
     ctx.restore();
-  }
-
-  #paintLaws(ctx) {
-    const of = this.#maps[this.#set].laws, { to } = this.#box;
-    for (const [name, { dash, width }] of Object.entries(laws)) {
-      const lines = name === "contact" ? of.contact.map((speed_Hz) => [[speed_Hz, 0], [speed_Hz, to[1]]]) : [of[name]];
-      for (const [ink, wide] of [["page", width + 2], ["text", width]]) {
-        ctx.strokeStyle = colour(ink);
-        ctx.lineWidth = wide;
-        ctx.setLineDash(dash);
-        for (const line of lines) {
-          ctx.beginPath();
-          line.forEach((point, n) => {
-            const is_gap = n > 0 && point[0] - line[n - 1][0] > 1; // where the law does not apply
-            ctx[is_gap ? "moveTo" : "lineTo"](...this.#place(point));
-          });
-          ctx.stroke();
-        }
-      }
-    }
-    ctx.setLineDash([]);
   }
 }
 

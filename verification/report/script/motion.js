@@ -31,12 +31,26 @@ export function whirlAt(motion, time_s) {
   return Math.atan2(x * y1 - y * x1, x * x1 + y * y1) / (4 * Math.PI * about_s);
 }
 
+/// When the force is largest, or O farthest out after the loss; not before the last touch-down that leads
+/// to rolling or sliding.
+export function climaxOf({ summary, events, motion, mass_loss_s: loss_s }) {
+  const { peak_time_s: peak_s, rolling_onset_s: rolls_s } = summary;
+  const last = events.findLast(({ event, time_s }) => event === "touch_down" && time_s <= (rolls_s ?? Infinity));
+  if (last) return Math.max(peak_s, last.time_s);
+  let best = motion.time_s.length - 1, most = -1;
+  motion.time_s.forEach((time_s, row) => {
+    const rho = Math.hypot(motion.x_a_m[row], motion.y_a_m[row]);
+    if (time_s >= loss_s && rho > most) [best, most] = [row, rho];
+  });
+  return motion.time_s[best];
+}
+
 const contact_states = ["in flight", "sliding", "rolling", "in flight"];
 
 /// Times are in milliseconds after the mass loss.
-export const inMilliseconds = (time_s, loss_s) => 1e3 * (time_s - (loss_s ?? 0));
+export const inMilliseconds = (time_s, loss_s) => 1e3 * (time_s - loss_s);
 
 export const inWords = (now, loss_s) =>
-  `${inMilliseconds(now.time_s, loss_s).toFixed(2).replace("-", "−")}\u00a0ms${loss_s === null ? "" : " after the loss"}: ` +
+  `${inMilliseconds(now.time_s, loss_s).toFixed(2).replace("-", "−")}\u00a0ms after the loss: ` +
   `${contact_states[Math.round(now.contact_state)]}, ${now.speed_Hz.toFixed(1)}\u00a0Hz` +
   (now.normal_force_N < 0 ? `, ${(-now.normal_force_N / 1e3).toFixed(0)}\u00a0kN` : "");

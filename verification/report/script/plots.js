@@ -1,11 +1,10 @@
-// Force, speed and energy over milliseconds after the loss, below bands of the kinds of motion.
+// Force, distance and speed over milliseconds after the loss, below bands of the kinds of motion.
+import { bandsOf } from "./bands.js";
 import { cleared, colour } from "./colours.js";
 import { panels, ticks } from "./curves.js";
 import { inMilliseconds } from "./motion.js";
-import { bandsOf } from "./story.js";
 
 const left = 50, right = 10, top = 24, bottom = 36;
-const narrow = 500; // width below which names of areas have their own line
 
 export class Plots {
   #canvas;
@@ -89,14 +88,14 @@ export class Plots {
     const ctx = this.#still.getContext("2d");
     ctx.scale(devicePixelRatio, devicePixelRatio);
     ctx.font = "12px system-ui, sans-serif";
-    const between = this.panels.map((panel) => (panel.stacked && this.#width < narrow ? 40 : 24));
-    const room = height - top - bottom - between.reduce((one, other) => one + other);
+    const between = 24, room = height - top - bottom - between * this.panels.length;
     let y = top;
     this.#paintBands(ctx, height);
     this.panels.forEach((panel, i) => {
-      y += between[i];
-      this.#paintPanel(ctx, panel, this.#columns[i], y, panel.share * room);
-      y += panel.share * room;
+      y += between;
+      const share = this.panels.length > 1 ? panel.share : 1;
+      this.#paintPanel(ctx, panel, this.#columns[i], y, share * room);
+      y += share * room;
     });
     this.#paintAxis(ctx, height - bottom, width);
     this.#paintNow();
@@ -132,11 +131,11 @@ export class Plots {
     ctx.fillStyle = colour("text");
     ctx.textAlign = "center";
     for (const { value, text } of ticks(inMilliseconds(from, loss_s), inMilliseconds(until, loss_s), this.#width / 80)) {
-      const x = this.#x(value / 1e3 + (loss_s ?? 0));
+      const x = this.#x(value / 1e3 + loss_s);
       ctx.fillRect(x - 0.5, y, 1, 4);
       ctx.fillText(text, x, y + 16);
     }
-    ctx.fillText((loss_s === null ? "time, ms" : "time after the loss, ms"), left + this.#width / 2, y + 31, width);
+    ctx.fillText("time after the loss, ms", left + this.#width / 2, y + 31, width);
   }
 
   #paintPanel(ctx, panel, columns, y, height) {
@@ -144,11 +143,10 @@ export class Plots {
     let first = 0, last = times.length - 1;
     while (first < last && times[first + 1] < from) ++first;
     while (last > first && times[last - 1] > until) --last;
-    const stack = panel.stacked ? stacked(columns) : columns;
     let greatest = 0, least = 0;
     const meet = (value) => { greatest = Math.max(greatest, value); least = Math.min(least, value); };
     // Of the whole run: a zoom in time does not change the scale.
-    for (const values of panel.stacked ? [stack.at(-1)] : stack)
+    for (const values of columns)
       (this.#onTime ? values : values.slice(first, last + 1)).forEach(meet);
     const level = panel.level?.(this.#picture);
     if (level) meet(level.value);
@@ -177,17 +175,11 @@ export class Plots {
         ctx.lineTo(last_x = x, last_y = y);
       }
     };
+    ctx.lineWidth = 1.75;
     panel.curves.forEach(({ colour: name }, i) => {
-      ctx.strokeStyle = ctx.fillStyle = colour(name);
-      ctx.lineWidth = panel.stacked ? 0.75 : 1.75;
+      ctx.strokeStyle = colour(name);
       ctx.beginPath();
-      line(stack[i]);
-      if (panel.stacked) {
-        for (let row = last; row >= first; --row)
-          ctx.lineTo(this.#x(times[row]), place(i > 0 ? stack[i - 1][row] : 0));
-        ctx.fill();
-        ctx.strokeStyle = colour("page");
-      }
+      line(columns[i]);
       ctx.stroke();
     });
     if (level) {
@@ -201,42 +193,17 @@ export class Plots {
       ctx.textAlign = "left";
       ctx.fillText(level.text, left + 5, place(level.value) + 14);
     }
-    if (panel.curves.length > 1 && !panel.stacked) // names at the beginnings of curves
+    if (panel.curves.length > 1) // names at the beginnings of curves
       panel.curves.forEach(({ label, colour: name }, i) => {
         ctx.fillStyle = colour(name);
         ctx.textAlign = "left";
-        ctx.fillText(label, left + 5, place(stack[i][first]) + (stack[i][first] > stack[1 - i][first] ? 15 : -6));
+        ctx.fillText(label, left + 5, place(columns[i][first]) + (columns[i][first] > columns[1 - i][first] ? 15 : -6));
       });
     ctx.restore();
-    this.#paintHead(ctx, panel, y - 7);
-  }
-
-  /// The title of a panel and the names of its areas.
-  #paintHead(ctx, { title, unit, stacked: has_areas, curves }, y) {
     ctx.textAlign = "left";
     ctx.fillStyle = colour("text");
     ctx.font = "600 12px system-ui, sans-serif";
-    const below = has_areas && this.#width < narrow;
-    ctx.fillText(`${title}, ${unit}`, left + 4, below ? y - 16 : y);
-    let x = below ? left - 40 : left + ctx.measureText(`${title}, ${unit}`).width + 18;
+    ctx.fillText(`${panel.title}, ${panel.unit}`, left + 4, y - 7);
     ctx.font = "12px system-ui, sans-serif";
-    if (!has_areas) return;
-    for (const { label, colour: name } of curves) {
-      const words = below ? label.split(" ").at(-1) : label;
-      ctx.fillStyle = colour("quiet");
-      ctx.fillRect(x - 1, y - 10, 12, 12);
-      ctx.fillStyle = colour(name);
-      ctx.fillRect(x, y - 9, 10, 10);
-      ctx.fillStyle = colour("text");
-      ctx.fillText(words, x + 13, y);
-      x += ctx.measureText(words).width + (below ? 19 : 28);
-    }
   }
-}
-
-/// Each column on top of those before it.
-export function stacked(columns) {
-  const sums = [];
-  for (const column of columns) sums.push(column.map((value, row) => value + (sums.at(-1)?.[row] ?? 0)));
-  return sums;
 }

@@ -19,14 +19,11 @@ export class Recorded {
   constructor(runs) {
     this.#runs = new Map(runs.map((run) => [keyOf(run.options), run]));
   }
-  has(options) {
-    return this.#runs.has(keyOf(options));
-  }
   /// The answer of the engine to these options, or null.
   answer(options) {
     const run = this.#runs.get(keyOf(options));
     if (!run) return null;
-    run.answer ??= { ...run, motion: columns(run.motion), works: columns(run.works) };
+    run.answer ??= { ...run, motion: columns(run.motion) };
     return run.answer;
   }
 }

@@ -4,7 +4,7 @@ import { arrow, cleared, colour } from "./colours.js";
 import { inWords, rowAt, stateAt, whirlAt } from "./motion.js";
 
 const gap = 0.22; // drawn width of the clearance, relative to the ring's radius
-const trail_s = 0.004, flies_s = 0.0015; // length of the trail of O; time for which the piece is seen
+const trail_s = 0.004; // length of the trail of O
 
 export class RotorView {
   #canvas;
@@ -40,12 +40,10 @@ export class RotorView {
     const clearance_m = summary.inputs.stator_radius - summary.inputs.rotor_radius;
     const pixels_per_m = (ring * gap) / clearance_m;
     const at = ({ x_a_m, y_a_m }) => [y_a_m * pixels_per_m, x_a_m * pixels_per_m];
-    const centre = at(now), lost = loss_s !== null && this.#time_s >= loss_s;
+    const centre = at(now), lost = this.#time_s >= loss_s;
     const touches = now.normal_force_N < 0;
     paintRing(ctx, ring);
     paintRotor(ctx, centre, radius, now.q3_rad, lost);
-    if (lost && this.#time_s < loss_s + flies_s)
-      paintPiece(ctx, { loss: stateAt(motion, loss_s), since_s: this.#time_s - loss_s, radius, at });
     const behind = [];
     for (let row = rowAt(motion.time_s, this.#time_s - trail_s); row < rowAt(motion.time_s, this.#time_s); ++row)
       behind.push(at({ x_a_m: motion.x_a_m[row], y_a_m: motion.y_a_m[row] }));
@@ -88,25 +86,12 @@ function paintRotor(ctx, [x, y], radius, angle, lost) {
   ctx.closePath();
   ctx.fill();
   ctx.stroke();
-  if (!lost) paintWedge(ctx, [x, y], radius, notch);
-}
-
-function paintWedge(ctx, [x, y], radius, direction) {
+  if (lost) return;
   ctx.fillStyle = colour("second");
   ctx.beginPath();
-  ctx.moveTo(x + 0.84 * radius * Math.cos(direction), y + 0.84 * radius * Math.sin(direction));
-  ctx.arc(x, y, radius, direction - half_piece, direction + half_piece);
+  ctx.moveTo(x + 0.84 * radius * Math.cos(notch), y + 0.84 * radius * Math.sin(notch));
+  ctx.arc(x, y, radius, notch - half_piece, notch + half_piece);
   ctx.fill();
-}
-
-/// The piece keeps the velocity that it had at the rim.
-function paintPiece(ctx, { loss, since_s, radius, at }) {
-  const direction = Math.PI / 2 - loss.q3_rad + Math.PI;
-  const way = 2 * Math.PI * loss.speed_Hz * radius * since_s; // along the rim's tangent, against the canvas's angle
-  const [x, y] = at(loss);
-  ctx.globalAlpha = 1 - since_s / flies_s;
-  paintWedge(ctx, [x + way * Math.sin(direction), y - way * Math.cos(direction)], radius, direction);
-  ctx.globalAlpha = 1;
 }
 
 function paintTrail(ctx, points) {

@@ -1,13 +1,12 @@
 // The accident in five steps: a picture beside the text, and one control for each step. Runs are recorded.
 import { stepPanels } from "./curves.js";
 import { onColoursChanged } from "./colours.js";
-import { stateAt } from "./motion.js";
+import { climaxOf, stateAt } from "./motion.js";
 import { inKilonewton } from "./outcome.js";
 import { outcomes } from "./words.js";
 import { Plots } from "./plots.js";
 import { RotorView } from "./rotor.js";
 import { inSet } from "./settings.js";
-import { storyOf } from "./story.js";
 
 const film_ms = 5000;
 const losses = [{ "mass-loss-time": "9.4" }, { "mass-loss-time": "14.15" }, { "mass-loss-time": "19.1" }, {}];
@@ -23,7 +22,7 @@ const guessed = (value) => Number((10 ** (3 * value / 100)).toPrecision(2));
 const steps = {
   swing: {
     panel: "distance", cases: losses,
-    part: (run) => [run.mass_loss_s - 1e-3, (run.summary.first_contact_s ?? storyOf(run).at(-1).time_s) + 1e-3],
+    part: (run) => [run.mass_loss_s - 1e-3, (run.summary.first_contact_s ?? climaxOf(run)) + 1e-3],
     says: (run, corrected) => atLoss(run) + inBothSets(run, corrected, ({ summary: { first_contact_s: first_s, max_displacement_m }, mass_loss_s }) =>
       (first_s === null ? `no: it swings out to ${(1e3 * max_displacement_m).toFixed(2)}\u00a0mm` : `yes, after ${(1e3 * (first_s - mass_loss_s)).toFixed(1)}\u00a0ms`)),
   },

@@ -1,5 +1,4 @@
-// Computes runs, after emscripten's script, whose function is Module. A busy worker receives no messages:
-// to stop it, terminate it.
+// Computes runs, after emscripten's script, whose function is Module.
 
 let engine;
 
@@ -8,11 +7,13 @@ self.onmessage = async ({ data }) => {
     engine = startEngine(data);
     return;
   }
-  const { explorer } = await engine;
-  const onProgress = (time_s) => self.postMessage({ progress: time_s });
-  const answer = explorer.run(JSON.stringify(data.options), onProgress);
-  const picture = answer.metadata ? read(answer) : answer;
-  self.postMessage({ answer: picture }, buffersOf(picture));
+  const { metadata, motion, refusal } = (await engine).run(JSON.stringify(data.options));
+  if (refusal) self.postMessage({ refusal });
+  else {
+    const picture = JSON.parse(metadata);
+    picture.motion = columns(picture.motion, motion);
+    self.postMessage(picture, Object.values(picture.motion).map((column) => column.buffer));
+  }
 };
 
 async function startEngine({ wasm }) {
@@ -22,16 +23,7 @@ async function startEngine({ wasm }) {
       return {};
     },
   });
-  const explorer = new module.Engine();
-  self.postMessage({ numbers: JSON.parse(explorer.describeNumbers()) });
-  return { explorer };
-}
-
-function read({ metadata, motion, works }) {
-  const picture = JSON.parse(metadata);
-  picture.motion = columns(picture.motion, motion);
-  picture.works = columns(picture.works, works);
-  return picture;
+  return new module.Engine();
 }
 
 /// Converts rows, one after the other, to arrays by the columns' names.
@@ -43,6 +35,3 @@ function columns(names, rows) {
     return [name, column];
   }));
 }
-
-const buffersOf = ({ motion = {}, works = {} }) =>
-  [...Object.values(motion), ...Object.values(works)].map((column) => column.buffer);
