@@ -9,25 +9,31 @@ old=$1 new=$2 count=$3 tolerance=${4:-1e-6}
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 build/random-rotors "$count" | grep -v -e '--method rk4' >"$folder/options"
-results() { # PROGRAM TOLERANCE
-  local n=0 options
+results() { # PROGRAM TOLERANCE: number of the rotor, key and value
+  local n=0 options failed
   while read -r options; do
     echo "rotor $((++n))"
     # shellcheck disable=SC2001,SC2086
-    "$1" run $(sed "s/--tolerance [^ ]*/--tolerance $2/" <<<"$options") --json 2>&1 || true
-  done <"$folder/options" |
-    awk '/^rotor / { n = $2; of_run = 1 } /"remarks"|"stop_on"/ { of_run = 0 } of_run && NF { print n, $1, $2 }'
+    "$1" run $(sed "s/--tolerance [^ ]*/--tolerance $2/" <<<"$options") --json 2>/dev/null && failed=no || failed=yes
+    echo "failed $failed"
+  done <"$folder/options" | awk '
+    /^rotor / { n = $2; of_run = 1 }
+    /"remarks"/ { of_run = 0 }
+    of_run && NF || /^failed/ { sub(",$", ""); print n, $1, $2 }'
 }
 results "$old" 1e-11 >"$folder/old"
 different() { # NAME: rows and results that differ from the old ones
   LC_ALL=C awk -v tolerance="$tolerance" -v name="$1" '
     NR == FNR { of_old[$1, $2] = $3; next }
     ($1, $2) in of_old {
-      a = of_old[$1, $2]; b = $3; off = a - b; size = b < 0 ? -b : b
-      if (a == b || b + 0 != 0 && (off < 0 ? -off : off) <= tolerance*size) next
+      a = of_old[$1, $2]; b = $3
+      if (a == b || a + 0 == a && b + 0 == b && (a - b)^2 <= tolerance^2*(a^2 > b^2 ? a^2 : b^2)) next
       if (!($1 in rows)) { rows[$1]; ++count; first = first == "" ? $1 ": " $2 " " a " " b : first }
     }
-    END { printf "%d rotors, %d rows differ %s%s\n", $1, count, name, count ? ", the first in rotor " first : "" >"/dev/stderr"; print count + 0 }
+    END {
+      printf "%d rotors, %d rows differ %s%s\n", $1, count, name, count ? ", the first: " first : "" >"/dev/stderr"
+      print count + 0
+    }
   ' "$folder/old" -
 }
 of_tolerance=$(results "$old" 1e-12 | different "between 1e-11 and 1e-12")
