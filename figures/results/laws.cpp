@@ -178,7 +178,7 @@ std::vector<Remark> remarks_on_laws(const Scenario& scenario) {
 
 std::string meanings_of_laws() {
   std::string lines;
-  for (const Law& law : all_laws()) lines += fmt::format("  {:<25} {}\n", law.key, law.meaning);
+  for (const Law& law : all_laws()) lines += fmt::format("  {:<27}  {}\n", law.key, law.meaning);
   return lines;
 }
 
