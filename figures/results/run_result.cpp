@@ -15,7 +15,7 @@
 namespace rotor {
 namespace {
 
-constexpr int schema = 4;
+constexpr int schema = 5;
 
 using rotor::json_of;  // of numbers
 Json json_of(Outcome outcome) { return name_of(outcome); }
@@ -105,7 +105,7 @@ const std::vector<Metadata>& metadata() {
       {"version", "Version of rotor, and its commit", type("string"),
        [](const A&) { return Json(version()); }},
       {"schema",
-       "Version of this schema; 3 had values of stopped runs that the rest could change, 2 had the "
+       "Version of this schema; 4 had cut_short_at_s and no drive, 3 had values of stopped runs that the rest could change, 2 had the "
        "keys of separation and collisions, 1 no outcome or inputs",
        {{"const", schema}},
        [](const A&) { return Json(schema); }}};
