@@ -322,11 +322,10 @@ laws: build ## data: laws.csv: the closed forms on 10,000 rotors, with a picture
 
 bench-programs: build ## code: build the programs of make bench, stress and reference
 	$(call build-target,benchmark random-rotors reference random-digits,bench,$(BENCH_PACKAGES))
-bench: bench-programs ## code: measure run time against error of each method, with pictures
+bench: bench-programs ## code: measure run time against error of each method, and draw it
 	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
-	@for scene in 1 2 3 4 5 6 7; do \
-	  figures/draw.sh $(BUILD)/bench/work-precision-$$scene.$(FORMAT) \
-	    "data = '$(BUILD)/bench/work-precision.csv'; scene = $$scene" verification/benchmark/work-precision.gp; done
+	@figures/draw.sh verification/benchmark/work-precision.svg "data = '$(BUILD)/bench/work-precision.csv'" \
+	  verification/benchmark/work-precision.gp
 
 stress: build ## code: test 5,000 random rotors and estimated digits (minutes)
 	$(call build-target,random-rotors random-digits)
