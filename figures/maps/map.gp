@@ -100,7 +100,7 @@ do for [p = 0:2*rows - 1] {
   set ylabel (at_left ? y_name : "") offset 0.5,0
   if (shows eq "force" && p == 2*rows - 1) {
     set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.16) size screen 0.4, screen 0.018
-    set cblabel "largest normal force, kN; white: no contact, or contact before the loss" offset 0,0.8
+    set cblabel "largest normal force, kN; white: no contact, or no result" offset 0,0.8
   }
   drawn = ""
   do for [i = 1:forms] {
