@@ -14,7 +14,7 @@ namespace rotor {
 namespace {
 
 constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz", start_speed = "start_speed_hz";
-constexpr double any = -std::numeric_limits<double>::infinity();
+constexpr double unbounded = -std::numeric_limits<double>::infinity();
 
 /// What pages and figures call the consistent equations.
 constexpr std::string_view corrected = "corrected";
@@ -39,15 +39,16 @@ constexpr std::array alternatives = {
 
 /// Together they are instead of the steady response; those that are not stated are 0.
 constexpr std::array numbers_of_start = {
-    InputQuantity{
-        {"start_x", "", "m", "O at the start, down, instead of the steady response", nullptr, any},
-        "",
-        &Start::x},
-    InputQuantity{{"start_y", "", "m", "the same to the side", nullptr, any}, "", &Start::y},
-    InputQuantity{{"start_velocity_x", "", "m/s", "velocity of O at the start, down", nullptr, any},
+    InputQuantity{{"start_x", "", "m", "O at the start, down, instead of the steady response",
+                   nullptr, unbounded},
                   "",
-                  &Start::velocity_x},
-    InputQuantity{{"start_velocity_y", "", "m/s", "the same to the side", nullptr, any},
+                  &Start::x},
+    InputQuantity{{"start_y", "", "m", "the same to the side", nullptr, unbounded}, "", &Start::y},
+    InputQuantity{
+        {"start_velocity_x", "", "m/s", "velocity of O at the start, down", nullptr, unbounded},
+        "",
+        &Start::velocity_x},
+    InputQuantity{{"start_velocity_y", "", "m/s", "the same to the side", nullptr, unbounded},
                   "",
                   &Start::velocity_y}};
 

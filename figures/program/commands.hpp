@@ -66,7 +66,7 @@ void write_figures(const FigureOptions& options);
 void plot(const PlotOptions& stated);
 
 /// `rotor sweep` runs many rotors.
-void run_sweep(const SweepOptions& options);
+void run_sweep(const SweepOptions& stated);
 
 /// `rotor run` runs any rotor.
 void run_rotor(const RunOptions& options);

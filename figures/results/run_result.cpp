@@ -105,7 +105,8 @@ const std::vector<Metadata>& metadata() {
       {"version", "Version of rotor, and its commit", type("string"),
        [](const A&) { return Json(version()); }},
       {"schema",
-       "Version of this schema; 4 had cut_short_at_s and no drive, 3 had values of stopped runs that the rest could change, 2 had the "
+       "Version of this schema; 4 had cut_short_at_s and no drive, 3 had values of stopped runs "
+       "that the rest could change, 2 had the "
        "keys of separation and collisions, 1 no outcome or inputs",
        {{"const", schema}},
        [](const A&) { return Json(schema); }}};

@@ -99,18 +99,19 @@ class Whirl {
   /// The least friction at which a small disturbance of that circle grows, by Routh and Hurwitz;
   /// infinite if none does as long as there is a circle.
   double stable_synchronous_friction(double speed) const {
-    constexpr double least = 1e-6, most = 10, ratio = 1.02;
-    double low = 0;
-    for (double high = least; high < most; low = high, high *= ratio) {
-      if (!synchronous_radius(speed, high)) break;
-      if (disturbances_decay(speed, high)) continue;
-      for (int halving = 0; halving < 60; ++halving) {
-        const double middle = (low + high) / 2;
-        (disturbances_decay(speed, middle) ? low : high) = middle;
-      }
-      return high;
+    constexpr double most = 10, ratio = 1.02;
+    double low = 0, high = 1e-6;
+    while (high < most && disturbances_decay(speed, high)) {
+      low = high;
+      high *= ratio;
     }
-    return std::numeric_limits<double>::infinity();
+    if (!synchronous_radius(speed, high) || high >= most)
+      return std::numeric_limits<double>::infinity();
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = (low + high) / 2;
+      (disturbances_decay(speed, middle) ? low : high) = middle;
+    }
+    return high;
   }
 
  private:

@@ -40,14 +40,11 @@ std::string stated(const std::map<std::string, double>& numbers, bool as_options
 TEST_F(Options, EachStateTheNumberThatTheyName) {
   const std::map<std::string, double> short_run = {
       {"start_speed_hz", 30}, {"until", 0.02}, {"mass_loss_time", 0.001}};
-  const std::map<std::string, double> found = {{"clearance", 2e-3},
-                                               {"lost_mass", 0.01},
-                                               {"mass_loss_speed_hz", 34},
-                                               {"contact_exponent", 1.1},  // not below 1
-                                               {"start_x", 1e-3},
-                                               {"start_y", 2e-3},
-                                               {"start_velocity_x", -0.1},
-                                               {"start_velocity_y", 0.2}};
+  const std::map<std::string, double> found = {
+      {"clearance", 2e-3},        {"lost_mass", 0.01},
+      {"mass_loss_speed_hz", 34}, {"contact_exponent", 1.1},  // not below 1
+      {"start_x", 1e-3},          {"start_y", 2e-3},
+      {"start_velocity_x", -0.1}, {"start_velocity_y", 0.2}};
   const Json standard = inputs(stated(short_run, true));
   for (const InputQuantity& input_quantity : input_quantities()) {
     const std::string name(input_quantity.quantity.name);
