@@ -221,7 +221,7 @@ $(BUILD)/map-theory: map-theory
 $(MAP_OUT)/%.toml: figures/maps/%.toml
 	@mkdir -p $(@D); sed -e 's/^points = 400$$/points = $(POINTS)/;t' -e "s/^points = 40$$/points = $$(($(POINTS) < 100 ? 10 : $(POINTS) / 10))/" $< > $@
 $(MAP_OUT)/%.csv: $(MAP_OUT)/%.toml $(ROTOR)
-	@$(ROTOR) sweep $< --out $@
+	@$(ROTOR) sweep $< --force --out $@
 # The lines of a coarse map are as fine as those of a full one.
 $(MAP_OUT)/%-theory.csv: figures/maps/%.toml $(BUILD)/map-theory
 	@mkdir -p $(@D); $(BUILD)/map-theory $< > $@
@@ -286,7 +286,7 @@ reference: build ## data: high-precision.csv (minutes)
 
 ensembles: build ## data: ensembles.csv: claims over the rounding of inputs (minutes), or one ID
 	$(call build-target,ensembles)
-	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)),$(if $(filter command%,$(origin SEED)),seed $(SEED) $(BUILD)/ensembles-$(SEED).csv))
+	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)),$(if $(filter-out 1,$(SEED)),seed $(SEED) $(BUILD)/ensembles-$(SEED).csv))
 
 prove: need-deps ## data: proven.csv: the accident by ball arithmetic (minutes)
 	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))
@@ -314,19 +314,18 @@ contact-laws: build ## data: contact-laws.csv: other laws of the ring, with a pi
 	@verification/paper/contact_laws.sh $(ROTOR) $(BUILD)/contact-laws-traces
 
 laws: build ## data: laws.csv: the closed forms on 10,000 rotors, with a picture
-	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --out $(BUILD)/laws/laws.csv
-	@$(ROTOR) sweep verification/paper/region.toml --out $(BUILD)/laws/region.csv
+	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --force --out $(BUILD)/laws/laws.csv
+	@$(ROTOR) sweep verification/paper/region.toml --force --out $(BUILD)/laws/region.csv
 	@verification/paper/laws.sh $(BUILD)/laws/laws.csv $(BUILD)/laws/region.csv > $(BUILD)/laws/quantiles.csv
 	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv
 	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
 
 bench-programs: build ## code: build the programs of make bench, stress and reference
 	$(call build-target,benchmark random-rotors reference random-digits,bench,$(BENCH_PACKAGES))
-bench: bench-programs ## code: measure run time against error of each method, with pictures
-	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench figures/maps/speed-friction.toml
-	@for scene in 1 2 3 4 5 6 7; do \
-	  figures/draw.sh $(BUILD)/bench/work-precision-$$scene.$(FORMAT) \
-	    "data = '$(BUILD)/bench/work-precision.csv'; scene = $$scene" verification/benchmark/work-precision.gp; done
+bench: bench-programs ## code: measure run time against error of each method, and draw it
+	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
+	@figures/draw.sh verification/benchmark/work-precision.svg "data = '$(BUILD)/bench/work-precision.csv'" \
+	  verification/benchmark/work-precision.gp
 
 stress: build ## code: test 5,000 random rotors and estimated digits (minutes)
 	$(call build-target,random-rotors random-digits)

@@ -39,6 +39,9 @@ template <>
 inline constexpr auto names_of<GravityMoment> = std::to_array<Named<GravityMoment>>(
     {{"balanced", GravityMoment::balanced}, {"whole", GravityMoment::whole}});
 template <>
+inline constexpr auto names_of<Drive> = std::to_array<Named<Drive>>(
+    {{"motor", Drive::motor}, {"constant_speed", Drive::constant_speed}});
+template <>
 inline constexpr auto names_of<Method> = std::to_array<Named<Method>>({{"event", Method::event},
                                                                        {"rk4", Method::rk4}});
 template <>

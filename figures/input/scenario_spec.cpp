@@ -13,7 +13,8 @@
 namespace rotor {
 namespace {
 
-constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz";
+constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz", start_speed = "start_speed_hz";
+constexpr double any = -std::numeric_limits<double>::infinity();
 
 /// What pages and figures call the consistent equations.
 constexpr std::string_view corrected = "corrected";
@@ -34,7 +35,21 @@ constexpr std::array alternatives = {
         "motor_off_hz"},
     InputQuantity{
         {"start_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0, true},
-        "start_speed_hz"}};
+        start_speed}};
+
+/// Together they are instead of the steady response; those that are not stated are 0.
+constexpr std::array numbers_of_start = {
+    InputQuantity{
+        {"start_x", "", "m", "O at the start, down, instead of the steady response", nullptr, any},
+        "",
+        &Start::x},
+    InputQuantity{{"start_y", "", "m", "the same to the side", nullptr, any}, "", &Start::y},
+    InputQuantity{{"start_velocity_x", "", "m/s", "velocity of O at the start, down", nullptr, any},
+                  "",
+                  &Start::velocity_x},
+    InputQuantity{{"start_velocity_y", "", "m/s", "the same to the side", nullptr, any},
+                  "",
+                  &Start::velocity_y}};
 
 constexpr std::string_view per_minute = "rpm", per_second = "hz";
 constexpr const char* state_one = "{} and {}: one determines the other; state one of them";
@@ -58,14 +73,11 @@ std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
 }
 
 void state_lost_mass(Parameters& p, double lost_mass) {
-  if (!(p.eccentricity > 0))
-    throw InputError(
-        "lost_mass: a rotor without eccentricity has no unbalance to increase; state an "
-        "eccentricity above 0 m, such as 1e-9 m");
   if (!(lost_mass < p.mass))
     throw InputError("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass);
   p.lost_mass = lost_mass;
-  p.unbalance_factor = lost_mass > 0 ? MassLoss<double>::unbalance_factor(p) : 1;
+  p.unbalance_factor =  // that of a balanced rotor would be infinite
+      lost_mass > 0 && p.eccentricity > 0 ? MassLoss<double>::unbalance_factor(p) : 1;
 }
 
 /// The default time between the mass loss and the end of a run.
@@ -77,19 +89,29 @@ Scenario numbers_of(const ScenarioSpec& stated) {
     if (!s.instead_of.empty() && number(stated, s.quantity.name) && number(stated, s.instead_of))
       throw InputError(state_one, s.quantity.name, s.instead_of);
   const ScenarioSpec spec = with_speeds_in_Hz(stated);
-  for (const auto& [quantity, instead_of] : alternatives)  // the others are checked in the scenario
-    if (const auto value = number(spec, quantity.name); value && !quantity.allows(*value))
-      throw InputError("{} = {}: must be {}", quantity.name, *value, quantity.range());
+  for (const InputQuantity& input : input_quantities())  // the others are checked in the scenario
+    if (const auto value = number(spec, input.quantity.name);
+        value && !input.quantity.in && !input.quantity.allows(*value))
+      throw InputError("{} = {}: must be {}", input.quantity.name, *value, input.quantity.range());
   if (spec.digits && number(spec, "tolerance"))
     throw InputError("digits and tolerance: the first determines the second; state one of them");
   Scenario scenario;
   for (const Quantity& quantity : quantities())
     if (const auto value = number(spec, quantity.name)) quantity.in(scenario) = *value;
+  for (const InputQuantity& input : numbers_of_start)
+    if (const auto value = number(spec, input.quantity.name)) {
+      if (!scenario.start) scenario.start.emplace();
+      *scenario.start.*input.of_start = *value;
+    }
   Parameters& p = scenario.parameters;
+  p.drive = spec.drive.value_or(p.drive);
+  if (p.drive == Drive::constant_speed)
+    for (const std::string_view name :
+         {std::string_view("torque"), std::string_view("motor_off_hz"), mass_loss_speed})
+      if (number(spec, name))
+        throw InputError("{}: has no meaning with drive = constant_speed; leave it out", name);
   p.loses_mass = spec.loses_mass.value_or(true);
-  scenario.equations = spec.equations.value_or(scenario.equations);
-  if (spec.velocity_jump) scenario.equations.velocity_jump = *spec.velocity_jump;
-  if (spec.gravity_moment) scenario.equations.gravity_moment = *spec.gravity_moment;
+  scenario.equations = equations_of(spec);
   scenario.method = spec.method.value_or(scenario.method);
   if (spec.digits && scenario.method == Method::rk4)
     throw InputError(
@@ -123,6 +145,8 @@ const std::vector<InputQuantity>& input_quantities() {
       list.push_back({quantity, ""});
       for (const InputQuantity& other : alternatives)
         if (other.instead_of == quantity.name) list.push_back(other);
+      if (quantity.name == start_speed)
+        list.insert(list.end(), numbers_of_start.begin(), numbers_of_start.end());
     }
     return list;
   }();
@@ -183,6 +207,7 @@ ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
   if (other.velocity_jump) result.velocity_jump = other.velocity_jump;
   if (other.gravity_moment) result.gravity_moment = other.gravity_moment;
   if (other.method) result.method = other.method;
+  if (other.drive) result.drive = other.drive;
   return result;
 }
 
@@ -210,15 +235,24 @@ bool is_own_rotor(const ScenarioSpec& stated) {
   return states("mass") || states("inertia") || states("rotor_radius");
 }
 
+Equations equations_of(const ScenarioSpec& stated) {
+  const Equations usual = is_own_rotor(stated) ? Equations::consistent : Scenario{}.equations;
+  const Equations all = stated.equations.value_or(usual);
+  return {stated.velocity_jump.value_or(all.velocity_jump),
+          stated.gravity_moment.value_or(all.gravity_moment)};
+}
+
 std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
   std::vector<std::string> all;
   for (const Quantity& quantity : quantities()) {
     const std::string_view name = quantity.name;
     if (name == "mass_loss_time") break;                      // from here on they are of the run
     if (quantity.of(Scenario{}) == quantity.least) continue;  // the paper leaves that out
+    const bool is_driven = stated.drive != Drive::constant_speed;
     const bool matters = name == "unbalance_factor" ? stated.loses_mass.value_or(true)
-                         : name == "motor_off_hz"   ? number(stated, "torque") != 0.
-                                                    : name != "gravity";
+                         : name == "motor_off_hz"   ? is_driven && number(stated, "torque") != 0.
+                         : name == "torque" || name == "inertia" ? is_driven
+                                                                 : name != "gravity";
     const bool is_stated =
         std::any_of(stated.numbers.begin(), stated.numbers.end(),
                     [&](const auto& number) { return determined_by(number.first) == name; });
@@ -234,10 +268,11 @@ std::span<const NamedInput> named_inputs() {
   static constexpr std::array all = {
       NamedInput{"equations", name_of(standard.equations),
                  "published (as printed: twice, whole) or corrected, also called consistent (once, "
-                 "balanced)",
+                 "balanced): the default for a rotor with a mass, inertia or radius of its own",
                  [](Spec& s, Text name) {
-                   s.equations =
-                       name == corrected ? Equations::consistent : parse_name<Equations>(name);
+                   if (name != "published" && name != corrected && name != "consistent")
+                     throw InputError("must be published or corrected; not \"{}\"", shown(name));
+                   s.equations = name == "published" ? Equations::published : Equations::consistent;
                  }},
       NamedInput{"velocity_jump", name_of(standard.equations.velocity_jump),
                  "once or twice: how often the mass loss adds Delta_vy to the velocity of C",
@@ -248,7 +283,12 @@ std::span<const NamedInput> named_inputs() {
                  [](Spec& s, Text name) { s.gravity_moment = parse_name<GravityMoment>(name); }},
       NamedInput{"method", name_of(standard.method),
                  "event (located contacts, error control) or rk4 (the paper's fixed steps)",
-                 [](Spec& s, Text name) { s.method = parse_name<Method>(name); }}};
+                 [](Spec& s, Text name) { s.method = parse_name<Method>(name); }},
+      NamedInput{
+          "drive", name_of(Parameters{}.drive),
+          "motor (torque, until motor_off_hz) or constant_speed (held from the start, whatever "
+          "torque that takes)",
+          [](Spec& s, Text name) { s.drive = parse_name<Drive>(name); }}};
   return all;
 }
 

@@ -13,10 +13,12 @@
 
 namespace rotor {
 
-/// A number that can be stated: one of the scenario, or one from which it follows.
+/// A number that can be stated: one of the scenario, one from which it follows, or one of its
+/// start.
 struct InputQuantity {
   Quantity quantity;
-  std::string_view instead_of;  ///< name of the scenario's number that follows; empty if it is one
+  std::string_view instead_of;  ///< name of the scenario's number that follows; empty if none does
+  double Start::*of_start = nullptr;
 };
 
 /// In the order in which they are documented.
@@ -39,6 +41,7 @@ struct ScenarioSpec {
   std::optional<VelocityJump> velocity_jump;
   std::optional<GravityMoment> gravity_moment;
   std::optional<Method> method;
+  std::optional<Drive> drive;
   std::optional<int> digits;  ///< to be estimated
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
@@ -57,6 +60,8 @@ void check_numbers(const ScenarioSpec& spec);
 
 /// Whether a rotor is not the paper's: its mass, inertia or radius is stated.
 bool is_own_rotor(const ScenarioSpec& stated);
+/// Those that are stated; of a rotor of one's own otherwise the corrected ones.
+Equations equations_of(const ScenarioSpec& stated);
 /// What a rotor has of the paper's that matters: "inertia = 0.009 kg m^2" and so on.
 std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated);
 

@@ -122,7 +122,7 @@ ScenarioSpec stated_in(const TomlFile& file, const toml::table& table,
   file.expect_keys(table, allowed);
 
   ScenarioSpec stated;
-  for (const auto& [quantity, instead_of] : input_quantities())
+  for (const auto& [quantity, instead_of, of_start] : input_quantities())
     if (const auto number = file.value<double>(table, quantity.name, quantity.range())) {
       if (!quantity.allows(*number))
         file.fail(*table.get(quantity.name), quantity.name, "must be {}, not {}", quantity.range(),

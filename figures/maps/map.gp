@@ -1,11 +1,14 @@
-# A map, published and consistent equations side by side. A script with the map's name, loaded before, defines
-# the axes; the caller sets, besides what style.gp needs:
+# A map, published and consistent equations side by side, or two values of another quantity. A script with the
+# map's name, loaded before, defines the axes; the caller sets, besides what style.gp needs:
 #   theory  what closed forms exceed, as map-theory writes it
 #   note    what tolerance.sh says of the map
 #   shows   outcome or force
 
 if (!exists("rows")) { rows = 1; name_of_row(unused) = "" }
-name_of_panel(unused) = words_of(strcol("equations_varied")).name_of_row(0)
+if (!exists("panels")) panels = "equations_varied"
+if (!exists("duration")) duration = "0.5 s"
+name_of_panel(unused) = panels eq "equations_varied" ? words_of(strcol(panels)).name_of_row(0) : \
+  sprintf(panel_format, column(panels))
 if (!exists("x_unit")) x_unit = 1
 if (!exists("y_unit")) y_unit = 1
 if (!exists("x_log")) x_log = 0
@@ -58,7 +61,7 @@ nth_word(n) = real(word(strcol(1), n))  # a table has no commas
 unset contour
 set surface
 
-set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome within 0.5 s" : "largest normal force"). \
+set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome within ".duration : "largest normal force"). \
   "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
 set tics front out
 unset grid
@@ -97,7 +100,7 @@ do for [p = 0:2*rows - 1] {
   set ylabel (at_left ? y_name : "") offset 0.5,0
   if (shows eq "force" && p == 2*rows - 1) {
     set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.16) size screen 0.4, screen 0.018
-    set cblabel "largest normal force, kN; white: no contact, or contact before the loss" offset 0,0.8
+    set cblabel "largest normal force, kN; white: no contact, or no result" offset 0,0.8
   }
   drawn = ""
   do for [i = 1:forms] {

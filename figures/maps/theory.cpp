@@ -31,13 +31,14 @@ Excess excess(const Scenario& scenario) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Parameters& p = scenario.parameters;
   const double speed = two_pi * scenario.start_speed_Hz, clearance = Ring<double>(p).clearance;
+  if (scenario.start) throw std::domain_error("the closed forms hold for a steady start");
   if (!(speed > 0)) throw std::domain_error("a map needs a start speed, at which the mass is lost");
   const MassLossResponse response(p, scenario.equations, speed);
   const Accident law(p, scenario.equations, speed);
   return {law.reach / clearance - 1,
           response.bound() / clearance - 1,
           response.steady() / clearance - 1,
-          std::min(law.forward_friction, 1.) - p.friction,
+          std::min(law.lasting_friction(), 1.) - p.friction,
           law.whirl_friction ? std::min(*law.whirl_friction, 1.) - p.friction : none,
           law.peak_force().value_or(none) / 3e5 - 1};
 }

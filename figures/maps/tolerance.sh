@@ -8,7 +8,7 @@ own=$(sed -n 's/^tolerance = //p' "$map")
 for tolerance in "$own" $strict; do
   sed -e 's/^points = 400$/points = 50/; s/^points = 40$/points = 7/' -e "s/^tolerance = .*/tolerance = $tolerance/" \
     "$map" >"$name-$tolerance.toml"
-  "$rotor" sweep "$name-$tolerance.toml" --out "$name-$tolerance.csv" >/dev/null 2>"$name.log" || { cat "$name.log" >&2; exit 1; }
+  "$rotor" sweep "$name-$tolerance.toml" --force --out "$name-$tolerance.csv" >/dev/null 2>"$name.log" || { cat "$name.log" >&2; exit 1; }
 done
 paste -d, <(grep -v '^#' "$name-$own.csv") <(grep -v '^#' "$name-$strict.csv") | LC_ALL=C awk -F, -v own="$own" -v strict=$strict '
   NR == 1 { for (n = 1; n <= NF; ++n) if ($n == "outcome") place[++found] = n; next }

@@ -38,6 +38,7 @@ struct SweepOptions {
   int jobs = 0;                    ///< threads; 0: as many as there are cores
   std::optional<double> budget_s;  ///< of each point
   bool retry = false;              ///< keep the rows of earlier results that are no refusals
+  bool force = false;              ///< compute results again that are complete
 };
 
 /// The case to run or estimate.
@@ -97,8 +98,7 @@ void print_brief(const Json& run, std::FILE* to);
 /// Several runs: one row each with the most important values, or all values as JSON.
 void print_summaries(const Json& runs, bool as_json, std::FILE* to);
 
-/// Says on standard error which equations were used if none were stated, and which of the paper's
-/// values in a rotor of one's own.
+/// Says on standard error which of the paper's values are in a rotor of one's own.
 void say_what_is_assumed(const std::vector<SceneRun>& runs);
 void say_what_is_assumed(const Sweep& sweep);
 

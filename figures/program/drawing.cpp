@@ -79,12 +79,9 @@ DrawnUnit drawn_unit(std::string_view si) {
 }
 
 std::string conditions(const ScenarioSpec& stated, bool have_same_equations) {
-  Equations equations = stated.equations.value_or(Scenario{}.equations);
-  equations.velocity_jump = stated.velocity_jump.value_or(equations.velocity_jump);
-  equations.gravity_moment = stated.gravity_moment.value_or(equations.gravity_moment);
   std::vector<std::string> all;
-  if (have_same_equations) all.emplace_back(equations_in_words(name_of(equations)));
-  for (const auto& [quantity, instead_of] : input_quantities())
+  if (have_same_equations) all.emplace_back(equations_in_words(name_of(equations_of(stated))));
+  for (const auto& [quantity, instead_of, of_start] : input_quantities())
     if (const auto found = stated.numbers.find(quantity.name); found != stated.numbers.end()) {
       const auto [unit, in_si] = drawn_unit(quantity.unit);
       all.push_back(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),

@@ -185,6 +185,8 @@ void add_options(CLI::App& command, SweepOptions& options) {
       ->default_str(fmt::format("none; {} with digits", usual_budget_s));
   command.add_flag("--retry", options.retry,
                    "keep the rows of the results that are no refusals, and compute the others");
+  command.add_flag("--force", options.force,
+                   "compute all points again, even if the results have them");
   command.footer(
       "Example:\n"
       "  rotor sweep friction.toml --out results.csv");
@@ -206,7 +208,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
            "a run")
       ->needs(scene);
   std::string heading;
-  for (const auto& [quantity, instead_of] : input_quantities()) {
+  for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
     for (const auto& [first, its] : headings)
       if (first == quantity.name) heading = its;
     std::string meaning(quantity.meaning);
@@ -281,15 +283,6 @@ void add_options(CLI::App& command, RunOptions& options) {
       "  rotor run --mass-loss-speed-hz 75 --trace motion.csv --columns time_s,rho_m");
 }
 
-/// A command that fills in its options and then runs.
-template <class Options>
-void add_command(CLI::App& app, const char* name, const char* does, Options& options,
-                 void (*run)(const Options&)) {
-  CLI::App* command = app.add_subcommand(name, does);
-  add_options(*command, options);
-  command->callback([&options, run] { run(options); });
-}
-
 /// A message about unknown words, with what was probably meant.
 std::string about_extras(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining(true);
@@ -342,21 +335,30 @@ int main(int argc, char** argv) {
       "  rotor plot figures/paper/fig08.toml");
   FigureOptions figure;
   PlotOptions plot_options;
-  RunOptions run;
+  RunOptions run_options;
   CaseOptions estimate;
   SweepOptions sweep;
-  add_command(app, "figure", "Write the data of the paper's figures as CSV", figure, write_figures);
-  add_command(app, "plot", "Draw the motions of a scene", plot_options, plot);
-  add_command(app, "run", "Run any rotor and mass loss", run, run_rotor);
-  add_command(app, "estimate", "Predict by closed forms, without a run, what happens", estimate,
+  const std::set<std::string_view> words(argv, argv + argc);
+  // Options take time to add, and so only a command that is called has them.
+  const auto add_command = [&]<class Options>(const char* name, const char* does, Options& options,
+                                              void (*run)(const Options&)) {
+    CLI::App* const command = app.add_subcommand(name, does);
+    if (words.contains(name)) add_options(*command, options);
+    command->callback([&options, run] { run(options); });
+  };
+  add_command("figure", "Write the data of the paper's figures as CSV", figure, write_figures);
+  add_command("plot", "Draw the motions of a scene", plot_options, plot);
+  add_command("run", "Run any rotor and mass loss", run_options, run_rotor);
+  add_command("estimate", "Predict by closed forms, without a run, what happens", estimate,
               estimate_rotor);
-  app.get_subcommand("estimate")
-      ->footer("Results; numbers in brackets are the equations of model/theory/README.md:\n" +
-               meanings_of_laws() +
-               "\nExamples:\n"
-               "  rotor estimate --mass-loss-speed-hz 75 --equations corrected\n"
-               "  rotor estimate my-rotor.toml");
-  add_command(app, "sweep", "Run many rotors, varying some quantities", sweep, run_sweep);
+  if (words.contains("estimate"))
+    app.get_subcommand("estimate")
+        ->footer("Results; numbers in brackets are the equations of model/theory/README.md:\n" +
+                 meanings_of_laws() +
+                 "\nExamples:\n"
+                 "  rotor estimate --mass-loss-speed-hz 75 --equations corrected\n"
+                 "  rotor estimate my-rotor.toml");
+  add_command("sweep", "Run many rotors, varying some quantities", sweep, run_sweep);
   if (argc == 1) {
     fmt::print("{}", app.help());
     return 1;

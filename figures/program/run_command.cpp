@@ -34,9 +34,6 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
 /// The scene, with everything that the options state.
 Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
   Scene result = scene_of(options, run_ups);
-  if (result.runs.size() > 1 && !(options.trace.empty() && options.events.empty()))
-    throw InputError("{}: --trace and --events need a single run; choose it with --run",
-                     options.scene);
   if (result.runs.size() > 1 && !options.json && options.energy)
     throw InputError("{}: with several runs, --energy needs --json", options.scene);
   if (options.budget_s && !has_run_with_digits(result))
@@ -59,7 +56,7 @@ double end_of(const Scene& scene) {
 }
 
 [[noreturn]] void refuse_empty_trace(const RunOptions& options) {
-  throw InputError("--trace {}: no part of the run lies in the window", shown(options.trace));
+  throw InputError("--trace {}: no part of a run lies in the window", shown(options.trace));
 }
 
 /// The interval between the rows of a trace, if it is to be constant.
@@ -114,26 +111,44 @@ void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows
           : fmt::format(", from {:.6g} s on; --from 0 writes the whole run", scene.window.from_s)));
 }
 
-/// The only run of a scene, and the files that it writes.
-RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups) {
+/// The files that the runs of a scene write: rows as they are computed, so that a long trace needs
+/// no memory.
+struct Files {
+  FileTransaction all;
+  OutputFile *trace = nullptr, *events = nullptr;
+  long rows = 0;  ///< of the trace
+
+  Files(const RunOptions& options, const Scene& scene) : all(options.scene) {
+    const std::string of_run =
+        (scene.runs.size() > 1 ? " of runs" : " of a run") +
+        (options.stop_on ? fmt::format(" until {}", name_of(*options.stop_on)) : "");
+    if (!options.trace.empty()) {
+      trace = &all.open(options.trace);
+      trace->write(csv_head("Trace" + of_run, scene, "run"));
+    }
+    if (options.events.empty()) return;
+    events = &all.open(options.events);
+    Scene log = scene;
+    log.columns = EventLog::columns();
+    events->write(csv_head("Events" + of_run, log, "run,event"));
+  }
+};
+
+/// One run, which adds to the files. Throws Interrupted.
+RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, RunUps& run_ups) {
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
-  const std::string of_run =
-      " of a run" +
-      (options.stop_on ? fmt::format(" that stops on {}", name_of(*options.stop_on)) : "");
-
-  // Rows are written as they are computed, so that a long trace needs no memory.
-  FileTransaction files(options.scene);
   RunProgress progress(scenario.until);
   ObserverGroup observers = {&progress};
   std::optional<EnergyObserver> energy;
   if (options.energy) observers.add(energy.emplace(scenario));
   std::optional<Recorder> trace;
   std::optional<Sampler> samples;
-  if (!options.trace.empty()) {
-    OutputFile& file = files.open(options.trace);
-    file.write(csv_head("Trace" + of_run, scene, "run"));
-    const RowSink sink = [&](auto row) { file.write(csv_row(name, row)); };
+  if (files.trace) {
+    const RowSink sink = [&](auto row) {
+      files.trace->write(csv_row(name, row));
+      ++files.rows;
+    };
     if (const auto every_s = distance(options, scene))
       observers.add(samples.emplace(scene.window.from_s, end_of(scene), *every_s, scene.columns,
                                     scenario, sink));
@@ -141,27 +156,21 @@ RunReport run_one(const RunOptions& options, const Scene& scene, RunUps& run_ups
       observers.add(trace.emplace(scene.window, scene.columns, scenario, sampling, sink));
   }
   std::optional<EventLog> events;
-  if (!options.events.empty()) {
-    OutputFile& file = files.open(options.events);
-    Scene log = scene;
-    log.columns = EventLog::columns();
-    file.write(csv_head("Events" + of_run, log, "event"));
-    events.emplace(scenario,
-                   [&](std::string_view event, auto row) { file.write(csv_row(event, row)); });
+  if (files.events) {
+    events.emplace(scenario, [&](std::string_view event, auto row) {
+      files.events->write(csv_field(name) + ',' + csv_row(event, row));
+    });
     observers.add(*events);
   }
 
   // A run that writes files starts at its beginning, so that observers see all of it.
-  const bool writes = !options.trace.empty() || !options.events.empty();
+  const bool writes = files.trace || files.events;
   RunResult result =
       finish(writes ? RunUpCheckpoint(scenario) : run_ups.checkpoint_before(scenario, progress),
              scenario, options.stop_on, observers);
   if (is_interrupted()) throw Interrupted();
   if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0))
     refuse_empty_trace(options);
-  files.commit();
-  if (!options.trace.empty() && !is_standard_output(options.trace))
-    say_what_is_traced(options, scene, trace ? trace->rows() : samples->rows());
   RunReport report{to_json(result), remarks(result)};
   if (energy) report.summary["energy_J"] = to_json(*energy);
   if (energy && result.early.leaves_rest_open()) report.summary["energy_J"]["until_end"] = nullptr;
@@ -184,6 +193,7 @@ void run_rotor(const RunOptions& options) {
   const bool one_of_many = scene.runs.size() > 1;
   const bool all = options.all || has_run_with_digits(scene),  // which were asked of every result
       is_brief = !one_of_many && !all && !options.json;
+  Files files(options, scene);
   auto runs = Json::array();
   std::vector<std::string> messages, failures;
   for (const SceneRun& run : scene.runs) {
@@ -194,7 +204,8 @@ void run_rotor(const RunOptions& options) {
     alone.runs = {run};
     RunReport report;
     try {
-      report = run.stated.digits ? run_with_digits(options, run) : run_one(options, alone, run_ups);
+      report = run.stated.digits ? run_with_digits(options, run)
+                                 : run_one(options, alone, files, run_ups);
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // the other runs are not affected
@@ -209,6 +220,11 @@ void run_rotor(const RunOptions& options) {
     if (one_of_many) row["run"] = run.name;
     row.update(report.summary);
     runs.push_back(row);
+  }
+  if (failures.empty()) {
+    files.all.commit();
+    if (files.trace && !is_standard_output(options.trace))
+      say_what_is_traced(options, scene, files.rows);
   }
   const bool standard_output_is_taken =
       is_standard_output(options.trace) || is_standard_output(options.events);

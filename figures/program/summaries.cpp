@@ -87,12 +87,7 @@ std::string outcome_of(const Json& run) {
   return sentence;
 }
 
-void say_what_is_assumed(bool leaves_equations_open, const std::vector<std::string>& of_paper) {
-  if (leaves_equations_open)
-    print_message(
-        "rotor: no equations were stated, so the published ones were used: the velocity jump of "
-        "the mass loss counts twice, and the moment of gravity in full; the corrected equations "
-        "correct both");
+void say_what_is_assumed(const std::vector<std::string>& of_paper) {
   if (!of_paper.empty())
     print_message(fmt::format("rotor: not stated, so the paper's: {}", fmt::join(of_paper, ", ")));
 }
@@ -141,21 +136,16 @@ void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
 
 void say_what_is_assumed(const std::vector<SceneRun>& runs) {
   std::vector<std::string> of_paper;
-  bool leaves_equations_open = false;
   for (const SceneRun& run : runs) {
-    leaves_equations_open = leaves_equations_open || run.leaves_equations_open();
     if (!is_own_rotor(run.stated)) continue;
     for (const std::string& quantity : left_to_the_paper(run.stated))
       if (!contains(of_paper, quantity)) of_paper.push_back(quantity);
   }
-  say_what_is_assumed(leaves_equations_open, of_paper);
+  say_what_is_assumed(of_paper);
 }
 
 void say_what_is_assumed(const Sweep& sweep) {
-  const ScenarioSpec first = SweepPoints(sweep)(0).spec;
-  say_what_is_assumed(!first.states_equations(), is_own_rotor(sweep.base)
-                                                     ? left_to_the_paper(first)
-                                                     : std::vector<std::string>());
+  if (is_own_rotor(sweep.base)) say_what_is_assumed(left_to_the_paper(SweepPoints(sweep)(0).spec));
 }
 
 }  // namespace rotor

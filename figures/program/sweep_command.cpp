@@ -26,23 +26,26 @@ using Rows = std::map<long, std::string>;
 
 int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
-/// The rows of finished results. Throws InputError if another sweep or version has written them.
-Rows rows_of(const Sweep& sweep, const std::string& results) {
-  const std::string wanted = sweep_head(sweep);
-  std::ifstream file(results, std::ios::binary);
-  std::string head(wanted.size(), '\0'), row;
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  if (head != wanted)
-    throw InputError(
-        "{}: {}", shown(results),
-        difference(head, wanted, "without --retry all points are computed and it is replaced"));
-  const SweepRows points(sweep);
-  Rows rows;
-  for (long n = 0; n < sweep.points() && std::getline(file, row); ++n)
-    if (points.is_row_of(n, row)) rows.emplace(n, row + '\n');
-  return rows;
-}
+/// Finished results: their rows, or how their head differs from that of this sweep.
+struct Finished {
+  Rows rows{};
+  std::string difference{};
+
+  Finished(const Sweep& sweep, const std::string& results) {
+    const std::string wanted = sweep_head(sweep);
+    std::ifstream file(results, std::ios::binary);
+    std::string head(wanted.size(), '\0'), row;
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    if (head != wanted) {
+      difference = rotor::difference(head, wanted, "without --retry all points are computed");
+      return;
+    }
+    const SweepRows points(sweep);
+    for (long n = 0; n < sweep.points() && std::getline(file, row); ++n)
+      if (points.is_row_of(n, row)) rows.emplace(n, row + '\n');
+  }
+};
 
 /// What rows have as their outcome, and how many refusals and exceeded limits there are.
 class Tally {
@@ -78,7 +81,6 @@ class Tally {
       print_message(fmt::format("rotor: {} points: {}", points_, fmt::join(counts, ", ")));
   }
 
-  long refused() const { return refused_; }
   bool has_results() const { return refused_ < points_; }
 
  private:
@@ -157,22 +159,35 @@ void run_sweep(const SweepOptions& stated) {
     sweep.budget_s = options.budget_s;
   }
   require_file(options);
+  const std::string name = one_line(options.out);
   Rows known;
-  if (options.retry) {
-    if (!fs::exists(options.out))
-      throw InputError("--retry: {}: there are no results yet", shown(options.out));
-    known = rows_of(sweep, options.out);
-    std::erase_if(known, [](const auto& row) { return !row.second.ends_with(",\n"); });
-    print_message(
-        fmt::format("rotor: {} rows of {} are kept", known.size(), one_line(options.out)));
+  if (options.retry && !fs::exists(options.out))
+    throw InputError("--retry: {}: there are no results yet", name);
+  if (fs::exists(options.out) && !options.force) {
+    Finished finished(sweep, options.out);
+    if (options.retry && !finished.difference.empty())
+      throw InputError("--retry: {}: {}", name, finished.difference);
+    const auto refused =
+        std::erase_if(finished.rows, [](const auto& row) { return !row.second.ends_with(",\n"); });
+    if (options.retry) {
+      print_message(fmt::format("rotor: {} rows of {} are kept", finished.rows.size(), name));
+      known = std::move(finished.rows);
+    } else if (static_cast<long>(finished.rows.size() + refused) == sweep.points() &&
+               !fs::exists(options.out + ".journal")) {
+      print_message(fmt::format(
+          "rotor: {} has all points of this sweep, {} of them refused; --retry computes "
+          "those again, and --force all",
+          name, refused));
+      return;
+    }
   }
   const Tally tally = compute(sweep, options.out, options.jobs > 0 ? options.jobs : cores(), known);
   tally.print();
   say_what_is_assumed(sweep);
-  fmt::print("{}\n", one_line(options.out));
+  fmt::print("{}\n", name);
   if (!tally.has_results())
     throw std::runtime_error(
-        fmt::format("{}: no point has a result; column refusal says why", one_line(options.out)));
+        fmt::format("{}: no point has a result; column refusal says why", name));
 }
 
 }  // namespace rotor

@@ -23,6 +23,7 @@ struct Prediction {
 double speed_at_loss(const Scenario& scenario) {
   if (scenario.mass_loss_speed_Hz) return two_pi * *scenario.mass_loss_speed_Hz;
   const Parameters& p = scenario.parameters;
+  if (p.drive == Drive::constant_speed) return two_pi * scenario.start_speed_Hz;
   const double start = two_pi * scenario.start_speed_Hz;
   const double off = two_pi * p.motor_off_Hz;
   return std::max(start, std::min(off, start + p.torque / p.inertia * p.mass_loss_time));
@@ -41,16 +42,16 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
   const Body<double> body = MassLoss<double>(p).after;
   const Ring<double> ring(p);
   std::vector<std::string> doubts;
-  const auto note = [&](std::string_view quantity, double value, const char* relation,
-                        double limit) {
-    doubts.push_back(fmt::format("{} is {:.3g}, not {} {:.3g}", quantity, value, relation, limit));
-  };
   const auto above = [&](std::string_view quantity, double value, double limit) {
-    if (!(value > limit)) note(quantity, value, "above", limit);
+    if (!(value > limit))
+      doubts.push_back(fmt::format("{} is {:.3g}, at most {:.3g}", quantity, value, limit));
   };
   const auto below = [&](std::string_view quantity, double value, double limit) {
-    if (!(value < limit)) note(quantity, value, "below", limit);
+    if (!(value < limit))
+      doubts.push_back(fmt::format("{} is {:.3g}, at least {:.3g}", quantity, value, limit));
   };
+  if (p.drive == Drive::constant_speed) doubts.emplace_back("a drive holds the speed");
+  if (scenario.start) doubts.emplace_back("the rotor does not start in steady response");
   const double critical = critical_speed(p);
   above("the ratio of the speed at the loss to the critical speed", speed / critical, 1.5);
   if (two_pi * scenario.start_speed_Hz < critical && critical < speed)
@@ -60,15 +61,15 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
     below("the share of its speed that the motor adds in a natural period",
           p.torque / (body.inertia * speed) * two_pi / critical, 0.06);
   if (!law.contact_s) return doubts;
-  const auto [limit, of_what] = std::max(
-      {std::pair(law.forward_friction, "up to which forward rub can last"),
-       std::pair(*law.whirl_friction, "up to which rebounds lead to no backward whirl"),
-       std::pair(*law.first_friction, "up to which one impact leads to no backward whirl")});
+  const auto [limit, consequence] =
+      std::max({std::pair(law.lasting_friction(), "forward rub may last instead"),
+                std::pair(*law.whirl_friction, "rebounds may lead to no backward whirl"),
+                std::pair(*law.first_friction, "one impact may lead to no backward whirl")});
   if (std::isinf(limit))
     doubts.emplace_back("forward rub can last at any friction");
   else if (!(ring.friction > limit))
     doubts.push_back(
-        fmt::format("friction is {:.3g}, not above {:.3g}, {}", ring.friction, limit, of_what));
+        fmt::format("friction {:.3g} is below {:.3g}, so {}", ring.friction, limit, consequence));
   below("friction", ring.friction, 1);
   above("the ratio of friction to that of dry whip", ring.friction / Whirl(p).whip_friction(), 30);
   below("the ring's damping ratio", ring_damping_ratio(p), 0.5);
@@ -85,7 +86,7 @@ Prediction prediction_of(const Scenario& scenario) {
   const Accident law(scenario.parameters, scenario.equations, speed);
   const double friction = scenario.parameters.friction;
   return {speed, law,
-          law.rolling_speed && friction > *law.whirl_friction && friction > law.forward_friction,
+          law.rolling_speed && friction > *law.whirl_friction && friction > law.lasting_friction(),
           doubts_about(scenario, speed, law)};
 }
 
@@ -97,7 +98,7 @@ struct Law {
 const std::vector<Law>& all_laws() {
   using P = Prediction;
   static const std::vector<Law> all = {
-      {"law_outcome", "no_contact, rolling (above both frictions below), or undecided",
+      {"law_outcome", "no_contact, rolling (above the frictions below), or undecided",
        [](const P& p) {
          return Json(name_of(!p.law.contact_s ? Outcome::no_contact
                              : p.rolls        ? Outcome::rolling
@@ -117,8 +118,13 @@ const std::vector<Law>& all_laws() {
        [](const P& p) { return json_of(p.law.impact_force); }},
       {"law_whirl_friction", "friction above which rebounds lead to backward whirl; (2)",
        [](const P& p) { return json_of(p.law.whirl_friction); }},
-      {"law_forward_friction", "friction up to which forward rub can last; null: up to any",
+      {"law_forward_friction", "friction up to which there is forward rub; null: up to any",
        [](const P& p) { return json_of(p.law.forward_friction); }},
+      {"law_stable_forward_friction",
+       "friction up to which forward rub at constant speed returns after a small disturbance; "
+       "null: "
+       "wherever there is forward rub",
+       [](const P& p) { return json_of(p.law.stable_forward_friction); }},
       {"law_rolling_speed_Hz", "rotation speed at the onset of rolling, if the rotor rolls; (3)",
        [](const P& p) { return json_of(p.law.rolling_speed, two_pi); }},
       {"law_whirl_frequency_Hz",
@@ -163,14 +169,16 @@ std::vector<Remark> remarks_on_laws(const Scenario& scenario) {
   const Prediction predicted = prediction_of(scenario);
   std::vector<Remark> all = remarks_on_rotor(scenario, predicted.speed / two_pi);
   if (!predicted.doubts.empty())
-    all.push_back({fmt::format("outside the tested region of the closed forms: {}",
-                               fmt::join(predicted.doubts, "; "))});
+    all.push_back(
+        {fmt::format("these numbers may be far off: the rotor is outside the tested region, "
+                     "since {}",
+                     fmt::join(predicted.doubts, "; "))});
   return all;
 }
 
 std::string meanings_of_laws() {
   std::string lines;
-  for (const Law& law : all_laws()) lines += fmt::format("  {:<25} {}\n", law.key, law.meaning);
+  for (const Law& law : all_laws()) lines += fmt::format("  {:<27}  {}\n", law.key, law.meaning);
   return lines;
 }
 

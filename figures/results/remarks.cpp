@@ -15,7 +15,8 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
   // The paper's shortest run-up ends at a thirteenth; a slip in a unit is a factor of a thousand.
   constexpr double near = 0.05;
   const double reached = scenario.start_speed_Hz + p.torque / p.inertia * scenario.until / two_pi;
-  if (p.torque > 0 && reached < near * p.motor_off_Hz)
+  const bool is_driven = p.drive == Drive::motor;
+  if (is_driven && p.torque > 0 && reached < near * p.motor_off_Hz)
     all.push_back(
         {fmt::format("by the end of the run, {:.6g} s, the motor reaches about {:.2g} "
                      "Hz, less than {} of motor_off_hz = {} Hz",
@@ -31,7 +32,7 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
   // between them and a slip in a unit, by a factor of a thousand.
   constexpr double least = 0.016, greatest = 30;
   const double ratio = p.inertia / (p.mass * p.rotor_radius * p.rotor_radius);
-  if (ratio < least || ratio > greatest)
+  if (is_driven && (ratio < least || ratio > greatest))
     all.push_back(
         {fmt::format("inertia = {} kg m^2 is {:.2g} times mass times rotor_radius "
                      "squared; a disk has 0.5, a ring 1",

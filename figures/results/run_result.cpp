@@ -15,7 +15,7 @@
 namespace rotor {
 namespace {
 
-constexpr int schema = 4;
+constexpr int schema = 5;
 
 using rotor::json_of;  // of numbers
 Json json_of(Outcome outcome) { return name_of(outcome); }
@@ -46,6 +46,10 @@ Json inputs_of(const RunResult& result) {
   Json inputs;
   for (const Quantity& quantity : quantities())
     inputs[std::string(quantity.name)] = quantity.of(result.scenario);
+  for (const InputQuantity& input : input_quantities())
+    if (input.of_start)
+      inputs[std::string(input.quantity.name)] =
+          result.scenario.start ? Json(*result.scenario.start.*input.of_start) : Json();
   inputs["no_mass_loss"] = !result.scenario.parameters.loses_mass;
   return inputs;
 }
@@ -90,6 +94,8 @@ const std::vector<Metadata>& metadata() {
        [](const A& a) { return Json(name_of(a.scenario.equations.gravity_moment)); }},
       {"method", "How the run was computed", one_of(all_names<Method>()),
        [](const A& a) { return Json(name_of(a.scenario.method)); }},
+      {"drive", "What turns the rotor", one_of(all_names<Drive>()),
+       [](const A& a) { return Json(name_of(a.scenario.parameters.drive)); }},
       {"tolerance", "Error allowed in a step by method event; null for rk4", number_or_null(),
        [](const A& a) {
          return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
@@ -99,7 +105,7 @@ const std::vector<Metadata>& metadata() {
       {"version", "Version of rotor, and its commit", type("string"),
        [](const A&) { return Json(version()); }},
       {"schema",
-       "Version of this schema; 3 had values of stopped runs that the rest could change, 2 had the "
+       "Version of this schema; 4 had cut_short_at_s and no drive, 3 had values of stopped runs that the rest could change, 2 had the "
        "keys of separation and collisions, 1 no outcome or inputs",
        {{"const", schema}},
        [](const A&) { return Json(schema); }}};
@@ -219,6 +225,7 @@ Json to_json(const EnergyObserver& energy) {
   const auto of = [](const EnergyBalance& b) -> Json {
     return {{"initial", b.initial},
             {"motor", b.motor},
+            {"drive", b.drive},
             {"gravity", b.gravity},
             {"support_damping", b.support_damping},
             {"contact_damping", b.contact_damping},
@@ -274,7 +281,7 @@ std::vector<Remark> remarks(const RunResult& result) {
                      "state a later until",
                      summary.final_time_s)});
   if (const double start = result.scenario.start_speed_Hz;
-      start > 0 && start < p.motor_off_Hz && p.torque > 0)
+      p.drive == Drive::motor && start > 0 && start < p.motor_off_Hz && p.torque > 0)
     all.push_back(
         {fmt::format("the motor still drives at start_speed_hz = {} Hz, up to motor_off_hz = {} "
                      "Hz; torque = 0 turns it off",

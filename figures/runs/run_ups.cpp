@@ -26,6 +26,11 @@ RunUpCheckpoint branched(const Scenario& scenario, const RunUpCheckpoint& run_so
   return checkpoint;
 }
 
+/// Such a run depends on the ring from its start on.
+bool starts_in_contact(const Scenario& scenario) {
+  return scenario.start && start_of(scenario).contact != ContactState::free;
+}
+
 /// Watches a run-up whose motor is switched off at the speed that is looked for. Stops it there, at
 /// a contact, or when the monitor does.
 class SpeedWatch : public Observer {
@@ -58,6 +63,7 @@ SpeedReached search(const Simulation& from, Scenario run_up, double speed_Hz,
   Parameters& p = run_up.parameters;
   const double start_Hz = in_Hz(from.instant().state[5]);
   constexpr double speed_rounding = 1e-12;
+  if (from.instant().touches()) return {std::nullopt, 0, start_Hz, true};
   if (start_Hz >= (1 - speed_rounding) * speed_Hz)
     return {from.instant().time_s, 0, start_Hz, false};
   if (p.torque == 0 || !from.instant().motor_on) return {std::nullopt, 0, start_Hz, false};
@@ -115,7 +121,8 @@ RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& mo
                                           double latest_s) {
   const double speed_s = SummaryObserver(scenario).time_of_speed_s(),
                until_s = std::min(latest_s, scenario.run_up_end());
-  if (!scenario.loses_mass() || !(std::min(until_s, speed_s) > 0)) return RunUpCheckpoint(scenario);
+  if (!scenario.loses_mass() || !(std::min(until_s, speed_s) > 0) || starts_in_contact(scenario))
+    return RunUpCheckpoint(scenario);
   Family& shared = family(scenario);
   if (until_s <= speed_s) return branched(scenario, follow(shared.checkpoints, until_s, monitor));
   if (shared.later.empty() || shared.later.front().summary.time_of_speed_s() != speed_s) {

@@ -166,12 +166,6 @@ Scene read_scene(const std::filesystem::path& file, const Overrides& overrides) 
   return read_scene(file, overrides, none);
 }
 
-bool SceneRun::leaves_equations_open() const {
-  Parameters parameters = scenario.parameters;
-  parameters.loses_mass = true;
-  return !(stated.states_equations() || parameters == Parameters{});
-}
-
 Window window_about_loss(const std::vector<SceneRun>& runs) {
   constexpr double part_before = 0.05;  // of the time after the mass loss
   double from_s = std::numeric_limits<double>::infinity();

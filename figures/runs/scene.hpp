@@ -19,9 +19,6 @@ struct SceneRun {
   Scenario scenario;
   ScenarioSpec stated{};    ///< by the scene and by options
   bool states_end = false;  ///< whether the scene states `until`
-
-  /// Whether no equations are stated for a rotor other than the paper's.
-  bool leaves_equations_open() const;
 };
 
 struct Scene {

@@ -60,6 +60,8 @@ Scenario disturbed(Scenario scenario) {
   for (const Quantity& quantity : quantities())
     if (quantity.name != "contact_exponent")  // in which 1 is no number like others
       disturb(quantity.in(scenario));
+  if (auto& start = scenario.start)
+    for (double* of : {&start->x, &start->y, &start->velocity_x, &start->velocity_y}) disturb(*of);
   for (auto* of : {&scenario.parameters.clearance, &scenario.parameters.lost_mass,
                    &scenario.mass_loss_speed_Hz})
     if (*of) disturb(**of);

@@ -137,53 +137,35 @@ struct Ring {
     return {forces.normal * k.normal + friction_force,
             forces.friction * (k.displacement + rotor_radius)};  // Eq. (25)
   }
+
+  /// Arm of the friction force about C, m.
+  S friction_arm(const Motion<S>& motion, const RimPoint<S>& k) const {
+    return rotor_radius - motion.eccentricity.dot(k.normal);
+  }
 };
 
-/// The acceleration per newton of friction, in which it is linear.
+/// 1/m_tau: how much the slip acceleration changes per newton of friction with that arm, 1/kg.
 template <class S>
-inline Acceleration<S> friction_mobility(const std::type_identity_t<Mobility<S>>& body,
-                                         const Motion<S>& motion, const RimPoint<S>& k,
-                                         const S& radius) {
-  const S arm = radius - motion.eccentricity.dot(k.normal);  // of the friction force about C
-  return {body.per_mass * k.tangent, body.per_inertia * arm};
+S slip_mobility(const Mobility<S>& body, const S& friction_arm) {
+  return body.per_mass + body.per_inertia * friction_arm * friction_arm;
 }
 
-/// Rate of v_Ktau, m/s^2. The tangent turns with the whirl of O.
+/// F_tau in rolling: the friction that keeps v_Ktau constant, given the loads of the supports and
+/// F_n. Without friction, O accelerates as C and the rotation say, and the tangent turns with the
+/// whirl of O.
 template <class S>
-inline S slip_acceleration(const Motion<S>& motion, const RimPoint<S>& k, const Acceleration<S>& a,
-                           const S& radius) {
-  const S whirl = k.tangent.dot(motion.velocity) / k.displacement;
-  return k.tangent.dot(acceleration_of_centre(a, motion)) - whirl * k.normal_velocity +
-         radius * a.angular;
-}
-
-/// 1/m_tau: how much the slip acceleration changes per newton of friction, 1/kg.
-template <class S>
-inline S slip_mobility(const Motion<S>& motion, const RimPoint<S>& k,
-                       const Acceleration<S>& mobility, const S& radius) {
-  return k.tangent.dot(mobility.mass_centre) +
-         (radius - motion.eccentricity.dot(k.normal)) * mobility.angular;
-}
-
-/// F_tau in rolling: the friction that keeps v_Ktau constant. `a` is the acceleration without it.
-template <class S>
-inline S friction_without_slip(const Motion<S>& motion, const RimPoint<S>& k,
-                               const Acceleration<S>& a, const Acceleration<S>& mobility,
-                               const S& radius) {
-  const S slip_inertia = 1 / slip_mobility(motion, k, mobility, radius);  // m_tau
-  return -slip_inertia * slip_acceleration(motion, k, a, radius);
-}
-
-/// The same from the loads of the supports and F_n.
-template <class S>
-inline S friction_without_slip(const Body<S>& body, const Ring<S>& ring, const Motion<S>& motion,
-                               const RimPoint<S>& k, const Loads<S>& supports,
-                               const S& normal_force) {
+S friction_without_slip(const std::type_identity_t<Mobility<S>>& body, const Ring<S>& ring,
+                        const Motion<S>& motion, const RimPoint<S>& k, const Loads<S>& supports,
+                        const S& normal_force) {
   Loads<S> loads = supports;
   loads += ring.loads(k, {normal_force, S(0)});
-  return friction_without_slip(motion, k, acceleration(body, motion, loads),
-                               friction_mobility(body, motion, k, ring.rotor_radius),
-                               ring.rotor_radius);
+  const Acceleration<S> a = acceleration(body, motion, loads);
+  const S arm = ring.friction_arm(motion, k);
+  const S whirl = k.tangent.dot(motion.velocity) / k.displacement;
+  const S slip_acceleration = k.tangent.dot(a.mass_centre) + arm * a.angular +
+                              motion.speed * motion.speed * k.tangent.dot(motion.eccentricity) -
+                              whirl * k.normal_velocity;
+  return -slip_acceleration / slip_mobility(body, arm);
 }
 
 }  // namespace rotor

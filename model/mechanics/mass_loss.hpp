@@ -17,7 +17,10 @@ struct MassLoss {
   explicit MassLoss(const Parameters& p)
       : before(Body<S>::of(p)), time_s(as_typed<S>(p.mass_loss_time)) {
     const S r = as_typed<S>(p.rotor_radius), m = before.mass, e = before.eccentricity;
-    const S e_1 = unbalance_factor(p) * e;
+    // A balanced rotor gets its eccentricity from the piece alone.
+    const S e_1 = e > 0 || !p.lost_mass
+                      ? S(unbalance_factor(p) * e)
+                      : S(as_typed<S>(*p.lost_mass) * r / (m - as_typed<S>(*p.lost_mass)));
     piece_distance = r + e;
     lost_mass = m * (e_1 - e) / (r + e_1);  // Eq. (5)
     after.mass = m - lost_mass;

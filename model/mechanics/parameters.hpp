@@ -48,24 +48,29 @@ struct Equations {
 inline constexpr Equations Equations::published{VelocityJump::twice, GravityMoment::whole};
 inline constexpr Equations Equations::consistent{VelocityJump::once, GravityMoment::balanced};
 
+/// What turns the rotor: the paper's motor with its torque, or a drive that holds the speed,
+/// whatever torque that takes; the rotation then has no energy that could be exchanged.
+enum class Drive { motor, constant_speed };
+
 /// Parameters in SI units; the defaults are the paper's (Nomenclature).
 struct Parameters {
-  double mass = 5;                    // m
-  double inertia = 9e-3;              // I_C
-  double eccentricity = 0.15e-3;      // e_x
-  double support_stiffness = 20e3;    // k
-  double support_damping = 25;        // d
-  double gravity = 9.81;              // g
-  double torque = 0.3;                // M_mot
-  double motor_off_Hz = 150;          // f_max
-  double contact_stiffness = 8e8;     // k_t
-  double contact_damping = 1e4;       // d_t
-  double friction = 0.3;              // mu
-  double rotor_radius = 0.06;         // r
-  double stator_radius = 0.063;       // r_a
-  double unbalance_factor = 3;        // k_u
-  double mass_loss_time = 29.1;       // t_1
-  bool loses_mass = true;             // whether the mass m_u is lost at all
+  double mass = 5;                  // m
+  double inertia = 9e-3;            // I_C
+  double eccentricity = 0.15e-3;    // e_x
+  double support_stiffness = 20e3;  // k
+  double support_damping = 25;      // d
+  double gravity = 9.81;            // g
+  Drive drive = Drive::motor;       // at constant speed inertia, torque and motor_off_Hz do nothing
+  double torque = 0.3;              // M_mot
+  double motor_off_Hz = 150;        // f_max
+  double contact_stiffness = 8e8;   // k_t
+  double contact_damping = 1e4;     // d_t
+  double friction = 0.3;            // mu
+  double rotor_radius = 0.06;       // r
+  double stator_radius = 0.063;     // r_a
+  double unbalance_factor = 3;      // k_u
+  double mass_loss_time = 29.1;     // t_1
+  bool loses_mass = true;           // whether the mass m_u is lost at all
   std::optional<double> clearance{};  // r_a - r, if it is stated instead of r_a
   std::optional<double> lost_mass{};  // m_u, if it is stated instead of k_u
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "model/mechanics/parameters.hpp"
@@ -19,12 +20,16 @@ namespace rotor {
 template <class S>
 struct Body {
   S mass;          ///< kg
-  S inertia;       ///< about the mass centre C, kg m^2
+  S inertia;       ///< about the mass centre C, kg m^2; infinite while a drive holds the speed
   S eccentricity;  ///< distance of C from the geometrical centre O, m
 
   static Body of(const Parameters& p) {
-    return {as_typed<S>(p.mass), as_typed<S>(p.inertia), as_typed<S>(p.eccentricity)};
+    return {as_typed<S>(p.mass),
+            p.drive == Drive::constant_speed ? std::numeric_limits<S>::infinity()
+                                             : as_typed<S>(p.inertia),
+            as_typed<S>(p.eccentricity)};
   }
+  bool has_constant_speed() const { return inertia == std::numeric_limits<S>::infinity(); }
 };
 
 /// Position and velocity of the rotor, all vectors in one basis.
@@ -59,13 +64,6 @@ template <class S>
 struct Acceleration {
   Vector<S> mass_centre;  ///< of C relative to the stator, m/s^2
   S angular;              ///< q3'', rad/s^2
-
-  friend Acceleration operator+(const Acceleration& a, const Acceleration& b) {
-    return {a.mass_centre + b.mass_centre, a.angular + b.angular};
-  }
-  friend Acceleration operator*(const S& factor, const Acceleration& a) {
-    return {factor * a.mass_centre, factor * a.angular};
-  }
 };
 
 /// Of a mass on a spring, rad/s.
@@ -75,12 +73,12 @@ S natural_frequency(const S& stiffness, const std::type_identity_t<S>& mass) {
   return sqrt(stiffness / mass);
 }
 
-/// T, J.
+/// T, J; without that of the rotation if the speed is constant.
 template <class S>
 S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
-  return (body.mass * motion.mass_centre_velocity().squaredNorm() +
-          body.inertia * motion.speed * motion.speed) /
-         2;  // Eq. (2)
+  const S rotation =
+      body.has_constant_speed() ? S(0) : S(body.inertia * motion.speed * motion.speed);
+  return (body.mass * motion.mass_centre_velocity().squaredNorm() + rotation) / 2;  // Eq. (2)
 }
 
 /// Everything that acts on the rotor while it is clear of the ring: springs and dampers of the

@@ -72,7 +72,7 @@ class EventMethod {
   /// Takes all whole steps that end before `until_s`, so that the steps do not depend on when other
   /// runs branch off, and stops before the step that touches the ring.
   void run_up(const S& until_s, BasicObserver<S>& observer) {
-    advance(until_s, observer, Extent::clear_whole_steps);
+    if (at_.contact == ContactState::free) advance(until_s, observer, Extent::clear_whole_steps);
   }
 
   /// Continues from another instant, such as one after a jump.

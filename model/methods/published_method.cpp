@@ -137,9 +137,8 @@ ContactState PublishedMethod::contact_state(const State<double>& state, double s
   const auto k = rotor_.ring.rim_point(motion);
   const double normal = rotor_.ring.normal_force(k);
   if (normal == 0) return ContactState::indented;
-  const auto mobility = friction_mobility(at_.body, motion, k, rotor_.ring.rotor_radius);
   const double slip_change = rotor_.ring.friction * -normal * step *
-                             slip_mobility(motion, k, mobility, rotor_.ring.rotor_radius);
+                             slip_mobility<double>(at_.body, rotor_.ring.friction_arm(motion, k));
   return std::abs(k.slip_velocity) <= slip_change ? ContactState::rolling : ContactState::sliding;
 }
 

@@ -17,7 +17,7 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
                    Extreme::normal_force> {
   using Base = Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_force,
                      Extreme::normal_force>;
-  using Base::Base, Base::rotor, Base::chart, Base::guard, Base::next;
+  using Base::Base, Base::rotor, Base::chart, Base::mobility, Base::guard, Base::next;
   using typename Base::Unknowns, typename Base::Point;
   static constexpr bool contact_in_rates = true, bounds_vibration = true;
 
@@ -93,25 +93,24 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
         : at(phase.chart.kinematics(x)),
           k(phase.chart.rim_point(x)),
           normal_force(phase.force(k)),
-          without_friction(acceleration(phase.mobility, at.motion, phase.loads(*this))),
-          per_newton(
-              friction_mobility(phase.mobility, at.motion, k, phase.rotor.ring.rotor_radius)) {}
+          supports(phase.rotor.loads(at.motion)) {}
 
     typename Chart::Kinematics at;
     RimPoint<S> k;
     S normal_force;
-    Acceleration<S> without_friction;
-    Acceleration<S> per_newton;  ///< of friction
+    Loads<S> supports;
   };
 
   Unknowns rates(const Unknowns& x, const Pressed& p, const S& friction) const {
-    return chart.rates(x, p.at, p.without_friction + friction * p.per_newton);
+    Loads<S> loads = p.supports;
+    loads += rotor.ring.loads(p.k, {p.normal_force, friction});
+    return chart.rates(x, p.at, acceleration(mobility, p.at.motion, loads));
   }
 
   /// F_tau that keeps the slip constant.
   S holding_friction(const Pressed& p) const {
-    return friction_without_slip(p.at.motion, p.k, p.without_friction, p.per_newton,
-                                 rotor.ring.rotor_radius);
+    return friction_without_slip(mobility, rotor.ring, p.at.motion, p.k, p.supports,
+                                 p.normal_force);
   }
 
   /// Positive while friction can hold the rim: |F_tau| < mu |F_n|.
@@ -141,14 +140,6 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
     const S holding = holding_friction(p);
     if (grip(p, holding) >= 0) return {Event::rolling_onset, ContactState::rolling};
     return {Event::slip_reversal, ContactState::sliding, holding > 0 ? -1 : 1};
-  }
-
- private:
-  /// All loads but friction.
-  Loads<S> loads(const Pressed& p) const {
-    Loads<S> all = rotor.loads(p.at.motion);
-    all += rotor.ring.loads(p.k, {p.normal_force, S(0)});
-    return all;
   }
 };
 

@@ -6,16 +6,27 @@ namespace rotor {
 namespace {
 
 /// The powers of all that stores no energy, W, in the order of EnergyBalance.
-Eigen::Array<double, 5, 1> powers(const Supports<double>& supports, const Ring<double>& ring,
+Eigen::Array<double, 6, 1> powers(const Supports<double>& supports, const Ring<double>& ring,
                                   const Instant& at) {
   const Motion<double> m = at.motion();
   const RimPoint<double> k = ring.rim_point(m);
-  const double friction =
-      at.contact == ContactState::sliding
-          ? k.slip_velocity * ring.sliding_friction(ring.elastic_force(k), at.slip_sign)
-          : 0;
-  return {supports.motor_power(m, at.motor_on), supports.gravity_moment(at.body, m) * m.speed,
-          supports.damping_power(m), ring.damping_power(k, at.contact), friction};
+  Loads<double> loads = supports.loads(at.body, m, at.motor_on);
+  double friction = 0;
+  if (at.touches()) {
+    const double normal = ring.elastic_force(k);
+    friction = at.contact == ContactState::sliding
+                   ? ring.sliding_friction(normal, at.slip_sign)
+                   : friction_without_slip(at.body, ring, m, k, loads, normal);
+    loads += ring.loads(k, {normal, friction});
+  }
+  // A drive that holds the speed balances the moment of all loads about C.
+  const double moment = loads.moment - cross(m.mass_centre(), loads.force);
+  return {supports.motor_power(m, at.motor_on),
+          at.body.has_constant_speed() ? -moment * m.speed : 0,
+          supports.gravity_moment(at.body, m) * m.speed,
+          supports.damping_power(m),
+          ring.damping_power(k, at.contact),
+          at.contact == ContactState::sliding ? k.slip_velocity * friction : 0};
 }
 
 }  // namespace
@@ -24,7 +35,7 @@ void EnergyObserver::on_step(const DenseOutput& motion) {
   using Rule = boost::math::quadrature::gauss<double, 7>;  // exact for polynomials of degree 13
   const long parts = 1 + motion.arcs / 3;                  // of three radians
   const double part = (motion.until_s - motion.from_s) / static_cast<double>(parts);
-  Eigen::Array<double, 5, 1> work = Eigen::Array<double, 5, 1>::Zero();
+  Eigen::Array<double, 6, 1> work = Eigen::Array<double, 6, 1>::Zero();
   for (long n = 0; n < parts; ++n) {
     const double middle = motion.from_s + part * (static_cast<double>(n) + 0.5);
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
@@ -34,10 +45,11 @@ void EnergyObserver::on_step(const DenseOutput& motion) {
     }
   }
   balance_.motor += work[0];
-  balance_.gravity += work[1];
-  balance_.support_damping += work[2];
-  balance_.contact_damping += work[3];
-  balance_.friction += work[4];
+  balance_.drive += work[1];
+  balance_.gravity += work[2];
+  balance_.support_damping += work[3];
+  balance_.contact_damping += work[4];
+  balance_.friction += work[5];
 }
 
 void EnergyObserver::on_instant(const Instant& at) {

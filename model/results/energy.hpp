@@ -13,6 +13,7 @@ struct EnergyBalance {
   double initial = 0;  ///< of the rotor, its supports and the ring
   // Work of:
   double motor = 0;
+  double drive = 0;  ///< that holds the speed
   double gravity = 0;
   double support_damping = 0;
   double contact_damping = 0;
@@ -24,7 +25,7 @@ struct EnergyBalance {
   double contact_spring = 0;
 
   double work() const {
-    return motor + gravity + support_damping + contact_damping + friction + mass_loss;
+    return motor + drive + gravity + support_damping + contact_damping + friction + mass_loss;
   }
   double content() const { return kinetic + support_springs + contact_spring; }
   /// The error of run and quadrature.

@@ -146,7 +146,8 @@ inline constexpr auto summary_fields = [] {
        &Of::speed_ratio_at_mass_loss},
       {"final_time_s", "End of the run, or where it stopped", &Of::final_time_s, exact},
       {"final_speed_Hz", "Rotation speed at the end", &Of::final_speed_Hz, own, nullptr, end},
-      {"final_kinetic_energy_J", "Kinetic energy T of the rotor at the end",
+      {"final_kinetic_energy_J",
+       "Kinetic energy T of the rotor at the end; without that of the rotation at constant speed",
        &Of::final_kinetic_energy_J, own, nullptr, end},
       {"final_q1_m", "Coordinate of O along x of the rotating axes at the end", &Of::final_q1_m,
        length, rho, end},
@@ -157,7 +158,8 @@ inline constexpr auto summary_fields = [] {
       {"damping_ratio", "Damping ratio d / (2 sqrt(k m)) before the mass loss; null if k = 0",
        &Of::damping_ratio},
       {"lost_mass_kg", "Lost mass m_u, Eq. (5); null without mass loss", &Of::lost_mass_kg},
-      {"inertia_after_loss_kg_m2", "Moment of inertia I_C1; null without mass loss",
+      {"inertia_after_loss_kg_m2",
+       "Moment of inertia I_C1; null without mass loss, or at constant speed",
        &Of::inertia_after_loss_kg_m2},
       {"mass_loss_reached", "Whether mass has been lost", &Of::mass_loss_reached, own, nullptr,
        loss},
@@ -280,7 +282,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
     if (!p.loses_mass) return;
     const MassLoss<S> loss(p);
     summary_.lost_mass_kg = loss.lost_mass;
-    summary_.inertia_after_loss_kg_m2 = loss.after.inertia;
+    if (!loss.after.has_constant_speed()) summary_.inertia_after_loss_kg_m2 = loss.after.inertia;
   }
 
   void note_extremes(const BasicInstant<S>& at, const Motion<S>& motion) {

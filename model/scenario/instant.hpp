@@ -48,17 +48,29 @@ BasicInstant<S> at_rest(const Parameters& p) {
   return {.body = Body<S>::of(p)};
 }
 
-/// At rest, or in the steady response to the unbalance at the scenario's start speed. Throws
-/// std::invalid_argument if the rotor would touch the ring in it.
+/// At rest, in the steady response to the unbalance at the scenario's start speed, or as the
+/// scenario states it, perhaps in contact. Throws std::invalid_argument if the rotor would touch
+/// the ring in the steady response.
 template <class S = double>
 BasicInstant<S> start_of(const Scenario& scenario) {
   BasicInstant<S> start = at_rest<S>(scenario.parameters);
-  if (scenario.start_speed_Hz == 0) return start;
+  const Parameters& p = scenario.parameters;
   const S speed = RotorSystem<S>::radians_per_turn() * as_typed<S>(scenario.start_speed_Hz);
-  const Supports<S> supports(scenario.parameters, scenario.equations);
+  if (scenario.start_speed_Hz == 0 && !scenario.start) return start;
+  start.motor_on = p.drive == Drive::motor && scenario.start_speed_Hz < p.motor_off_Hz;
+  if (const auto& stated = scenario.start) {
+    const Vector<S> at(as_typed<S>(stated->x), as_typed<S>(stated->y));
+    const Vector<S> rate =
+        Vector<S>(as_typed<S>(stated->velocity_x), as_typed<S>(stated->velocity_y)) -
+        speed * quarter_turn(at);
+    start.state = {at.x(), at.y(), S(0), rate.x(), rate.y(), speed};
+    if (at.norm() > Ring<S>(p).clearance) start.contact = ContactState::sliding;
+    return start;
+  }
+  const Supports<S> supports(p, scenario.equations);
   const Vector<S> centre =
       supports.unbalance_response(start.body, speed) - Vector<S>(start.body.eccentricity, S(0));
-  const S clearance = Ring<S>(scenario.parameters).clearance;
+  const S clearance = Ring<S>(p).clearance;
   if (!(centre.norm() < clearance))
     throw std::invalid_argument(fmt::format(
         "start_speed_hz = {:.9g} Hz: the rotor would touch the ring in the steady response at that "
@@ -66,7 +78,6 @@ BasicInstant<S> start_of(const Scenario& scenario) {
         scenario.start_speed_Hz, static_cast<double>(centre.norm()),
         static_cast<double>(clearance)));
   start.state = {centre.x(), centre.y(), S(0), S(0), S(0), speed};
-  start.motor_on = scenario.start_speed_Hz < scenario.parameters.motor_off_Hz;
   return start;
 }
 

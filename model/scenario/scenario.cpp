@@ -109,6 +109,8 @@ bool Quantity::allows(double value) const {
 }
 
 std::string Quantity::range() const {
+  if (std::isinf(least))
+    return fmt::format("a finite number{}{}", unit.empty() ? "" : " of ", unit);
   return fmt::format("a finite number {} {}{}{}{}", least_allowed ? "not below" : "greater than",
                      least,
                      std::isfinite(greatest) ? fmt::format(" and not above {}", greatest) : "",
@@ -147,6 +149,11 @@ void check_numbers(const Scenario& scenario) {
             "step_run_up = {} s: must not be longer than the run, {} s", scenario.step_run_up,
             scenario.until);
   }
+  require(p.drive == Drive::motor || scenario.start_speed_Hz > 0,
+          "drive = constant_speed: needs start_speed_hz greater than {} Hz", 0);
+  if (scenario.start)
+    require(std::hypot(scenario.start->x, scenario.start->y) < p.stator_radius,
+            "start_x, start_y: must be less than stator_radius = {} m away", p.stator_radius);
   const MassLoss<double> loss(p);
   require(
       !scenario.loses_mass() || loss.after.inertia > 0,

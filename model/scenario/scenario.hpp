@@ -15,12 +15,20 @@ namespace rotor {
 /// control. `rk4`: as in the paper, classical Runge-Kutta with fixed steps.
 enum class Method { event, rk4 };
 
+/// Where O is at the start, m, and its velocity, m/s, in the stator's axes: x is down.
+struct Start {
+  double x = 0, y = 0, velocity_x = 0, velocity_y = 0;
+
+  bool operator==(const Start&) const = default;
+};
+
 struct Scenario {
   Parameters parameters{};
   Equations equations = Equations::published;
   Method method = Method::event;
-  double start_speed_Hz = 0;  // at which the run starts, in steady response; 0: at rest
-  double until = 29.35;       // end of the run, s
+  double start_speed_Hz = 0;     // at which the run starts, in steady response; 0: at rest
+  std::optional<Start> start{};  // if stated instead of the steady response
+  double until = 29.35;          // end of the run, s
   double tolerance = 1e-11;   // of event: error allowed in a step, relative to the phase's scale()
   double step_run_up = 1e-4;  // of rk4: step until the mass loss or the first contact, s
   double step_rub = 5e-6;     // of rk4: step after that, s

@@ -54,7 +54,8 @@ struct Accident {
   std::optional<double> impact_force;     ///< of that contact, N
   std::optional<double> whirl_friction;   ///< above which rebounds lead to backward whirl; (2)
   std::optional<double> first_friction;   ///< above which one elastic impact does
-  double forward_friction;                ///< up to which forward rub can last
+  double forward_friction;                ///< up to which there is forward rub
+  double stable_forward_friction;         ///< up to which it returns after a small disturbance
   std::optional<double> rolling_speed;    ///< of the rotor when rolling begins; (3)
   std::optional<double> whirl_rate;       ///< of O when rolling begins
   std::optional<double> rolling_force;    ///< largest normal force in rolling, N; (4)
@@ -62,7 +63,8 @@ struct Accident {
 
   /// Of a rotor that loses the piece in steady response at a speed. Throws as MassLossResponse.
   Accident(const Parameters& p, Equations equations, double speed)
-      : forward_friction(Whirl(p).synchronous_friction(speed)) {
+      : forward_friction(Whirl(p).synchronous_friction(speed)),
+        stable_forward_friction(Whirl(p).stable_synchronous_friction(speed)) {
     const Body<double> body = MassLoss<double>(p).after;
     const MassLossResponse response(p, equations, speed);
     const Whirl whirl(p);
@@ -99,10 +101,10 @@ struct Accident {
     const auto momentum = [&](double w) {
       const double rate = whirl.rolling_rate(w), x = softness(rate);
       const double drag = d * c / ring.friction * std::log(std::max(1., rate / least_rate));
-      return w / r * body.inertia * (1 + kappa * (2 - (1 - x * x) * std::atanh(x) / x)) + drag;
+      return w * (1 + kappa * (2 - (1 - x * x) * std::atanh(x) / x)) + drag * r / body.inertia;
     };
-    const double given = body.inertia * speed / r - m * v_C.imag();
-    double low = 0, high = given * r / body.inertia;
+    const double given = speed - m * v_C.imag() * r / body.inertia;  // over I/r
+    double low = 0, high = given;
     for (int halving = 0; halving < 60; ++halving) {
       const double middle = (low + high) / 2;
       (momentum(middle) < given ? low : high) = middle;  // (3)
@@ -118,6 +120,9 @@ struct Accident {
                                        swing_after_blow(d_t / (2 * m * radial_rate));  // (4)
     unbalance_share = kappa * e_1 / (ring.friction * r);
   }
+
+  /// Up to which forward rub can last.
+  double lasting_friction() const { return std::min(forward_friction, stable_forward_friction); }
 
   /// The larger of impact and rolling force.
   std::optional<double> peak_force() const {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "model/mechanics/contact.hpp"
 #include "model/mechanics/mass_loss.hpp"
@@ -18,7 +19,8 @@ class Whirl {
         stiffness_(p.support_stiffness),
         damping_(p.support_damping),
         ring_(p),
-        contact_stiffness_(ring_.law.linear("the whirl along the ring").stiffness) {}
+        contact_stiffness_(ring_.law.linear("the whirl along the ring").stiffness),
+        contact_damping_(ring_.law.linear("the whirl along the ring").damping) {}
 
   /// Backward sliding whirl in contact grows above this rate and dies below it, rad/s.
   double separatrix_rate(double friction) const {
@@ -51,10 +53,10 @@ class Whirl {
     if (!(pressure > 0)) return std::numeric_limits<double>::infinity();
     const double r = ring_.rotor_radius, s = shrinking(rate);
     const double rim = body_.mass * r * r * (1 + 2 * s) / (1 + s);
-    return body_.inertia / (body_.inertia + rim) * damping_ * rate / pressure;
+    return damping_ * rate / pressure / (1 + rim / body_.inertia);
   }
 
-  /// The friction up to which forward synchronous rub can last at a speed, with the indentation
+  /// The friction up to which forward synchronous rub exists at a speed, with the indentation
   /// neglected beside the clearance: 0 if the unbalance cannot overcome the damping and also press
   /// O against the ring, infinite if it overcomes any friction.
   double synchronous_friction(double speed) const {
@@ -79,13 +81,65 @@ class Whirl {
     return effective / (1 - slowing);
   }
 
+  /// rho of the circle of that rub at a constant speed, the larger one if there are two: the root
+  /// of |k - m w^2 + k_t x + i (d w + mu k_t x)| rho = m w^2 e with x = 1 - c/rho, m.
+  std::optional<double> synchronous_radius(double speed, double friction) const {
+    const double force = body_.mass * speed * speed * body_.eccentricity;
+    const double softness = stiffness_ - body_.mass * speed * speed, drag = damping_ * speed;
+    const double along = softness + contact_stiffness_,
+                 across = drag + friction * contact_stiffness_;
+    // A quadratic equation of the indentation, with the forces at none.
+    const double along_0 = softness * ring_.clearance, across_0 = drag * ring_.clearance;
+    const double a = along * along + across * across, b = along * along_0 + across * across_0,
+                 c = along_0 * along_0 + across_0 * across_0 - force * force;
+    const double indentation = (std::sqrt(b * b - a * c) - b) / a;  // NaN if there is no circle
+    return indentation >= 0 ? std::optional(ring_.clearance + indentation) : std::nullopt;
+  }
+
+  /// The least friction at which a small disturbance of that circle grows, by Routh and Hurwitz;
+  /// infinite if none does as long as there is a circle.
+  double stable_synchronous_friction(double speed) const {
+    constexpr double least = 1e-6, most = 10, ratio = 1.02;
+    double low = 0;
+    for (double high = least; high < most; low = high, high *= ratio) {
+      if (!synchronous_radius(speed, high)) break;
+      if (disturbances_decay(speed, high)) continue;
+      for (int halving = 0; halving < 60; ++halving) {
+        const double middle = (low + high) / 2;
+        (disturbances_decay(speed, middle) ? low : high) = middle;
+      }
+      return high;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
  private:
+  /// Of the circle at constant speed, in axes that turn with it: all roots of
+  ///   (m s^2 + (d + d_t) s + K_n) (m s^2 + d s + K_t)
+  ///     + (2 m w s + d w + mu k_t x) ((2 m w + mu d_t) s + d w + mu k_t)
+  /// with K_n = k + k_t - m w^2 and K_t = k + k_t x - m w^2 have negative real parts.
+  bool disturbances_decay(double speed, double friction) const {
+    const auto radius = synchronous_radius(speed, friction);
+    if (!radius) return false;
+    const double m = body_.mass, d = damping_, d_n = d + contact_damping_;
+    const double pressed = contact_stiffness_ * (1 - ring_.clearance / *radius);
+    const double K_n = stiffness_ + contact_stiffness_ - m * speed * speed,
+                 K_t = stiffness_ + pressed - m * speed * speed;
+    const double turn = 2 * m * speed, turn_n = turn + friction * contact_damping_;
+    const double cross_t = d * speed + friction * pressed,
+                 cross_n = d * speed + friction * contact_stiffness_;
+    const double a4 = m * m, a3 = m * (d + d_n), a2 = m * (K_n + K_t) + d * d_n + turn * turn_n,
+                 a1 = d_n * K_t + d * K_n + turn * cross_n + cross_t * turn_n,
+                 a0 = K_n * K_t + cross_t * cross_n;
+    return a3 > 0 && a2 > 0 && a1 > 0 && a0 > 0 && a3 * a2 * a1 > a4 * a1 * a1 + a3 * a3 * a0;
+  }
+
   double natural_rate() const { return natural_frequency(stiffness_, body_.mass); }
 
   Body<double> body_;
   double stiffness_, damping_;
   Ring<double> ring_;
-  double contact_stiffness_;
+  double contact_stiffness_, contact_damping_;
 };
 
 }  // namespace rotor

@@ -1,7 +1,6 @@
-/// Run time against error: each method, over its steps or tolerances, on scenes of the paper; and
-/// how many points of a sweep one core computes. `benchmark FOLDER SWEEP` prints tables and writes
-/// FOLDER/work-precision.csv. Only ratios of times are comparable between machines. The reference
-/// is a run in extended precision by another stepper.
+/// Run time against error: each method, over its steps or tolerances, on scenes of the paper.
+/// `benchmark FOLDER` prints tables and writes FOLDER/work-precision.csv. Only ratios of times are
+/// comparable between machines. The reference is a run in extended precision by another stepper.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,10 +8,8 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "figures/data/files.hpp"
-#include "figures/sweep/sweep_row.hpp"
 #include "model/integration/fehlberg.hpp"
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
@@ -39,12 +36,18 @@ BasicRunEnd<S> by_events(const Problem& problem, const S& tolerance, const Basic
                                  null_observer);
 }
 
-/// The run-up, the rubs at three frictions, flight without contact, a single impact, and rolling.
+/// The run-up, with the motor on to its end and switched off before, the rubs at three frictions,
+/// flight without contact, a single impact, and rolling. A method without events errs where the
+/// motor is switched off and where contacts begin and end; in the scenes without any of this its
+/// errors are those of truncation.
 std::vector<Problem> problems() {
   Scenario run_up{.until = 29.1};
   run_up.parameters.loses_mass = false;
   run_up.step_rub = run_up.step_run_up;
-  std::vector<Problem> all{{"run-up", run_up, at_rest<Extended>(run_up.parameters)}};
+  std::vector<Problem> all{
+      {"run-up with switch-off", run_up, at_rest<Extended>(run_up.parameters)}};
+  run_up.parameters.motor_off_Hz = 1000;
+  all.push_back({"run-up", run_up, all.front().start});
   const auto after_loss = [&](const char* name, const Scenario& scenario) {
     all.push_back({name, scenario, after_mass_loss_with<Extended>(scenario, 1e-15L)});
   };
@@ -118,7 +121,8 @@ struct Curve {
   std::string method;
   std::vector<Point> points;
 
-  /// The run time at which it reaches an error, interpolated logarithmically; NaN if it never does.
+  /// The run time at which it reaches an error, interpolated logarithmically; NaN if its settings
+  /// are all worse or all better.
   double time_at(double wanted) const {
     const Point* above = nullptr;
     for (const Point& point : points) {
@@ -129,7 +133,7 @@ struct Curve {
         const double part = std::log(above->error / wanted) / std::log(above->error / point.error);
         return above->time_s * std::pow(point.time_s / above->time_s, part);
       } else {
-        return point.time_s;  // even its coarsest setting is better
+        return none;
       }
     }
     return none;
@@ -152,10 +156,11 @@ std::vector<Curve> curves(const Problem& problem) {
     return by_events<double, Verner87<State<double>, double>>(problem, tolerance, start);
   });
   all.push_back({"published RK4", {}});
-  for (const int part : {1, 2, 4, 8, 16})
-    all.back().points.push_back({fmt::format("h/{}", part), [=, &problem] {
+  for (const auto& [step, length] :
+       {std::pair("16h", 16.), {"4h", 4.}, {"h", 1.}, {"h/4", 1. / 4}, {"h/16", 1. / 16}})
+    all.back().points.push_back({step, [=, &problem, factor = length] {
                                    Scenario scenario = problem.scenario;
-                                   scenario.step_rub /= part;
+                                   scenario.step_rub *= factor;
                                    Observer null_observer;
                                    PublishedMethod method(scenario, start);
                                    method.advance(scenario.until, null_observer);
@@ -203,45 +208,11 @@ void print_ratios(const std::vector<Curve>& all) {
       fmt::print(" {:>7}", std::isnan(ratio) ? "-" : fmt::format("{:.1f}", ratio));
     }
   }
-  fmt::print("\n- : the method does not reach that error with any of its settings.\n");
-}
-
-/// How many points of a sweep one core computes, by outcome, judged by some of them.
-void print_throughput(const std::filesystem::path& file) {
-  const Sweep sweep = read_sweep(file);
-  SweepRows rows(sweep);
-  rows(0);  // shares its preparations with the others
-  struct Measured {
-    long points = 0;
-    double time_s = 0;
-  };
-  std::map<std::string, Measured> measured;
-  Measured all;
-  const long every = sweep.points() / 2000 + 1;
-  for (long n = 0; n < sweep.points(); n += every) {
-    const double begin_s = processor_s();
-    std::istringstream row(rows(n));
-    const double its_s = processor_s() - begin_s;
-    std::string outcome;  // the first column of the results
-    for (std::size_t i = 0; i <= sweep.quantities().size(); ++i) std::getline(row, outcome, ',');
-    for (Measured* const of : {&measured[outcome], &all}) {
-      ++of->points;
-      of->time_s += its_s;
-    }
-  }
-  fmt::print("\n{}, one core\n{:<12} {:>7} {:>9} {:>9} {:>10}\n", sweep.title, "outcome", "points",
-             "ms each", "a second", "% of time");
-  const auto print = [&](const std::string& outcome, const Measured& of) {
-    const double each_s = of.time_s / static_cast<double>(of.points);
-    fmt::print("{:<12} {:>7} {:>9.3f} {:>9.0f} {:>10.0f}\n", outcome, of.points, 1e3 * each_s,
-               1 / each_s, 100 * of.time_s / all.time_s);
-  };
-  for (const auto& [outcome, of] : measured) print(outcome, of);
-  print("all", all);
+  fmt::print("\n- : the settings of this or of the event method are all worse, or all better.\n");
 }
 
 int main(const Arguments& arguments) {
-  if (arguments.size() != 2) throw std::runtime_error("needs: FOLDER SWEEP");
+  if (arguments.size() != 1) throw std::runtime_error("needs: FOLDER");
   const std::filesystem::path folder = arguments[0];
   std::filesystem::create_directories(folder);
   std::string csv =
@@ -275,7 +246,6 @@ int main(const Arguments& arguments) {
   FileTransaction files;
   files.write(folder / "work-precision.csv", csv);
   files.commit();
-  print_throughput(arguments[1]);
   return 0;
 }
 

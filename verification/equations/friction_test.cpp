@@ -68,8 +68,8 @@ class Inspector : public Observer {
     const auto k = ring_.rim_point(m);
     auto loads = supports_.loads(at.body, m, at.motor_on);
     loads += ring_.loads(k, {ring_.normal_force(k), 0});
-    return (turning - acceleration(at.body, m, loads).angular) /
-           friction_mobility(at.body, m, k, ring_.rotor_radius).angular;
+    return (turning - acceleration(at.body, m, loads).angular) * at.body.inertia /
+           ring_.friction_arm(m, k);
   }
 
   double coulomb(const Instant& at) const {

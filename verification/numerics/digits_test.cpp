@@ -6,12 +6,12 @@
 #include <cctype>
 #include <set>
 
-#include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
 #include "figures/results/estimated_result.hpp"
 #include "figures/runs/scene.hpp"
 #include "verification/support/digits_judge.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/read_csv.hpp"
 #include "verification/support/reference_tables.hpp"
 #include "verification/support/short_run.hpp"
 

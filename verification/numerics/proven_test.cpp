@@ -7,10 +7,10 @@
 #include <map>
 #include <regex>
 
-#include "figures/data/csv.hpp"
 #include "figures/results/json.hpp"
 #include "model/digits/digits.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

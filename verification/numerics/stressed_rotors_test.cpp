@@ -1,11 +1,11 @@
 /// Rotors from the stress test on which the integration once failed.
 #include <gtest/gtest.h>
 
-#include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/follow.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -4,11 +4,11 @@
 #include <functional>
 #include <map>
 
-#include "figures/data/csv.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -12,6 +12,7 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
 #include "verification/paper/readings.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -52,7 +53,7 @@ Verdict verdict_of(const Number& number, const Reading::InSet& in, const Judging
     note(verdict.off_b, off_b(allowed, in.a.spread));
     note(verdict.off_b, off_b(allowed, in.b.spread));
   }
-  verdict.says = from_best[verdict.off_a <= 1 ? 0 : verdict.off_b <= 1 ? 1 : 2];
+  verdict.verdict = from_best[verdict.off_a <= 1 ? 0 : verdict.off_b <= 1 ? 1 : 2];
   return verdict;
 }
 
@@ -69,7 +70,7 @@ bool counts(const Number& number, const std::vector<Number>& all, const Judging&
 }  // namespace
 
 Allowed Number::allowed(const Judging& judging) const {
-  Allowed its = rotor::allowed(printed, rule, judging.words, judging.zeros_count);
+  Allowed its = rotor::allowed(printed, rule, judging.word_width_factor, judging.zeros_count);
   its.half *= judging.limits;
   return its;
 }
@@ -77,8 +78,8 @@ Allowed Number::allowed(const Judging& judging) const {
 const std::vector<Judging>& other_rules() {
   using By = Judging::By;
   static const std::vector<Judging> rules = {
-      {.says = "half the widths of words", .words = 0.5},
-      {.says = "twice the widths of words", .words = 2},
+      {.says = "half the widths of words", .word_width_factor = 0.5},
+      {.says = "twice the widths of words", .word_width_factor = 2},
       {.says = "limits 5 % narrower", .limits = 0.95},
       {.says = "limits 5 % wider", .limits = 1.05},
       {.says = "every reading must hold", .by = By::every},
@@ -104,7 +105,7 @@ Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging
     case Judging::By::every: {
       Verdict worst = by(0);
       for (std::size_t n = 1; n < number.readings.size(); ++n)
-        if (const Verdict one = by(n); is_worse(one.says, worst.says)) worst = one;
+        if (const Verdict one = by(n); is_worse(one.verdict, worst.verdict)) worst = one;
       return worst;
     }
     default:
@@ -115,22 +116,24 @@ Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging
 void choose_readings(std::vector<Number>& numbers) {
   std::map<std::string, std::vector<Number*>> sentences;
   for (Number& number : numbers) sentences[number.sentence].push_back(&number);
-  for (const auto& [sentence, its] : sentences)
+  for (const auto& [sentence, of_sentence] : sentences)
     for (std::size_t set = 0; set < sets.size(); ++set) {
       std::size_t readings = 1, best = 0;
-      for (const Number* number : its) readings = std::max(readings, number->readings.size());
+      for (const Number* number : of_sentence)
+        readings = std::max(readings, number->readings.size());
       std::optional<std::pair<long, long>> fewest;  // refuted, and within rounding
       for (std::size_t n = 0; n < readings; ++n) {
         std::pair<long, long> count;
-        for (Number* number : its) {
+        for (Number* number : of_sentence) {
           number->decides[set] = n;
-          const std::string says = verdict_of(*number, set).says;
-          count.first += says == "refuted";
-          count.second += says == "within rounding";
+          const std::string verdict = verdict_of(*number, set).verdict;
+          count.first += verdict == "refuted";
+          count.second += verdict == "within rounding";
         }
         if (!fewest || count < *fewest) fewest = count, best = n;
       }
-      for (Number* number : its) number->decides[set] = std::min(best, number->readings.size() - 1);
+      for (Number* number : of_sentence)
+        number->decides[set] = std::min(best, number->readings.size() - 1);
     }
 }
 
@@ -139,9 +142,9 @@ std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>&
   std::map<std::string, std::string> worst;
   for (const Number& number : numbers) {
     if (!counts(number, numbers, judging)) continue;
-    const std::string its = verdict_of(number, set, judging).says;
-    std::string& verdict = worst.try_emplace(number.claim, its).first->second;
-    if (is_worse(its, verdict)) verdict = its;
+    const std::string of_number = verdict_of(number, set, judging).verdict;
+    std::string& verdict = worst.try_emplace(number.claim, of_number).first->second;
+    if (is_worse(of_number, verdict)) verdict = of_number;
   }
   return worst;
 }
@@ -160,14 +163,14 @@ std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
   for (std::size_t set = 0; set < sets.size(); ++set)
     for (const Number& number : numbers) {
       if (!number.instead.empty()) continue;
-      const std::string verdict = verdict_of(number, set).says;
+      const std::string verdict = verdict_of(number, set).verdict;
       Turned one{number, set, verdict, {}};
       const auto other = std::ranges::find(numbers, number.id, &Number::instead);
       for (const Judging& rule : other_rules()) {
         const bool is_other = rule.instead && other != numbers.end();
-        const std::string its = verdict_of(is_other ? *other : number, set, rule).says;
-        if (its != verdict)
-          one.others.push_back(fmt::format("{}: {}", its, is_other ? other->says : rule.says));
+        const std::string by_rule = verdict_of(is_other ? *other : number, set, rule).verdict;
+        if (by_rule != verdict)
+          one.others.push_back(fmt::format("{}: {}", by_rule, is_other ? other->says : rule.says));
       }
       if (!one.others.empty()) turned.push_back(one);
     }
@@ -225,10 +228,10 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
 }
 
 std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& claim) {
-  std::vector<Number> its;
-  std::ranges::copy_if(numbers, std::back_inserter(its),
+  std::vector<Number> found;
+  std::ranges::copy_if(numbers, std::back_inserter(found),
                        [&](const Number& number) { return number.claim == claim; });
-  if (!its.empty()) return its;
+  if (!found.empty()) return found;
   std::set<std::string> claims;
   for (const Number& number : numbers) claims.insert(number.claim);
   throw std::runtime_error(
@@ -304,7 +307,7 @@ std::string to_csv(const std::vector<Number>& numbers) {
       for (const Reading& r : n.readings)
         csv += fmt::format("{},{},{},{},{},{},{:.6g},{},{},{},{},{},{},{},{},{}\n", n.claim, n.id,
                            n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
-                           cell(n.allowed().greatest()), sets[set].name, verdict.says,
+                           cell(n.allowed().greatest()), sets[set].name, verdict.verdict,
                            cell(verdict.off_a), cell(verdict.off_b), r.name,
                            cell(r.in[set].converged), cell(r.in[set].by_rk4), csv_field(n.reason));
     }
@@ -325,10 +328,10 @@ std::string claims_table(const std::vector<Number>& numbers) {
                        "converged", "claim");
   for (auto verdict = from_best.rbegin(); verdict != from_best.rend(); ++verdict)
     for (const Number& n : numbers) {
-      if (verdict_of(n, 0).says != *verdict || !n.instead.empty()) continue;
+      if (verdict_of(n, 0).verdict != *verdict || !n.instead.empty()) continue;
       const auto converged = n.readings[n.decides[0]].in[0].converged;
-      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10}", *verdict, verdict_of(n, 1).says,
-                                   n.printed.empty() ? n.rule : n.printed,
+      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10}", *verdict,
+                                   verdict_of(n, 1).verdict, n.printed.empty() ? n.rule : n.printed,
                                    converged ? fmt::format("{:.5g}", *converged) : "-"),
                        fmt::format("{}{}: {}{}", n.claim, n.unit.empty() ? "" : ", " + n.unit,
                                    n.says, n.reason.empty() ? "" : " (" + n.reason + ')'),

@@ -29,7 +29,7 @@ enum class Kind { arithmetic, method, simulated, extreme };
 
 /// A verdict with its margins: see policy.md.
 struct Verdict {
-  std::string says;  ///< reproduced, within rounding or refuted
+  std::string verdict;  ///< reproduced, within rounding or refuted
   double off_a = 0, off_b = 0;
 };
 
@@ -37,7 +37,7 @@ struct Verdict {
 struct Judging {
   enum class By { sentence, first, second, every };  ///< which readings decide
   const char* says = "";
-  double words = 1;   ///< multiplies the widths of words
+  double word_width_factor = 1;
   double limits = 1;  ///< multiplies all widths
   By by = By::sentence;
   bool own_method = true, zeros_count = false;

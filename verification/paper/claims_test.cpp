@@ -9,8 +9,8 @@
 #include <regex>
 #include <set>
 
-#include "figures/data/csv.hpp"
 #include "verification/paper/readings.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -21,14 +21,14 @@ TEST(Claims, HaveTheVerdictsThatTheTableStates) {
   for (const Number& number : judged())
     for (const std::size_t set : {published, consistent}) {
       const Verdict verdict = verdict_of(number, set);
-      EXPECT_EQ(verdict.says, number.expected[set])
+      EXPECT_EQ(verdict.verdict, number.expected[set])
           << number.id << ' ' << sets[set].name << ' ' << verdict.off_a << ' ' << verdict.off_b;
     }
 }
 
 TEST(Claims, ThatAreNotReproducedHaveAReason) {
   for (const Number& number : judged())
-    EXPECT_EQ(number.reason.empty(), verdict_of(number, published).says == "reproduced")
+    EXPECT_EQ(number.reason.empty(), verdict_of(number, published).verdict == "reproduced")
         << number.id;
 }
 
@@ -45,13 +45,13 @@ TEST(Claims, StandOnceAndUseEveryReading) {
 TEST(Claims, ThatAreNotReproducedWouldBeIfThePaperPrintedWhatItsEquationsGive) {
   int changed = 0;
   for (Number number : judged()) {
-    if (verdict_of(number, published).says == "reproduced") continue;
+    if (verdict_of(number, published).verdict == "reproduced") continue;
     const Reading::InSet& in = number.readings.front().in[published];
     number.printed =
         fmt::format("{:.4g}", number.is_drawn() ? in.a.spread.median : in.converged.value());
     number.rule = "digits";
     number.decides = {};
-    EXPECT_EQ(verdict_of(number, published).says, "reproduced") << number.id;
+    EXPECT_EQ(verdict_of(number, published).verdict, "reproduced") << number.id;
     ++changed;
   }
   EXPECT_GT(changed, 15);
@@ -83,12 +83,12 @@ Stored stored(double low, double median, double high, double valued = 1) {
 }
 
 Number number(const char* printed, const char* rule, const Stored& a, const Stored& b) {
-  Number its;
-  its.printed = printed;
-  its.rule = rule;
-  its.readings = {{"this", {}}};
-  its.readings[0].in[published] = {a.spread.median, {}, a, b};
-  return its;
+  Number made;
+  made.printed = printed;
+  made.rule = rule;
+  made.readings = {{"this", {}}};
+  made.readings[0].in[published] = {a.spread.median, {}, a, b};
+  return made;
 }
 
 // The same criterion for a number of two digits and for a word, which allow the same.
@@ -103,10 +103,10 @@ TEST(Verdicts, FollowFromTheMedianOfTheFirstPopulationAndTheRangeOfTheSecond) {
       return verdict_of(number(p, r, range(0.9 * median, median), range(nearest, 5)), published);
     };
     for (const double side : {-1., 1.}) {  // below what is allowed, and above it
-      EXPECT_EQ(verdict(side * 0.9, side * 3).says, "reproduced") << rule;
-      EXPECT_EQ(verdict(side * 3, side * 0.9).says, "within rounding") << rule;
+      EXPECT_EQ(verdict(side * 0.9, side * 3).verdict, "reproduced") << rule;
+      EXPECT_EQ(verdict(side * 3, side * 0.9).verdict, "within rounding") << rule;
       const Verdict refuted = verdict(side * 3, side * 1.1);
-      EXPECT_EQ(refuted.says, "refuted") << rule;
+      EXPECT_EQ(refuted.verdict, "refuted") << rule;
       EXPECT_NEAR(refuted.off_a, 3, 1e-12);
       EXPECT_NEAR(refuted.off_b, 1.1, 1e-12);
     }
@@ -115,15 +115,15 @@ TEST(Verdicts, FollowFromTheMedianOfTheFirstPopulationAndTheRangeOfTheSecond) {
 
 TEST(Verdicts, TakeThePapersMethodAndNeedValues) {
   const Stored good = stored(-1, 0, 1), bad = stored(30, 40, 50);
-  Number its = number("", "minor", bad, bad);
-  EXPECT_EQ(verdict_of(its, published).says, "refuted");
-  its.readings[0].in[published].by_rk4 = 10;
-  EXPECT_EQ(verdict_of(its, published).says, "reproduced");
-  EXPECT_EQ(verdict_of(number("", "minor", stored(-1, 0, 1, 0.4), good), published).says,
+  Number judged = number("", "minor", bad, bad);
+  EXPECT_EQ(verdict_of(judged, published).verdict, "refuted");
+  judged.readings[0].in[published].by_rk4 = 10;
+  EXPECT_EQ(verdict_of(judged, published).verdict, "reproduced");
+  EXPECT_EQ(verdict_of(number("", "minor", stored(-1, 0, 1, 0.4), good), published).verdict,
             "within rounding");
   EXPECT_EQ(
       verdict_of(number("", "minor", stored(-1, 0, 1, 0.04), stored(-1, 0, 1, 0.04)), published)
-          .says,
+          .verdict,
       "refuted");
 }
 
@@ -131,36 +131,38 @@ TEST(Verdicts, TakeThePapersMethodAndNeedValues) {
 TEST(Verdicts, TakeOneReadingForAllNumbersOfASentence) {
   const Stored good = stored(-1, 0, 1), bad = stored(30, 40, 50), near = stored(9, 40, 50);
   const auto of = [](const Stored& first, const Stored& second, const char* sentence) {
-    Number its = number("", "minor", first, first);
-    its.readings.push_back(number("", "minor", second, second).readings[0]);
-    its.claim = its.sentence = sentence;
-    return its;
+    Number made = number("", "minor", first, first);
+    made.readings.push_back(number("", "minor", second, second).readings[0]);
+    made.claim = made.sentence = sentence;
+    return made;
   };
-  const auto says = [](std::vector<Number> numbers, const Judging& judging = {}) {
+  const auto verdicts_of = [](std::vector<Number> numbers, const Judging& judging = {}) {
     choose_readings(numbers);
     std::vector<std::string> verdicts;
-    for (const Number& its : numbers) verdicts.push_back(verdict_of(its, published, judging).says);
+    for (const Number& one : numbers)
+      verdicts.push_back(verdict_of(one, published, judging).verdict);
     return verdicts;
   };
-  using Says = std::vector<std::string>;
+  using Verdicts = std::vector<std::string>;
   const Number first = of(good, bad, "one"), second = of(bad, good, "one");
-  EXPECT_EQ(says({first, second}), Says({"reproduced", "refuted"}));
-  EXPECT_EQ(says({first, of(bad, good, "another")}), Says({"reproduced", "reproduced"}));
-  EXPECT_EQ(says({first, of(near, bad, "one")}), Says({"reproduced", "within rounding"}));
-  EXPECT_EQ(says({first, of(bad, near, "one")}), Says({"reproduced", "refuted"}));
+  EXPECT_EQ(verdicts_of({first, second}), Verdicts({"reproduced", "refuted"}));
+  EXPECT_EQ(verdicts_of({first, of(bad, good, "another")}), Verdicts({"reproduced", "reproduced"}));
+  EXPECT_EQ(verdicts_of({first, of(near, bad, "one")}),
+            Verdicts({"reproduced", "within rounding"}));
+  EXPECT_EQ(verdicts_of({first, of(bad, near, "one")}), Verdicts({"reproduced", "refuted"}));
   // A number with one reading has that one, whatever the others have.
-  EXPECT_EQ(says({second, of(bad, good, "one"), number("", "minor", good, good)}),
-            Says({"reproduced", "reproduced", "reproduced"}));
-  EXPECT_EQ(says({first}, {.by = Judging::By::second}), Says({"refuted"}));
-  EXPECT_EQ(says({first}, {.by = Judging::By::every}), Says({"refuted"}));
+  EXPECT_EQ(verdicts_of({second, of(bad, good, "one"), number("", "minor", good, good)}),
+            Verdicts({"reproduced", "reproduced", "reproduced"}));
+  EXPECT_EQ(verdicts_of({first}, {.by = Judging::By::second}), Verdicts({"refuted"}));
+  EXPECT_EQ(verdicts_of({first}, {.by = Judging::By::every}), Verdicts({"refuted"}));
 
   std::vector<Number> single = {first};
   choose_readings(single);
   const std::vector<Turned> turned = turned_by_other_rules(single);
   ASSERT_EQ(turned.size(), 1U);  // in the other set there are no values at all
   EXPECT_EQ(turned[0].verdict, "reproduced");
-  EXPECT_EQ(turned[0].others, Says({"refuted: every reading must hold",
-                                    "refuted: the second reading for the whole text"}));
+  EXPECT_EQ(turned[0].others, Verdicts({"refuted: every reading must hold",
+                                        "refuted: the second reading for the whole text"}));
 }
 
 // Each rule turns a number of its own: 404 for a printed 400, a change of 4.9 % of at most 5 %, a
@@ -195,16 +197,16 @@ TEST(Verdicts, DependOnTheRulesThatTurnThem) {
 
 // The readings of the numbers that belong together are matched by their order.
 TEST(Claims, HaveTheReadingsOfASentenceInOneOrder) {
-  for (const Number& its : judged())
-    for (std::size_t n = 0; n < its.readings.size(); ++n)
+  for (const Number& number : judged())
+    for (std::size_t n = 0; n < number.readings.size(); ++n)
       for (const auto& [word, place] : {std::pair("onset_", 0U),
                                         {"peak_", 1U},
                                         {"_last_but_one", 1U},
                                         {"_5_ms", 0U},
                                         {"_turn", 1U}})
-        if (its.readings.size() > 1 && its.readings[n].name.find(word) != std::string::npos &&
-            its.id != "onset_at_peak") {
-          EXPECT_EQ(n, place) << its.id;
+        if (number.readings.size() > 1 && number.readings[n].name.find(word) != std::string::npos &&
+            number.id != "onset_at_peak") {
+          EXPECT_EQ(n, place) << number.id;
         }
 }
 
@@ -212,8 +214,9 @@ TEST(Verdicts, OfClaimsAreTheWorstOfTheirNumbersAndChangeWithTheWidthOfWords) {
   Number good = number("", "minor", stored(0, 4, 6), stored(0, 4, 6));
   Number bad = number("", "minor", stored(11, 12, 13), stored(11, 12, 13));
   good.claim = bad.claim = "both";
-  const auto worst = [&](double words) {
-    return verdicts_of_claims({good, bad}, published, {.words = words}).at("both");
+  const auto worst = [&](double word_width_factor) {
+    return verdicts_of_claims({good, bad}, published, {.word_width_factor = word_width_factor})
+        .at("both");
   };
   EXPECT_EQ(worst(1), "refuted");
   EXPECT_EQ(worst(2), "reproduced");
@@ -254,9 +257,9 @@ std::map<std::string, std::vector<double>> numbers_of_rules() {
 TEST(Policy, AllowsTheNumbersOfItsTableAndHasNoOtherRule) {
   const auto rules = numbers_of_rules();
   std::set<std::string> used;
-  for (const Number& its : judged()) {
-    used.insert(its.rule);
-    EXPECT_TRUE(rules.contains(its.rule)) << its.rule;
+  for (const Number& number : judged()) {
+    used.insert(number.rule);
+    EXPECT_TRUE(rules.contains(number.rule)) << number.rule;
   }
   EXPECT_EQ(used.size(), rules.size());
   for (const char* rule : {"minor", "slight", "negligible", "agrees", "unchanged"}) {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <set>
 
-#include "figures/data/csv.hpp"
 #include "verification/paper/claims.hpp"
 #include "verification/paper/contact_laws.hpp"
 #include "verification/paper/readings.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -56,9 +56,9 @@ TEST(PopulationB, LiesWithinItsProposals) {
   std::map<std::string, std::vector<double>> shares;
   for (long n = 0; n < count; ++n)
     for (const auto& [input, share] : draws.proposed_shares(n)) shares[input].push_back(share);
-  for (const auto& [input, its] : shares) {
-    EXPECT_GT(std::ranges::min(its), 0.005) << input;
-    EXPECT_LT(std::ranges::max(its), 0.995) << input;
+  for (const auto& [input, of_input] : shares) {
+    EXPECT_GT(std::ranges::min(of_input), 0.005) << input;
+    EXPECT_LT(std::ranges::max(of_input), 0.995) << input;
   }
   EXPECT_EQ(shares.size(), 5U);
 }

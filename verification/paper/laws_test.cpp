@@ -8,10 +8,10 @@
 #include <map>
 #include <regex>
 
-#include "figures/data/csv.hpp"
 #include "figures/runs/scene.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/content.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -103,13 +103,13 @@ TEST_F(LawsOfTheAccident, AreNotTrustedOutsideTheirRegion) {
       "4.2e4 --support-damping 8 --contact-damping 100 --rotor-radius 0.04 --torque 0 --friction "
       "0.207 --clearance 3.93e-4 --unbalance-factor 5.7 --contact-stiffness 3.82e8 ";
   for (const auto& [options, doubt] : std::vector<std::pair<std::string, std::string>>{
-           {laboratory + "--start-speed-hz 23", "the critical speed is 0.772, not above 1.5"},
-           {"--friction 10", "friction is 10, not below 1"},
+           {laboratory + "--start-speed-hz 23", "the critical speed is 0.772, at most 1.5"},
+           {"--friction 10", "friction is 10, at least 1"},
            {"--friction 0", "the closed forms give no rolling"},
-           {"--friction 0.1", "friction is 0.1, not above 0.19, up to which"},
-           {laboratory + "--start-speed-hz 35", "forward rub can last at any friction"},
+           {"--friction 0.1", "friction 0.1 is below 0.19, so one impact may lead to no"},
+           {laboratory + "--start-speed-hz 35", "friction 0.207 is below 1.29, so one impact"},
            {"--contact-stiffness 3e5 --support-damping 200", "dry whip"},
-           {"--contact-damping 1e5", "the ring's damping ratio is 0.793, not below 0.5"},
+           {"--contact-damping 1e5", "the ring's damping ratio is 0.793, at least 0.5"},
            {"--start-speed-hz 140 --torque 50 --motor-off-hz 1000", "the motor adds"},
            {"--torque 0.01 --motor-off-hz 20 --clearance 1.5e-3 --support-damping 1 "
             "--mass-loss-time 200",

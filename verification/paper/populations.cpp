@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "figures/data/csv.hpp"
 #include "verification/paper/readings.hpp"
 #include "verification/paper/rules.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -66,13 +66,13 @@ Conditions read_conditions(const std::filesystem::path& claims) {
   Conditions conditions;
   for (const CsvRow& row : read_csv(claims)) {
     if (row["conditions"] != "yes") continue;
-    const Allowed its = allowed(row["printed"], row["rule"]);
+    const Allowed printed = allowed(row["printed"], row["rule"]);
     if (row["kind"] == "arithmetic") {
-      conditions.arithmetic.push_back({all_arithmetic().at(row["readings"]), its});
+      conditions.arithmetic.push_back({all_arithmetic().at(row["readings"]), printed});
     } else if (row["number"] == "motor_off") {
-      conditions.motor_off_s = its;
+      conditions.motor_off_s = printed;
     } else if (row["number"] == "speed_9") {
-      conditions.speed_at_50 = its;
+      conditions.speed_at_50 = printed;
     } else if (row["number"] != "speed_14") {  // it follows from the others
       row.fail("no draw can be conditioned on that");
     }
@@ -162,8 +162,8 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
   add(sweep_, motor_off_s, conditions.motor_off_s.least(), conditions.motor_off_s.greatest());
   add(sweep_, speed_at_50, conditions.speed_at_50.least(), conditions.speed_at_50.greatest());
   for (const CsvRow& row : read_csv(reference_data / "printed-results.csv")) {
-    const Allowed its = allowed(row["printed"], row["rule"]);
-    add(sweep_, row["input"], its.least(), its.greatest());
+    const Allowed printed = allowed(row["printed"], row["rule"]);
+    add(sweep_, row["input"], printed.least(), printed.greatest());
   }
 }
 

@@ -97,18 +97,18 @@ struct Gain {
 };
 Gain gain_by_mass_loss(PaperRuns& r) {
   const PaperRun& run = r.high();
-  const MassLoss<double> its = loss(r);
+  const MassLoss<double> split = loss(r);
   const auto before = run.before_loss().motion(), after = run.after_loss().motion();
   const Vector<double> from_O(-r.parameters().rotor_radius, 0), c = before.mass_centre();
   const Vector<double> piece = before.velocity + before.speed * quarter_turn(from_O);
-  const Vector<double> momentum = its.after.mass * after.mass_centre_velocity();
+  const Vector<double> momentum = split.after.mass * after.mass_centre_velocity();
   const Vector<double> arm = after.mass_centre() - c;
   const Vector<double> arm_of_piece = before.displacement + from_O - c;
-  return {energy(run.after_loss()) + its.lost_mass * piece.squaredNorm() / 2 -
+  return {energy(run.after_loss()) + split.lost_mass * piece.squaredNorm() / 2 -
               energy(run.before_loss()),
-          momentum + its.lost_mass * piece - its.before.mass * before.mass_centre_velocity(),
-          its.after.inertia * after.speed + cross(arm, momentum) +
-              its.lost_mass * cross(arm_of_piece, piece) - its.before.inertia * before.speed};
+          momentum + split.lost_mass * piece - split.before.mass * before.mass_centre_velocity(),
+          split.after.inertia * after.speed + cross(arm, momentum) +
+              split.lost_mass * cross(arm_of_piece, piece) - split.before.inertia * before.speed};
 }
 
 /// What friction dissipates until continuous contact begins, J.
@@ -239,8 +239,8 @@ void add_run_up_and_loss(Table& table) {
               return 100 * std::abs(ratio - 1);
             }));
   table.add("elsewhere_time", elsewhere([](const Summary& opposite, const Summary& s) {
-              const auto to_rolling = [](const Summary& its) {
-                return its.rolling_onset_s.value() - its.first_contact_s.value();
+              const auto to_rolling = [](const Summary& of) {
+                return of.rolling_onset_s.value() - of.first_contact_s.value();
               };
               if (!s.rolling_onset_s) return 0.;  // has a number of its own
               return 100 * std::abs(to_rolling(s) / to_rolling(opposite) - 1);

@@ -44,8 +44,8 @@ TEST_P(Readme, HasExamplesThatRun) {
     const Outcome outcome = rotor(run);
     EXPECT_EQ(outcome.status, 0) << run;
     static const std::regex result("# (\\w+_m) ([\\d.]+)");
-    if (std::smatch its; std::regex_match(says, its, result)) {
-      const std::regex line(its[1].str() + " +" + its[2].str() + "\n");
+    if (std::smatch found; std::regex_match(says, found, result)) {
+      const std::regex line(found[1].str() + " +" + found[2].str() + "\n");
       EXPECT_TRUE(std::regex_search(outcome.output, line)) << outcome.output;
     }
   }
@@ -69,11 +69,12 @@ TEST_F(CommandLine, MakesTheNumbersOfTheExamples) {
   static const std::regex row("\\| `(--[^`]*)` \\| (\\w+ \\| \\d+ \\| [\\d.-]+) \\|");
   int rows = 0;
   for (std::sregex_iterator at(all.begin(), all.end(), row), end; at != end; ++at, ++rows) {
-    const Json its = summary((*at)[1]), &peak_N = its["peak_normal_force_N"];
-    EXPECT_EQ(fmt::format(
-                  "{} | {} | {}", its["outcome"].get<std::string>(), its["touch_downs"].get<int>(),
-                  peak_N.is_null() ? "-" : fmt::format("{:.1f}", peak_N.get<double>() / 1e3)),
-              (*at)[2].str());
+    const Json of_row = summary((*at)[1]), &peak_N = of_row["peak_normal_force_N"];
+    EXPECT_EQ(
+        fmt::format("{} | {} | {}", of_row["outcome"].get<std::string>(),
+                    of_row["touch_downs"].get<int>(),
+                    peak_N.is_null() ? "-" : fmt::format("{:.1f}", peak_N.get<double>() / 1e3)),
+        (*at)[2].str());
   }
   EXPECT_EQ(rows, 3);
 }

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "figures/data/csv.hpp"
 #include "figures/results/run_result.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "verification/paper/ensembles.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

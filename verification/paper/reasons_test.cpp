@@ -6,8 +6,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "figures/data/csv.hpp"
 #include "verification/paper/ensembles.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -29,7 +29,7 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
   bool as_expected = true;
   for (std::size_t set = 0; set < sets.size(); ++set)
     for (const Number& number : numbers)
-      as_expected = as_expected && verdict_of(number, set).says == number.expected[set];
+      as_expected = as_expected && verdict_of(number, set).verdict == number.expected[set];
   return as_expected;
 }
 
@@ -40,12 +40,12 @@ void print_reading(const Number& number, const Reading& reading, std::size_t set
   fmt::print("    {:<11} {:<24} converged {}{}\n", sets[set].name, reading.name, text(in.converged),
              set == 0 ? ", published method " + text(in.by_rk4) : "");
   if (!number.is_drawn()) return;
-  for (const auto& [population, its] : {std::pair("a", in.a), std::pair("b", in.b)})
+  for (const auto& [population, over] : {std::pair("a", in.a), std::pair("b", in.b)})
     fmt::print(
         "      population ({}): median {:.6g}, 5 to 95 % {:.6g} to {:.6g}; holds in {:.1f} % of {} "
         "draws\n",
-        population, its.spread.median, its.spread.low, its.spread.high, 100 * its.holds,
-        its.spread.draws);
+        population, over.spread.median, over.spread.low, over.spread.high, 100 * over.holds,
+        over.spread.draws);
 }
 
 int list_claims(const std::vector<Number>& numbers) {
@@ -70,7 +70,7 @@ int show_claim(const std::filesystem::path& data, const std::string& id) {
       fmt::print("  rule: {}\n", n.rule);
     for (std::size_t set = 0; set < sets.size(); ++set) {
       const std::string& decides = n.readings[n.decides[set]].name;
-      fmt::print("  {} equations: {}{}\n", sets[set].name, verdict_of(n, set).says,
+      fmt::print("  {} equations: {}{}\n", sets[set].name, verdict_of(n, set).verdict,
                  n.readings.size() > 1 ? ", by " + decides : "");
       for (const Reading& reading : n.readings) print_reading(n, reading, set);
     }

@@ -35,7 +35,7 @@ bool bounds_a_change(const std::string& rule) {
   return rule == "minor" || rule == "slight" || rule == "agrees" || rule == "negligible";
 }
 
-Allowed allowed(const std::string& printed, const std::string& rule, double words,
+Allowed allowed(const std::string& printed, const std::string& rule, double word_width_factor,
                 bool zeros_count) {
   constexpr double about = 0.05;
   const auto half = [zeros_count](const std::string& text) {
@@ -44,7 +44,7 @@ Allowed allowed(const std::string& printed, const std::string& rule, double word
   if (rule == "digits") return {number_of(printed), half(printed)};
   if (rule == "about")
     return {number_of(printed),
-            std::max(half(printed), words * about * std::abs(number_of(printed)))};
+            std::max(half(printed), word_width_factor * about * std::abs(number_of(printed)))};
   if (rule == "range") {
     const std::string to = " to ";
     const std::size_t at = printed.find(to);
@@ -54,11 +54,11 @@ Allowed allowed(const std::string& printed, const std::string& rule, double word
     return {(least + greatest) / 2, (greatest - least) / 2};
   }
   if (rule == "is") return {number_of(printed), 0.4999};
-  if (rule == "few") return {6, 4 * words};
-  if (rule == "minor") return {0, 10 * words};
-  if (rule == "slight" || rule == "agrees") return {0, 5 * words};
-  if (rule == "negligible") return {0, words};
-  if (rule == "major") return {100, 50 * words, true};
+  if (rule == "few") return {6, 4 * word_width_factor};
+  if (rule == "minor") return {0, 10 * word_width_factor};
+  if (rule == "slight" || rule == "agrees") return {0, 5 * word_width_factor};
+  if (rule == "negligible") return {0, word_width_factor};
+  if (rule == "major") return {100, 50 * word_width_factor, true};
   if (rule == "unchanged") return {0, 1e-6};
   throw std::invalid_argument("there is no rule " + rule);
 }

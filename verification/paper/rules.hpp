@@ -19,9 +19,9 @@ struct Allowed {
   }
 };
 
-/// `words` multiplies the widths of words; `zeros_count`: those at the end of a whole number are
-/// digits. Throws std::invalid_argument for an unknown rule or an invalid number.
-Allowed allowed(const std::string& printed, const std::string& rule, double words = 1,
+/// `zeros_count`: those at the end of a whole number are digits. Throws std::invalid_argument for
+/// an unknown rule or an invalid number.
+Allowed allowed(const std::string& printed, const std::string& rule, double word_width_factor = 1,
                 bool zeros_count = false);
 
 /// Whether a rule bounds a change.

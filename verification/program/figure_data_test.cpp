@@ -11,6 +11,7 @@
 #include "model/run/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/paper_figures.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -90,18 +91,18 @@ TEST_P(FigureData, IsTheMotionOfItsRuns) {
   const auto& [number, scene] = GetParam();
   std::map<std::string, Rows> data;
   for (auto& [name, rows] : rows_of(GetParam(), Equations::published)) data[name] = rows;
-  for (const SceneRun& its : scene.runs) {
-    SCOPED_TRACE(its.name);
-    ASSERT_TRUE(data.contains(its.name));
-    const Rows& rows = data[its.name];
+  for (const SceneRun& scene_run : scene.runs) {
+    SCOPED_TRACE(scene_run.name);
+    ASSERT_TRUE(data.contains(scene_run.name));
+    const Rows& rows = data[scene_run.name];
     const double from_s = rows.front()[0], until_s = rows.back()[0];
     EXPECT_TRUE(std::ranges::is_sorted(rows, {}, [](const auto& row) { return row[0]; }));
     Samples samples(from_s, until_s);
-    run(its.scenario, samples);
+    run(scene_run.scenario, samples);
     const Window& window = scene.window;
     EXPECT_NEAR(from_s, window.from_rolling_onset ? samples.onset_s.value() : window.from_s, 1e-10);
     EXPECT_NEAR(until_s, from_s + window.length_s, 1e-10);
-    if (its.scenario.method != Method::event) continue;  // its steps are the paper's
+    if (scene_run.scenario.method != Method::event) continue;  // its steps are the paper's
     EXPECT_GT(samples.all.size(), 100U);
     for (std::size_t i = 0; i < scene.columns.size(); ++i) {
       const std::string column(scene.columns[i]->name);
@@ -110,7 +111,7 @@ TEST_P(FigureData, IsTheMotionOfItsRuns) {
           std::ranges::minmax_element(rows, {}, [&](const auto& row) { return row[i]; });
       const double allowed = 1.3 * thinning * ((*greatest)[i] - (*least)[i]) + rounding;
       for (const Instant& at : samples.all)
-        ASSERT_LE(distance(rows, i, at.time_s, column_by_formula(column, at, its.scenario)),
+        ASSERT_LE(distance(rows, i, at.time_s, column_by_formula(column, at, scene_run.scenario)),
                   allowed)
             << column << " at " << at.time_s << " s";
     }

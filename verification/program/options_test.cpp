@@ -11,6 +11,7 @@
 #include "figures/input/scenario_spec.hpp"
 #include "figures/results/json.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -42,7 +43,11 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
   const std::map<std::string, double> found = {{"clearance", 2e-3},
                                                {"lost_mass", 0.01},
                                                {"mass_loss_speed_hz", 34},
-                                               {"contact_exponent", 1.1}};  // not below 1
+                                               {"contact_exponent", 1.1},  // not below 1
+                                               {"start_x", 1e-3},
+                                               {"start_y", 2e-3},
+                                               {"start_velocity_x", -0.1},
+                                               {"start_velocity_y", 0.2}};
   const Json standard = inputs(stated(short_run, true));
   for (const InputQuantity& input_quantity : input_quantities()) {
     const std::string name(input_quantity.quantity.name);
@@ -68,6 +73,9 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
       EXPECT_EQ(summary("--scene " + scene), by_option) << scene << ' ' << name;
     Json expected = standard;
     expected["until"] = numbers["until"];
+    for (const InputQuantity& other : input_quantities())
+      if (input_quantity.of_start && other.of_start)
+        expected[std::string(other.quantity.name)] = 0.;
     if (name == "clearance")
       expected["stator_radius"] = 0.06 + value;
     else if (name == "lost_mass")  // Eq. (5)
@@ -178,6 +186,46 @@ TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
         << arguments;
   }
   EXPECT_EQ(rotor("run --scene two.toml --run a --trace t.csv --until 0.003").status, 1);
+}
+
+// The rows of all runs of a scene, in their order.
+TEST_F(Options, OfTheTraceHoldForEachRun) {
+  write("two.toml",
+        "columns = [\"time_s\", \"rho_m\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 0.02\n"
+        "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.1\n");
+  ASSERT_EQ(rotor("run two.toml --trace t.csv --events e.csv").status, 0);
+  for (const std::string run : {"a", "b"}) {
+    ASSERT_EQ(
+        rotor("run two.toml --run " + run + " --trace " + run + ".csv --events e" + run + ".csv")
+            .status,
+        0);
+    for (const auto& [all, alone] : {std::pair(std::string("t.csv"), run + ".csv"),
+                                     {std::string("e.csv"), "e" + run + ".csv"}}) {
+      std::vector<std::string> rows, of_run = rows_of(alone);
+      for (const std::string& row : rows_of(all))
+        if (row.starts_with("run,") || row.starts_with(run + ",")) rows.push_back(row);
+      EXPECT_GT(rows.size(), 5U);
+      EXPECT_EQ(rows, of_run);
+    }
+  }
+}
+
+// A rotor with a mass, inertia or radius of its own has the corrected equations in all commands,
+// unless others are stated.
+TEST_F(Options, LeaveTheEquationsOfAnotherRotorCorrected) {
+  write("fig30.toml",
+        "columns = [\"time_s\", \"rho_m\"]\n[parameters]\nmass = 4\nstart_speed_hz = 150\n"
+        "until = 1e-3\n");
+  write("s.toml",
+        "columns = [\"equations\"]\n[parameters]\nmass = 4\nstart_speed_hz = 150\nuntil = 1e-3\n"
+        "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
+  EXPECT_EQ(summary("--scene fig30.toml")["equations"], "consistent");
+  EXPECT_EQ(summary("--scene fig30.toml --equations published")["equations"], "published");
+  EXPECT_EQ(summary("--friction 0.1 --until 1")["equations"], "published");
+  ASSERT_EQ(rotor("figure 30 --scenes . --out .").status, 0);
+  EXPECT_NE(content("fig30.csv").find("run: equations consistent, "), std::string::npos);
+  ASSERT_EQ(rotor("sweep s.toml").status, 0);
+  EXPECT_EQ(read_csv(folder_ / "s.csv").at(0)["equations"], "consistent");
 }
 
 // Options of `figure` override [parameters], but not a [[run]].

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "figures/data/csv.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/read_csv.hpp"
 #include "verification/support/svg_picture.hpp"
 
 namespace rotor {

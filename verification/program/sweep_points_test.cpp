@@ -10,10 +10,10 @@
 #include <set>
 #include <thread>
 
-#include "figures/data/csv.hpp"
 #include "figures/sweep/compute_in_order.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -11,11 +11,11 @@
 #include <thread>
 #include <utility>
 
-#include "figures/data/csv.hpp"
 #include "figures/results/json.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/sweep_row.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -157,6 +157,29 @@ TEST_F(SweepCommand, RetriesRefusedPointsOnly) {
   EXPECT_NE(output.find("rotor: 1 rows of s.csv are kept\n"), std::string::npos) << output;
   for (const CsvRow& row : results("s.csv"))
     EXPECT_EQ(row["outcome"], row["friction"] == "0.1" ? "freed" : "bouncing");
+}
+
+// Of another file or version they are computed again.
+TEST_F(SweepCommand, RepeatsNothingUnlessForced) {
+  const std::string text =
+      "columns = [\"outcome\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n[[axis]]\n"
+      "quantity = \"friction\"\nvalues = [0.1, 0.2]\n";
+  write("s.toml", text);
+  ASSERT_EQ(rotor("sweep s.toml").status, 0);
+  const std::string whole = content("s.csv");
+  shell("sed -i s/bouncing/freed/ s.csv");
+  const std::string marked = content("s.csv");
+  const auto [status, output] = rotor("sweep s.toml");
+  EXPECT_EQ(status, 0);
+  EXPECT_NE(output.find("s.csv has all points of this sweep, 0 of them refused"), std::string::npos)
+      << output;
+  EXPECT_EQ(content("s.csv"), marked);
+  EXPECT_EQ(rotor("sweep s.toml --force").status, 0);
+  EXPECT_EQ(content("s.csv"), whole);
+  write("s.csv", marked);
+  write("s.toml", "# another\n" + text);
+  EXPECT_EQ(rotor("sweep s.toml").status, 0);
+  EXPECT_EQ(content("s.csv").find("freed"), std::string::npos);
 }
 
 TEST_F(SweepCommand, FailsIfNoPointHasAResult) {
@@ -309,7 +332,7 @@ TEST_F(SweepCommand, RefusesAPointThatTakesLongerThanItsBudget) {
   write("s.toml", "stop_on = \"end\"\nbudget = 1e-8\n" + rest);
   rotor("sweep s.toml --out r.csv");
   EXPECT_NE(content("r.csv").find("a budget of 1e-08 s is not enough"), std::string::npos);
-  rotor("sweep s.toml --out r.csv --budget 1e-9");
+  rotor("sweep s.toml --out r.csv --budget 1e-9 --force");
   EXPECT_NE(content("r.csv").find("a budget of 1e-09 s is not enough"), std::string::npos);
 }
 

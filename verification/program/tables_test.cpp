@@ -9,6 +9,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/thinning.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "figures/data/csv.hpp"
 #include "figures/input/names.hpp"
 #include "figures/record/columns.hpp"
 #include "figures/record/recorder.hpp"
@@ -18,6 +17,7 @@
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/read_csv.hpp"
 #include "verification/support/short_run.hpp"
 
 namespace rotor {

@@ -11,15 +11,15 @@ namespace {
 using Version = CommandLine;
 
 TEST_F(Version, IsInEachResult) {
-  const std::string its(version());
-  EXPECT_EQ(rotor("--version").output, "rotor " + its + '\n');
-  EXPECT_EQ(summary("--until 0.01")["version"], its);
+  const std::string known(version());
+  EXPECT_EQ(rotor("--version").output, "rotor " + known + '\n');
+  EXPECT_EQ(summary("--until 0.01")["version"], known);
   for (const char* made :
        {"rotor run --until 0.01 --trace out.csv", "rotor figure 3 --out .; mv fig03.csv out.csv",
         "echo '[[axis]]\nquantity = \"until\"\nvalues = [0.01, 0.02]' >s.toml; "
         "rotor sweep s.toml --out out.csv"}) {
     shell(fmt::format("rotor() {{ \"$rotor\" \"$@\"; }}; {}", made));
-    EXPECT_NE(content("out.csv").find("\n# rotor " + its + '\n'), std::string::npos) << made;
+    EXPECT_NE(content("out.csv").find("\n# rotor " + known + '\n'), std::string::npos) << made;
     fs::remove(folder_ / "out.csv");
   }
 }

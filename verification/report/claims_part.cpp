@@ -68,12 +68,12 @@ std::string range_of(const Stored& stored) {
 std::string deviation(const std::optional<double>& value, const Number& number) {
   const bool is_number = !number.printed.empty() && !is_statement(number) && number.rule != "range";
   if (!is_number || !value || !std::isfinite(*value) || std::stod(number.printed) == 0) return "";
-  return fmt::format("{:+.2g} %", 100 * (*value / std::stod(number.printed) - 1));
+  return fmt::format("({:+.2g} %)", 100 * (*value / std::stod(number.printed) - 1));
 }
 
 /// With its class of the page's style.
 Json verdict_json(const std::string& verdict) {
-  return {{"says", verdict}, {"mark", verdict == "within rounding" ? "rounding" : verdict}};
+  return {{"verdict", verdict}, {"mark", verdict == "within rounding" ? "rounding" : verdict}};
 }
 
 /// A number by the reading that decides.
@@ -96,7 +96,7 @@ Json number_json(const Number& number) {
     all["ranges"] = {{"as_printed", range_of(reading.b)}, {"corrected", range_of(corrected.b)}};
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const Verdict verdict = verdict_of(number, set);
-    all[set_keys[set]] = verdict_json(verdict.says);
+    all[set_keys[set]] = verdict_json(verdict.verdict);
     all[set_keys[set]]["off"] = std::isfinite(verdict.off_b) ? verdict.off_b : verdict.off_a;
   }
   return all;
@@ -104,9 +104,12 @@ Json number_json(const Number& number) {
 
 /// Severity: refuted, within rounding, reproduced; then by how far off.
 std::pair<int, double> severity(const Json& judged) {
-  const auto says = judged.at("as_printed").at("says").get<std::string>();
+  const auto verdict = judged.at("as_printed").at("verdict").get<std::string>();
   const double off = judged.at("as_printed").value("off", 0.);
-  return {says == "refuted" ? 2 : says == "within rounding" ? 1 : 0, std::isfinite(off) ? off : 0};
+  return {verdict == "refuted"           ? 2
+          : verdict == "within rounding" ? 1
+                                         : 0,
+          std::isfinite(off) ? off : 0};
 }
 bool is_worse(const Json& one, const Json& other) { return severity(one) > severity(other); }
 
@@ -143,7 +146,7 @@ Json claims_json(const std::vector<Number>& numbers) {
       const int figure = claim["figures"][0];
       claim["opens"] = {{"name", fmt::format("fig{:02}", figure)}, {"number", figure}};
     }
-    if (claim["as_printed"]["says"] != claim["corrected"]["says"])
+    if (claim["as_printed"]["verdict"] != claim["corrected"]["verdict"])
       claim["changes"] = claim["corrected"];
     all.push_back(claim);
   }
@@ -191,19 +194,20 @@ Json settled_json(const std::vector<Number>& numbers) {
 }
 
 Json claims_of(int figure, const Json& claims) {
-  Json its = Json::array();
+  Json of_figure = Json::array();
   for (const Json& claim : claims)
     for (const Json& number : claim.at("figures"))
-      if (number == figure) its.push_back(claim);
-  return its;
+      if (number == figure) of_figure.push_back(claim);
+  return of_figure;
 }
 
 Json verdicts_json(const Json& claims) {
   Json all = {{"claims", claims.size()}, {"claims_something", !claims.empty()}};
   for (const char* set : set_keys) {
     const auto count = [&](const char* verdict) {
-      return std::count_if(claims.begin(), claims.end(),
-                           [&](const Json& claim) { return claim.at(set).at("says") == verdict; });
+      return std::count_if(claims.begin(), claims.end(), [&](const Json& claim) {
+        return claim.at(set).at("verdict") == verdict;
+      });
     };
     const auto reproduced = count("reproduced"), rounding = count("within rounding"),
                refuted = count("refuted");

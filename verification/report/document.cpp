@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <sstream>
 
-#include "figures/data/csv.hpp"
 #include "figures/results/version.hpp"
 #include "verification/report/page.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
 
 /// Why a refuted claim fails: an error in the equations, a word or a number.
 std::string cause_of(const Json& claim) {
-  if (claim.at("corrected").at("says") == "reproduced") return "equations";
+  if (claim.at("corrected").at("verdict") == "reproduced") return "equations";
   return claim.at("worst").at("is_word").get<bool>() ? "words" : "numbers";
 }
 
@@ -26,7 +26,7 @@ Json groups_json(const Json& claims, const Json& causes) {
     std::map<std::string, Json> parts;
     std::size_t count = 0;
     for (const Json& claim : claims) {
-      if (claim.at("as_printed").at("says") != verdict) continue;
+      if (claim.at("as_printed").at("verdict") != verdict) continue;
       ++count;
       const std::string cause = verdict == "refuted" ? cause_of(claim) : "";
       Json& part = parts.try_emplace(cause, causes.value(cause, Json{{"title", ""}})).first->second;

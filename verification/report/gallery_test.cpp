@@ -21,11 +21,11 @@ Redrawn from the equations as printed and from the corrected ones: in blue and i
 `make approve`. The paper's printed curves were not available: its numbers, in grey, are beside ours in the pictures.
 )";
   for (const Figure& figure : paper_figures()) {
-    const Json its = claims_of(figure.number, claims), verdicts = verdicts_json(its);
+    const Json of_figure = claims_of(figure.number, claims), verdicts = verdicts_json(of_figure);
     text += fmt::format(
         "\n## Fig. {0}: {1}\n\n`make fig{0:02}`. Claims: {2}{3}.\n\n{4}\n\n![Fig. {0}]({5})\n",
         figure.number, figure.scene.title, verdicts["as_printed"]["says"].get<std::string>(),
-        its.empty() ? "" : "; corrected: " + verdicts["corrected"]["says"].get<std::string>(),
+        of_figure.empty() ? "" : "; corrected: " + verdicts["corrected"]["says"].get<std::string>(),
         captions.at(std::to_string(figure.number)).get<std::string>(), preview_of(figure.number));
   }
   expect_approved("figures/paper/README.md", text);

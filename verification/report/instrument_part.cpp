@@ -8,6 +8,7 @@
 #include "figures/data/csv.hpp"
 #include "verification/report/document.hpp"
 #include "verification/report/engine/explorer.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figures/data/csv.hpp"
 #include "figures/results/run_result.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "verification/report/document.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/onset_speed.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

@@ -1,6 +1,7 @@
 /// `random-rotors COUNT FOLDER` runs random rotors, and checks their balances, that runs which stop
 /// at their outcome report what the whole run does, and that Newton's laws, integrated in another
-/// way, give the same. Fails if one is wrong. The folder gets the options of all of them.
+/// way, give the same. Fails if one is wrong. The folder gets the options of all of them, which
+/// `random-rotors COUNT` prints instead.
 #include <fmt/format.h>
 
 #include "figures/data/files.hpp"
@@ -192,7 +193,7 @@ struct Findings {
 };
 
 int main(const Arguments& arguments) {
-  if (arguments.size() != 2) throw std::runtime_error("needs: COUNT FOLDER");
+  if (arguments.empty() || arguments.size() > 2) throw std::runtime_error("needs: COUNT [FOLDER]");
   const long count = std::stol(arguments[0]);
   Findings findings;
   std::string options;
@@ -201,6 +202,7 @@ int main(const Arguments& arguments) {
   for (long n = 0; n < count; ++n) {
     const auto& [stated, scenario] = random.rotor();
     options += options_of(stated) + '\n';
+    if (arguments.size() == 1) continue;
     std::string wrong;
     try {
       wrong = findings.look_at(scenario);
@@ -210,6 +212,10 @@ int main(const Arguments& arguments) {
     if (wrong.empty()) continue;
     ++failed;
     fmt::print("rotor run {}\n  {}\n", options_of(stated), wrong);
+  }
+  if (arguments.size() == 1) {
+    fmt::print("{}", options);
+    return 0;
   }
   const double left_out = 1 - static_cast<double>(findings.compared + findings.fixed_steps) /
                                   static_cast<double>(count);

@@ -80,8 +80,8 @@ class BalanceObserver : public Observer {
                     contact_energy_by_formula(parameters_, indentation);
     if (conserves_gravity())
       energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);
-    return {energy, at.body.mass * cross(m.mass_centre(), m.mass_centre_velocity()) +
-                        at.body.inertia * m.speed};
+    const double spin = at.body.has_constant_speed() ? 0 : at.body.inertia * m.speed;
+    return {energy, at.body.mass * cross(m.mass_centre(), m.mass_centre_velocity()) + spin};
   }
 
   /// Power and moment of everything that has no potential.
@@ -92,6 +92,7 @@ class BalanceObserver : public Observer {
                    (at.motor_on ? supports_.torque * m.speed : 0);
     if (!conserves_gravity()) power += supports_.gravity_moment(at.body, m) * m.speed;
     double moment = supports.moment;
+    Vector<double> force = supports.force;
     if (at.contact != ContactState::free) {
       const RimPoint<double> k = ring_.rim_point(m);
       if (at.contact == ContactState::indented) {
@@ -102,7 +103,13 @@ class BalanceObserver : public Observer {
         power += -parameters_.contact_damping * k.normal_velocity * k.normal_velocity +
                  friction * k.slip_velocity;
         moment += friction * (k.displacement + ring_.rotor_radius);
+        force += normal * k.normal + friction * k.tangent;
       }
+    }
+    if (at.body.has_constant_speed()) {  // the drive balances the moment about C
+      const double drive = cross(m.mass_centre(), force) - moment;
+      power += drive * m.speed;
+      moment += drive;
     }
     return {power, moment};
   }

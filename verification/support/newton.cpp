@@ -96,10 +96,15 @@ class Run {
     laws_ = {p, scenario.equations.gravity_moment, at_.body, at_.motor_on};
     x_ = in_stator_axes(at_.state);
     clearance_ = p.stator_radius - p.rotor_radius;
+    if (at_.contact != ContactState::free && laws_.pressure(laws_.rim(x_)) < 0)
+      at_.contact = ContactState::indented;
   }
 
   bool finish() {
-    show(Event::none);
+    if (touches())
+      begin_contact(Event::none);
+    else
+      show(Event::none);
     if (scenario_.loses_mass()) {
       if (!advance(scenario_.parameters.mass_loss_time)) return false;
       lose_mass();
@@ -181,7 +186,10 @@ class Run {
     return held ? Event::rolling_onset : Event::slip_reversal;
   }
 
-  void count_whirl_from_here() { whirl_angle_ = std::atan2(x_[1], x_[0]); }
+  void count_whirl_from_here() {
+    const State<double> q = in_rotating_axes(x_);
+    whirl_angle_ = q[2] + std::atan2(q[1], q[0]);
+  }
 
   void pass(Guard which) {
     const bool was_indented = at_.contact == ContactState::indented;
@@ -305,7 +313,11 @@ class Run {
       const double depth = std::max(laws_.rim(x_).indentation, 1e-3 * clearance_);
       frequency = std::max(frequency, std::sqrt(tangent_stiffness(depth) / at_.body.mass));
     }
-    return two_pi / frequency / steps_.per_period;
+    const double longest = two_pi / frequency / steps_.per_period;
+    if (at_.contact == ContactState::free || p.contact_exponent == 1) return longest;
+    // The estimated error hardly shows that the force is not smooth where the indentation is zero.
+    const NewtonRim k = laws_.rim(x_);
+    return std::min(longest, std::max(longest / 1024, std::abs(k.indentation / k.rate) / 4));
   }
 
   bool advance(double until_s) {

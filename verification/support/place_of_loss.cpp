@@ -17,7 +17,7 @@ PlaceOfLoss::PlaceOfLoss(const Parameters& p, double angle, double lost_mass)
   eccentricity_ = (p.mass * before - lost_mass_ * piece_) / after_.mass;
   shift_ = eccentricity_ - before;
   after_.eccentricity = eccentricity_.norm();
-  after_.inertia = p.inertia - lost_mass_ * (piece_ - before).squaredNorm() -
+  after_.inertia = Body<double>::of(p).inertia - lost_mass_ * (piece_ - before).squaredNorm() -
                    after_.mass * shift_.squaredNorm();  // Eqs. (8), (11)
 }
 

@@ -28,6 +28,8 @@ double clearance(const Numbers& drawn) {
   const auto stated = drawn.find("clearance");
   return stated != drawn.end() ? stated->second : of(drawn, "stator_radius") - radius(drawn);
 }
+/// The speed of a point at the clearance that turns with the rotor, m/s.
+double start_velocity(const Numbers& drawn) { return two_pi * speed_Hz(drawn) * clearance(drawn); }
 /// The period of the rotor on the ring, s.
 double contact_period(const Numbers& drawn) {
   return two_pi * std::sqrt(mass(drawn) / of(drawn, "contact_stiffness"));
@@ -58,6 +60,10 @@ const std::vector<NumberRange> number_ranges = {
     {"torque", 0.01, 10, 2, 0},
     {"start_speed_hz", 10, 1e3, 10, 0},
     {"start_speed_rpm", 600, 6e4, 10, 0},
+    {"start_x", 0.01, 1.01, 0, 0, clearance},
+    {"start_y", 0.01, 1.01, 0, 0, clearance},
+    {"start_velocity_x", 0.01, 1, 0, 0, start_velocity},
+    {"start_velocity_y", 0.01, 1, 0, 0, start_velocity},
     {"motor_off_hz", 0.3, 3, 4, 1 + 1e-4, speed_Hz},
     {"motor_off_rpm", 0.3, 3, 4, 1 + 1e-4, speed_rpm},
     {"contact_stiffness", 1e6, 1e12},
@@ -87,6 +93,7 @@ const std::vector<NameRange> name_ranges = {
     {"velocity_jump", all_names<VelocityJump>()},
     {"gravity_moment", all_names<GravityMoment>()},
     {"method", all_names<Method>()},
+    {"drive", all_names<Drive>()},
 };
 
 bool has_range(std::string_view name) {
@@ -122,6 +129,14 @@ ScenarioSpec RandomInputs::spec(double part) {
   }
   for (const NameRange& row : name_ranges)
     if (one_in(2)) find_named_input(row.name)->state(spec, row.values[below(row.values.size())]);
+  if (!one_in(4))
+    std::erase_if(spec.numbers, [](const auto& number) {
+      return find_input_quantity(number.first)->of_start != nullptr;
+    });
+  if (spec.drive == Drive::constant_speed)
+    for (const char* of_motor :
+         {"torque", "motor_off_hz", "motor_off_rpm", "mass_loss_speed_hz", "mass_loss_speed_rpm"})
+      spec.numbers.erase(of_motor);
   if (one_in(10)) {
     std::erase_if(spec.numbers, [](const auto& number) {
       return determined_by(number.first) == "mass_loss_time";
@@ -161,6 +176,7 @@ std::string options_of(const ScenarioSpec& spec) {
   if (spec.velocity_jump) add("velocity_jump", name_of(*spec.velocity_jump));
   if (spec.gravity_moment) add("gravity_moment", name_of(*spec.gravity_moment));
   if (spec.method) add("method", name_of(*spec.method));
+  if (spec.drive) add("drive", name_of(*spec.drive));
   return fmt::format("{}", fmt::join(options, " "));
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "figures/data/csv.hpp"
 #include "verification/support/content.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/read_csv.hpp"
 #include "verification/validation/cases.hpp"
 
 namespace rotor {

@@ -24,7 +24,7 @@ ScenarioSpec spec_of(const Options& options) {
   ScenarioSpec spec;
   for (const auto& [option, text] : options) {
     std::string name = option;
-    std::ranges::replace(name, '-', '_');
+    std::replace(name.begin(), name.end(), '-', '_');
     if (const InputQuantity* number = find_input_quantity(name))
       state_number(spec, number->quantity, text);
     else if (const NamedInput* choice = find_named_input(name))
