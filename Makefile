@@ -286,7 +286,7 @@ reference: build ## data: high-precision.csv (minutes)
 
 ensembles: build ## data: ensembles.csv: claims over the rounding of inputs (minutes), or one ID
 	$(call build-target,ensembles)
-	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)),$(if $(filter command%,$(origin SEED)),seed $(SEED) $(BUILD)/ensembles-$(SEED).csv))
+	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)),$(if $(filter-out 1,$(SEED)),seed $(SEED) $(BUILD)/ensembles-$(SEED).csv))
 
 prove: need-deps ## data: proven.csv: the accident by ball arithmetic (minutes)
 	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))
