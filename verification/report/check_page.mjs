@@ -145,7 +145,7 @@ async function check_keyboard(page) {
   });
   for (let n = 0; n < count + 2; ++n) await page.keyboard.press("Tab");
   const unreached = await page.evaluate(() => [...window.unreached].map((element) => element.outerHTML.slice(0, 80)));
-  expect(count > 100 && unreached.length === 0, `the tabulator does not reach ${unreached.join("; ")}`);
+  expect(count > 50 && unreached.length === 0, `the tabulator does not reach ${unreached.join("; ")}`);
 }
 
 // The address keeps the settings.
