@@ -48,8 +48,8 @@ $(foreach char,; " \ [ ] * ? < > | & ' ` ^ $$ $(hash),$(if $(findstring $(char),
 # Misspelt options are reported before anything is built.
 one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 $(call one_of,FORMAT,svg pdf png)
-$(call one_of,EQUATIONS,both published consistent corrected)
-override EQUATIONS := $(EQUATIONS:corrected=consistent)
+$(call one_of,EQUATIONS,both published corrected consistent)
+override EQUATIONS := $(EQUATIONS:consistent=corrected)
 NUMBERS := $(FIGURES:fig%=%)
 $(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be among: $(NUMBERS)))
 whole = $(if $(shell n=$(call quote,$($(1))); [[ $$n =~ ^(0|[1-9][0-9]{0,8})$$ && $$n -ge $(2) ]] && echo yes),,$(error \
@@ -58,7 +58,7 @@ $(call whole,POINTS,20)$(call whole,SEED,0)$(call whole,HAND,0)$(call whole,COUN
 
 # Data of each set of equations are in a folder of its own, and there a picture of it alone; one of both is above.
 OUT    := $(BUILD)/figures
-SETS   := $(if $(filter both,$(EQUATIONS)),published consistent,$(EQUATIONS))
+SETS   := $(if $(filter both,$(EQUATIONS)),published corrected,$(EQUATIONS))
 DRAWN  := $(OUT)$(if $(filter-out both,$(EQUATIONS)),/$(EQUATIONS))
 ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $$1 }'),$(FIGURES))
 
@@ -299,7 +299,7 @@ validate: build ## data: independent.csv: accidents by an independent code (minu
 	$(call build-target,validate)
 	@mkdir -p $(BUILD)/validation
 	@$(BUILD)/validate $(BUILD)/validation $(if $(CASES),$(BUILD)/validation/cases.csv $(call quote,$(CASES)),reference-data/independent.csv)
-	@$(ROTOR) run --equations consistent --from 29.1 --until 29.1344 --columns time_s,normal_force_N \
+	@$(ROTOR) run --equations corrected --from 29.1 --until 29.1344 --columns time_s,normal_force_N \
 	  --trace $(BUILD)/validation/engine.csv >/dev/null
 	@figures/draw.sh $(if $(CASES),$(BUILD)/validation,verification/validation)/validation.svg \
 	  "folder = '$(BUILD)/validation'" verification/validation/validation.gp

@@ -31,7 +31,7 @@ inline constexpr std::array<Named<Kind>, 0> names_of;
 
 template <>
 inline constexpr auto names_of<Equations> = std::to_array<Named<Equations>>(
-    {{"published", Equations::published}, {"consistent", Equations::consistent}});
+    {{"published", Equations::published}, {"corrected", Equations::corrected}});
 template <>
 inline constexpr auto names_of<VelocityJump> = std::to_array<Named<VelocityJump>>(
     {{"once", VelocityJump::once}, {"twice", VelocityJump::twice}});
@@ -74,7 +74,7 @@ std::vector<std::string_view> all_names() {
   return all;
 }
 
-/// "mixed" for equations that are neither published nor consistent.
+/// "mixed" for equations that are neither published nor corrected.
 template <class Kind>
 constexpr std::string_view name_of(Kind kind) {
   for (const auto& [name, named] : names_of<Kind>)

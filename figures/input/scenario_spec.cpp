@@ -16,9 +16,6 @@ namespace {
 constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz", start_speed = "start_speed_hz";
 constexpr double unbounded = -std::numeric_limits<double>::infinity();
 
-/// What pages and figures call the consistent equations.
-constexpr std::string_view corrected = "corrected";
-
 constexpr std::array alternatives = {
     InputQuantity{{"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, 0},
                   "stator_radius"},
@@ -237,7 +234,7 @@ bool is_own_rotor(const ScenarioSpec& stated) {
 }
 
 Equations equations_of(const ScenarioSpec& stated) {
-  const Equations usual = is_own_rotor(stated) ? Equations::consistent : Scenario{}.equations;
+  const Equations usual = is_own_rotor(stated) ? Equations::corrected : Scenario{}.equations;
   const Equations all = stated.equations.value_or(usual);
   return {stated.velocity_jump.value_or(all.velocity_jump),
           stated.gravity_moment.value_or(all.gravity_moment)};
@@ -267,14 +264,13 @@ std::span<const NamedInput> named_inputs() {
   using Text = std::string_view;
   constexpr Scenario standard{};
   static constexpr std::array all = {
-      NamedInput{"equations", name_of(standard.equations),
-                 "published (as printed: twice, whole) or corrected, also called consistent (once, "
-                 "balanced): the default for a rotor with a mass, inertia or radius of its own",
-                 [](Spec& s, Text name) {
-                   if (name != "published" && name != corrected && name != "consistent")
-                     throw InputError("must be published or corrected; not \"{}\"", shown(name));
-                   s.equations = name == "published" ? Equations::published : Equations::consistent;
-                 }},
+      NamedInput{
+          "equations", name_of(standard.equations),
+          "published (as printed: twice, whole) or corrected (once, balanced): the default for a "
+          "rotor with a mass, inertia or radius of its own",
+          [](Spec& s, Text name) {
+            s.equations = parse_name<Equations>(name == "consistent" ? "corrected" : name);
+          }},
       NamedInput{"velocity_jump", name_of(standard.equations.velocity_jump),
                  "once or twice: how often the mass loss adds Delta_vy to the velocity of C",
                  [](Spec& s, Text name) { s.velocity_jump = parse_name<VelocityJump>(name); }},

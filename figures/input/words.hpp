@@ -46,7 +46,7 @@ struct EquationsInWords {
 
 inline constexpr auto sets_in_words = std::to_array<EquationsInWords>(
     {{"published", "#0072b2", "#56b4e9", "equations as printed", "as printed"},
-     {"consistent", "#b34700", "#f0934f", "corrected equations", "corrected"}});
+     {"corrected", "#b34700", "#f0934f", "corrected equations", "corrected"}});
 
 /// What summaries call equations by their name, "mixed" and "corrected" included.
 constexpr std::string_view equations_in_words(std::string_view name) {

@@ -1,4 +1,4 @@
-# A map, published and consistent equations side by side, or two values of another quantity. A script with the
+# A map, published and corrected equations side by side, or two values of another quantity. A script with the
 # map's name, loaded before, defines the axes; the caller sets, besides what style.gp needs:
 #   theory  what closed forms exceed, as map-theory writes it
 #   note    what tolerance.sh says of the map

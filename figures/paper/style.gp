@@ -1,7 +1,7 @@
 # The look of all pictures, and what the scripts of the paper's figures share. draw.sh sets output, format (svg, pdf or
 # png), and the folders figures and reference_data; its caller sets with gnuplot's -e:
 #   data      a CSV file, columns addressed by name; of a figure of the paper instead
-#   data_published, data_consistent  its files in each set of equations, or in one of them. Beside each file.csv is
+#   data_published, data_corrected  its files in each set of equations, or in one of them. Beside each file.csv is
 #             file.var: variables of each run, by its number: run1, its name, friction1, peak_normal_force_N1 and so on
 # The picture is wide; for a square one a script has: eval "set terminal ".square
 
@@ -28,7 +28,7 @@ set linetype 7 dashtype (9, 6)
 set linetype 8 dashtype (5, 6)
 published = 11; clearance = 12; reading = 13; fixed_steps = 14; lost = 16; law = 18
 set style line 10 linecolor rgb tint_of("published") linewidth 1.3
-set style line 20 linecolor rgb tint_of("consistent") linewidth 1.3
+set style line 20 linecolor rgb tint_of("corrected") linewidth 1.3
 set style line 21 linecolor rgb "#d07f4a" linewidth 3    # wide and lighter beneath the other, so also in grey
 set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 7)
 set style line clearance linecolor rgb black linewidth 1.2 dashtype (1, 5)
@@ -61,8 +61,8 @@ of_run(name, c) = strcol("run") eq name ? column(c) : NaN
 # The sets of equations that a figure shows, in the order of its panels, and in that of curves. From `eval use(set)` on
 # data, equations, ours (a line style) and the variables of runs are those of one set.
 is_printed(set) = set eq "published"
-sets = (exists("data_published") ? "published " : "").(exists("data_consistent") ? "consistent" : "")
-from_below = words(sets) == 2 ? "consistent published" : sets
+sets = (exists("data_published") ? "published " : "").(exists("data_corrected") ? "corrected" : "")
+from_below = words(sets) == 2 ? "corrected published" : sets
 data_of(set) = value("data_".set)
 use(set) = sprintf("equations = '%s'; data = data_of(equations); ours = %d; load data[:strlen(data) - 4].'.var'", \
   set, is_printed(set) ? 10 : 20)
@@ -114,6 +114,6 @@ cell(n, place, offset, text, tint) = text eq "" ? "" : sprintf("set label '%s' a
 column_at(set) = table_letters + (set eq "paper" ? 9 : is_printed(set) || words(sets) == 1 ? 18 : 27)
 head_of(set) = cell(0, "right", column_at(set), short_of(set), tint_of(set))
 table(x, y, letters) = (table_x = x, table_y = y, table_letters = letters, cell(0, "right", column_at("paper"), "paper", grey). \
-  head_of(word(sets, 1)).(words(sets) == 2 ? head_of("consistent") : ""))
+  head_of(word(sets, 1)).(words(sets) == 2 ? head_of("corrected") : ""))
 row(n, head, paper) = cell(n, "left", 0, head, black).cell(n, "right", column_at("paper"), paper, grey)
 ours_in(n, number) = cell(n, "right", column_at(equations), number, tint_of(equations))

@@ -12,7 +12,7 @@ namespace rotor {
 namespace {
 
 std::string describe(const Equations& equations) {
-  if (equations == Equations::published || equations == Equations::consistent)
+  if (equations == Equations::published || equations == Equations::corrected)
     return std::string(name_of(equations));
   return fmt::format("{} (velocity jump {}, gravity moment {})", name_of(equations),
                      name_of(equations.velocity_jump), name_of(equations.gravity_moment));

@@ -81,7 +81,7 @@ const std::vector<Metadata>& metadata() {
       {"located_events", "Number of located events", type("integer"),
        [](const A& a) { return Json(a.end.counters.located_events); }},
       {"equations",
-       "published (velocity jump twice, gravity moment whole), consistent (once, balanced) or "
+       "published (velocity jump twice, gravity moment whole), corrected (once, balanced) or "
        "mixed",
        one_of(with(all_names<Equations>(), "mixed")),
        [](const A& a) { return Json(name_of(a.scenario.equations)); }},
@@ -105,7 +105,8 @@ const std::vector<Metadata>& metadata() {
       {"version", "Version of rotor, and its commit", type("string"),
        [](const A&) { return Json(version()); }},
       {"schema",
-       "Version of this schema; 4 had cut_short_at_s and no drive, 3 had values of stopped runs "
+       "Version of this schema; 4 had cut_short_at_s, equations named consistent and no drive, 3 "
+       "had values of stopped runs "
        "that the rest could change, 2 had the "
        "keys of separation and collisions, 1 no outcome or inputs",
        {{"const", schema}},

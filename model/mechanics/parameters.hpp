@@ -42,11 +42,11 @@ struct Equations {
 
   bool operator==(const Equations&) const = default;
 
-  static const Equations published;   ///< twice, whole
-  static const Equations consistent;  ///< once, balanced
+  static const Equations published;  ///< twice, whole
+  static const Equations corrected;  ///< once, balanced
 };
 inline constexpr Equations Equations::published{VelocityJump::twice, GravityMoment::whole};
-inline constexpr Equations Equations::consistent{VelocityJump::once, GravityMoment::balanced};
+inline constexpr Equations Equations::corrected{VelocityJump::once, GravityMoment::balanced};
 
 /// What turns the rotor: the paper's motor with its torque, or a drive that holds the speed,
 /// whatever torque that takes; the rotation then has no energy that could be exchanged.

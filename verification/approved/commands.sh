@@ -16,7 +16,7 @@ texts() {
     sed -E '/^[-−+0-9. ]*$/d;' | numbers | sed -E '/^(N(·N)?)?$/d' | uniq
 }
 
-# Draws a figure as make does: draw fig03.svg published consistent.
+# Draws a figure as make does: draw fig03.svg published corrected.
 draw() {
   local svg=$1 data= set; shift
   for set; do data="$data data_$set = '$set/${svg%.svg}.csv';"; done

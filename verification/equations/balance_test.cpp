@@ -25,7 +25,7 @@ TEST_P(Figure, BalancesEnergyAndAngularMomentumInBothSetsOfEquations) {
   Law momentum("balance of angular momentum along each figure's runs, of the greatest", accuracy);
   for (SceneRun scene_run : read_scene(GetParam()).runs) {
     if (scene_run.scenario.method != Method::event) continue;
-    for (const Equations equations : {Equations::published, Equations::consistent}) {
+    for (const Equations equations : {Equations::published, Equations::corrected}) {
       Scenario& scenario = scene_run.scenario;
       scenario.equations = equations;
       scenario.tolerance = 1e-12;

@@ -26,7 +26,7 @@ EnergyBalance balance_of(const Scenario& scenario) {
 TEST(EnergyByCause, AddsUpInEveryRub) {
   // Of a few thousand steps, each good to 1e-14 or so.
   Law law("energy by cause in every rub, of the initial energy", 1e-11);
-  for (const Equations equations : {Equations::published, Equations::consistent})
+  for (const Equations equations : {Equations::published, Equations::corrected})
     for (const double friction : {0.3, 0.2, 0.08, 0.}) {
       Scenario scenario{.parameters = {.friction = friction}, .equations = equations};
       scenario.tolerance = 1e-12;
@@ -72,7 +72,7 @@ TEST(EnergyByCause, AddsUpOverLongSteps) {
 // The piece leaves with the energy that it had, T of a point mass at r + e_x; the jump as printed
 // adds m_1 times Delta_vy times the mean of the velocities before and after it.
 TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {
-  for (const Equations equations : {Equations::published, Equations::consistent}) {
+  for (const Equations equations : {Equations::published, Equations::corrected}) {
     Scenario scenario{.equations = equations, .start_speed_Hz = 150, .until = 0.001};
     scenario.parameters.mass_loss_time = scenario.parameters.gravity = 0;
     const MassLoss<double> loss(scenario.parameters);

@@ -120,9 +120,9 @@ TEST_P(MassLossResponseOf, ARotorThatLosesLittleHardlyGoesFurther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sets, MassLossResponseOf,
-                         testing::Values(Equations::published, Equations::consistent),
+                         testing::Values(Equations::published, Equations::corrected),
                          [](const auto& set) {
-                           return set.param == Equations::published ? "Published" : "Consistent";
+                           return set.param == Equations::published ? "Published" : "Corrected";
                          });
 
 // There is no free vibration without stiffness, or with critical damping.
@@ -133,7 +133,7 @@ TEST(MassLossResponse, IsOfSupportsThatVibrate) {
     p.unbalance_factor = 1;
     p.support_stiffness = stiffness;
     p.support_damping = damping;
-    return MassLossResponse(p, Equations::consistent, 600).bound();
+    return MassLossResponse(p, Equations::corrected, 600).bound();
   };
   EXPECT_THROW(of(0, 0), std::domain_error);
   EXPECT_THROW(of(500, 100), std::domain_error);

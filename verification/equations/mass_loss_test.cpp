@@ -18,10 +18,10 @@ TEST(MassLoss, RaisesTheMassCentresVelocityByDeltaVyThroughEq1Alone) {
       return RotatingFrame<double>::motion(body, state).mass_centre_velocity();
     };
     const auto before = velocity(loss.before, x);
-    const auto consistent = velocity(loss.after, loss.lose_mass(x, Equations::consistent));
+    const auto corrected = velocity(loss.after, loss.lose_mass(x, Equations::corrected));
     const auto published = velocity(loss.after, loss.lose_mass(x, Equations::published));
     const double jump = loss.velocity_jump(942) * speed / 942;  // in the sense of rotation
-    EXPECT_NEAR((consistent - before).y(), jump, 1e-15);
+    EXPECT_NEAR((corrected - before).y(), jump, 1e-15);
     EXPECT_NEAR((published - before).y(), 2 * jump, 1e-15);
   }
 }
@@ -41,17 +41,17 @@ TEST(PlaceOfLoss, OppositeToTheUnbalanceIsTheTexts) {
   const double rounding = 1e-15;
   EXPECT_NEAR(place.after().eccentricity / loss.after.eccentricity, 1, rounding);
   EXPECT_NEAR(place.after().inertia / loss.after.inertia, 1, rounding);
-  for (const Equations equations : {Equations::published, Equations::consistent}) {
+  for (const Equations equations : {Equations::published, Equations::corrected}) {
     const State<double> found = place.lose_mass(moving(), equations).state;
     const State<double> expected = loss.lose_mass(moving().state, equations);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(found[i], expected[i], rounding) << i;
   }
 }
 
-TEST(PlaceOfLoss, KeepsEnergyMomentumAndAngularMomentumInTheConsistentEquationsWhereverItIs) {
+TEST(PlaceOfLoss, KeepsEnergyMomentumAndAngularMomentumInTheCorrectedEquationsWhereverItIs) {
   for (double angle = 0; angle < 2 * pi; angle += 0.3) {
     const PlaceOfLoss place({}, angle);
-    const Instant at = moving(), left = place.lose_mass(at, Equations::consistent);
+    const Instant at = moving(), left = place.lose_mass(at, Equations::corrected);
     const Motion<double> before = at.motion(), after = left.motion();
     const double m_u = place.lost_mass(), turn = at.state[2], turn_after = left.state[2];
     // In the stator's axes, about O_a.

@@ -153,7 +153,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedInHeavilyDampedFlight) {
     const double h = std::pow(10, -5 + any(engine)), turn = 0.3;  // per step, for accuracy
     p.support_damping = share * p.inertia / (p.eccentricity * p.eccentricity * h);
     p.torque = turn * std::abs(any(engine)) * p.inertia / (h * h);
-    const RotorSystem<double> rotor(p, Equations::consistent);
+    const RotorSystem<double> rotor(p, Equations::corrected);
     const double rho = rotor.ring.clearance * std::abs(std::pow(any(engine), 5));
     const double velocity = 0.01 * rotor.ring.clearance / h;
     const State<double> q = {rho,
@@ -207,7 +207,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedAboutTheSynchronousMotion) {
 
 // Otherwise a motor of 10^10 N m that is off would make each flight a search for contacts.
 TEST(FlightBounds, DoNotCountAMotorThatIsOff) {
-  RotorSystem<double> rotor({.torque = 1e10}, Equations::consistent);
+  RotorSystem<double> rotor({.torque = 1e10}, Equations::corrected);
   const State<double> q = {1e-3, 0, 0, 0.1, 0, 900};
   const auto bounds = [&](bool motor_on) {
     rotor.motor_on = motor_on;

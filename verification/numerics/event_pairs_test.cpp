@@ -113,7 +113,7 @@ TEST(RubInEachState, GoesOnWithoutItsMotor) {
 // Eqs. (5) and (14): only q2' jumps, and only as printed.
 TEST(RubInEachState, LosesItsMass) {
   std::set<ContactState> seen;
-  for (const Equations equations : {Equations::published, Equations::consistent})
+  for (const Equations equations : {Equations::published, Equations::corrected})
     for (const DrivenRub& rub : rubs())
       for (const double middle_s : middles_s(Recorded(rub.scenario, rub.from))) {
         DrivenRub losing = rub;
@@ -210,7 +210,7 @@ TEST(LossInSliding, MayEndTheContactForceAtOnce) {
 // The slip stays exactly zero, and the whirl is the mean over all of the rolling, although its
 // angle restarts. The same holds for the published jump, which is zero here.
 TEST(LossInRolling, OfNothingChangesNothing) {
-  for (const Equations& equations : {Equations::consistent, Equations::published})
+  for (const Equations& equations : {Equations::corrected, Equations::published})
     for (const Method method : {Method::event, Method::rk4})
       for (const double loss_s : {2.4, 2.5, 2.65}) {
         Scenario scenario{.equations = equations, .method = method, .until = 2.8};
@@ -237,7 +237,7 @@ TEST(LossInRolling, OfNothingChangesNothing) {
 
 // The lighter rotor needs more friction than there is: it breaks away where it loses its mass.
 TEST(LossInRolling, IsItsEndWhereFrictionCannotHoldTheRimAnyMore) {
-  Scenario scenario{.equations = Equations::consistent, .until = 0.1708};
+  Scenario scenario{.equations = Equations::corrected, .until = 0.1708};
   Parameters& p = scenario.parameters;
   p.stator_radius = p.rotor_radius + 0.001475357217480754;
   p.friction = 0.37190941845000236;

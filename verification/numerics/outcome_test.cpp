@@ -138,10 +138,8 @@ TEST(Outcome, OfARotorWithoutSupportsThatMovesNowhereIsNoContact) {
 
 // A step of the published method may touch the ring and end above its indentation.
 TEST(Outcome, CountsTheContactsThatTheSummaryCounts) {
-  Scenario scenario{.equations = Equations::consistent,
-                    .method = Method::rk4,
-                    .start_speed_Hz = 60,
-                    .until = 0.3};
+  Scenario scenario{
+      .equations = Equations::corrected, .method = Method::rk4, .start_speed_Hz = 60, .until = 0.3};
   Parameters& p = scenario.parameters;
   p.mass_loss_time = 0;
   scenario.step_rub = 5e-5;
@@ -155,14 +153,14 @@ TEST(Outcome, CountsTheContactsThatTheSummaryCounts) {
 // The speed ripples as the rotor turns, and the first of several times is needed. Due to gravity it
 // may be before the last step of the run-up.
 TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
-  Scenario rippling{.equations = Equations::consistent, .start_speed_Hz = 55};
+  Scenario rippling{.equations = Equations::corrected, .start_speed_Hz = 55};
   Parameters& p = rippling.parameters;
   p.eccentricity = 3e-3;
   p.stator_radius = p.rotor_radius + 20e-3;
   p.torque = 0.02;
   p.support_damping = 1;
   p.unbalance_factor = 1.1;
-  Scenario from_rest{.equations = Equations::consistent}, slow = from_rest;
+  Scenario from_rest{.equations = Equations::corrected}, slow = from_rest;
   from_rest.parameters.stator_radius = slow.parameters.stator_radius = p.rotor_radius + 0.1;
   slow.parameters.torque = 0.036;
   slow.tolerance = 1e-14;

@@ -24,7 +24,7 @@ std::string refusal_of(const Scenario& scenario) {
 // PublishedMethod.SaysWhereARunDiverges.
 TEST(RunCheck, RefusesRunsThatNoRotorTakes) {
   Scenario scenario = short_run(0.05);
-  scenario.equations = Equations::consistent;  // whose weight brings no energy
+  scenario.equations = Equations::corrected;  // whose weight brings no energy
   EXPECT_EQ(refusal_of(scenario), "");
   Scenario driven = scenario, pushed = scenario;
   driven.parameters.friction = -0.3;
@@ -44,7 +44,7 @@ class ContactCheck : public testing::Test {
     check.begin(rotor, at);
     at.time_s = 2;
   }
-  Scenario scenario{.equations = Equations::consistent};
+  Scenario scenario{.equations = Equations::corrected};
   RotorSystem<double> rotor{scenario.parameters, scenario.equations};
   Instant at = at_rest(scenario.parameters);
   RunCheck<double> check{RunCheck<double>::truncation_of(1e-11)};

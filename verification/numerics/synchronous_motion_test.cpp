@@ -66,10 +66,10 @@ TEST_P(Run, IsSubtractedExactly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(UpInSpeed, Run,
-                         testing::Values(Equations::published, Equations::consistent),
+                         testing::Values(Equations::published, Equations::corrected),
                          [](const auto& equations) {
                            return equations.param == Equations::published ? "Published"
-                                                                          : "Consistent";
+                                                                          : "Corrected";
                          });
 
 /// As far as the published method resolves it, which is of fourth order without contact.

@@ -15,11 +15,11 @@
 namespace rotor {
 namespace {
 
-constexpr std::size_t published = 0, consistent = 1;
+constexpr std::size_t published = 0, corrected = 1;
 
 TEST(Claims, HaveTheVerdictsThatTheTableStates) {
   for (const Number& number : judged())
-    for (const std::size_t set : {published, consistent}) {
+    for (const std::size_t set : {published, corrected}) {
       const Verdict verdict = verdict_of(number, set);
       EXPECT_EQ(verdict.verdict, number.expected[set])
           << number.id << ' ' << sets[set].name << ' ' << verdict.off_a << ' ' << verdict.off_b;

@@ -17,7 +17,7 @@ struct Set {
   Equations equations;
 };
 inline const std::array<Set, 2> sets = {
-    {{"published", Equations::published}, {"consistent", Equations::consistent}}};
+    {{"published", Equations::published}, {"corrected", Equations::corrected}}};
 
 /// Draws of each reading: its values in the order of the draws, NaN if there is none.
 using Draws = std::map<std::string, std::vector<double>>;

@@ -68,8 +68,8 @@ TEST_F(LawsOfTheAccident, EstimateThePapersRotor) {
        std::map<std::string, bool>{{"--friction 0.3", true},
                                    {"--mass-loss-time 19.1", true},
                                    {"--mass-loss-time 14.15", false},
-                                   {"--equations consistent", true},
-                                   {"--equations consistent --mass-loss-time 19.1", false}}) {
+                                   {"--equations corrected", true},
+                                   {"--equations corrected --mass-loss-time 19.1", false}}) {
     const std::string& options = of.first;
     const auto law = json("estimate " + options), run = json("run " + options);
     EXPECT_EQ(law["law_trusted"], of.second) << options;
@@ -99,7 +99,7 @@ TEST_F(LawsOfTheAccident, AreRightWhereTheyAreTrusted) {
 // Each of these is wrong, or can be: the run differs from the prediction by more than 10 %.
 TEST_F(LawsOfTheAccident, AreNotTrustedOutsideTheirRegion) {
   const std::string laboratory =
-      "--equations consistent --mass 1.2 --inertia 1e-3 --eccentricity 3e-5 --support-stiffness "
+      "--equations corrected --mass 1.2 --inertia 1e-3 --eccentricity 3e-5 --support-stiffness "
       "4.2e4 --support-damping 8 --contact-damping 100 --rotor-radius 0.04 --torque 0 --friction "
       "0.207 --clearance 3.93e-4 --unbalance-factor 5.7 --contact-stiffness 3.82e8 ";
   for (const auto& [options, doubt] : std::vector<std::pair<std::string, std::string>>{

@@ -98,7 +98,7 @@ window = 3
 [[run]]
 [run]
 name = "b"
-equations = "consistent"
+equations = "corrected"
 method = "rk4"
 no_mass_loss = true
 no_mass_loss = 3
@@ -165,7 +165,7 @@ TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
     std::replace(name.begin(), name.end(), '_', '-');
     options.push_back("--" + name);
   }
-  const std::vector<std::string> values = {"t.csv", "consistent", "rk4", "time_s,rho_m", ""};
+  const std::vector<std::string> values = {"t.csv", "corrected", "rk4", "time_s,rho_m", ""};
   for (long n = 0; n < 80; ++n) {
     std::string arguments = random.one_in(10) ? random.of(values) : "run --until 0.01";
     for (std::size_t k = random.below(5); k > 0; --k) {

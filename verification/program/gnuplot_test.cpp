@@ -64,7 +64,7 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
 TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
   for (const std::string parameters : {"support_stiffness = 0\nstart_speed_hz = 50\nuntil = 0.01\n",
                                        "torque = 0\nno_mass_loss = true\nuntil = 0.01\n"}) {
-    write("s.toml", "[parameters]\nequations = \"consistent\"\n" + parameters);
+    write("s.toml", "[parameters]\nequations = \"corrected\"\n" + parameters);
     EXPECT_EQ(rotor("plot s.toml 2>messages").output, "s.svg\n") << parameters;
     EXPECT_EQ(content("messages").find("gnuplot"), std::string::npos) << content("messages");
     EXPECT_EQ(content("messages").find("arning"), std::string::npos) << content("messages");
@@ -97,9 +97,9 @@ TEST_F(Gnuplot, ExecutesNothingThatASceneSays) {
         "set title of('run', 1) noenhanced\nset xlabel sprintf('%g kg', number(of('run', 1), "
         "'mass'))\n"
         "set ylabel sprintf('%g kg', number('b', 'mass'))\nplot data using 2:3 with lines\n");
-  ASSERT_EQ(rotor("figure --scenes . --out . --equations consistent").status, 0);
+  ASSERT_EQ(rotor("figure --scenes . --out . --equations corrected").status, 0);
   const auto [status, output] = shell(
-      "\"" ROTOR_SOURCES "/figures/draw.sh\" a.svg \"data_consistent = 'fig40.csv'\" fig40.gp");
+      "\"" ROTOR_SOURCES "/figures/draw.sh\" a.svg \"data_corrected = 'fig40.csv'\" fig40.gp");
   EXPECT_EQ(status, 0) << output;
   EXPECT_FALSE(fs::exists(folder_ / "done"));
   const DrawnPicture picture(content("a.svg"));

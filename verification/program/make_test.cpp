@@ -44,8 +44,8 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   EXPECT_EQ(make_figure("%%EOF", "pdf").status, 0);
   EXPECT_EQ(make_figure("</svg>").status, 0);
   for (const char* removed :
-       {"build/figures/published/fig18.csv", "build/figures/consistent/fig18.csv",
-        "build/figures/consistent/fig18.var", "build/figures/fig18.svg"}) {
+       {"build/figures/published/fig18.csv", "build/figures/corrected/fig18.csv",
+        "build/figures/corrected/fig18.var", "build/figures/fig18.svg"}) {
     ASSERT_TRUE(fs::remove(folder_ / removed));
     EXPECT_EQ(make_figure("</svg>").status, 0) << removed;
     EXPECT_TRUE(fs::exists(folder_ / removed));

@@ -132,7 +132,7 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
   };
   const Json standard = without_costs(summary(start));
   for (const auto& [name, value, is_standard] : {std::tuple("equations", "published", true),
-                                                 {"equations", "consistent", false},
+                                                 {"equations", "corrected", false},
                                                  {"velocity_jump", "twice", true},
                                                  {"velocity_jump", "once", false},
                                                  {"gravity_moment", "whole", true},
@@ -149,7 +149,7 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
       EXPECT_EQ(summary(scene), by_option) << scene << ' ' << key;
   }
   EXPECT_EQ(summary(start + "--velocity-jump once --gravity-moment balanced"),
-            summary(start + "--equations consistent"));
+            summary(start + "--equations corrected"));
   EXPECT_EQ(summary(start + "--equations corrected"), summary(start + "--equations consistent"));
   for (const bool no : {false, true}) {
     write("c.toml", fmt::format("[parameters]\nstart_speed_hz = 30\nuntil = 0.02\n"
@@ -216,31 +216,31 @@ TEST_F(Options, LeaveTheEquationsOfAnotherRotorCorrected) {
   write("s.toml",
         "columns = [\"equations\"]\n[parameters]\nmass = 4\nstart_speed_hz = 150\nuntil = 1e-3\n"
         "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
-  EXPECT_EQ(summary("--scene fig30.toml")["equations"], "consistent");
+  EXPECT_EQ(summary("--scene fig30.toml")["equations"], "corrected");
   EXPECT_EQ(summary("--scene fig30.toml --equations published")["equations"], "published");
   EXPECT_EQ(summary("--friction 0.1 --until 1")["equations"], "published");
   ASSERT_EQ(rotor("figure 30 --scenes . --out .").status, 0);
-  EXPECT_NE(content("fig30.csv").find("run: equations consistent, "), std::string::npos);
+  EXPECT_NE(content("fig30.csv").find("run: equations corrected, "), std::string::npos);
   ASSERT_EQ(rotor("sweep s.toml").status, 0);
-  EXPECT_EQ(read_csv(folder_ / "s.csv").at(0)["equations"], "consistent");
+  EXPECT_EQ(read_csv(folder_ / "s.csv").at(0)["equations"], "corrected");
 }
 
 // Options of `figure` override [parameters], but not a [[run]].
 TEST_F(Options, OfFiguresStandBetweenParametersAndRuns) {
   write("fig31.toml",
-        "[parameters]\nstart_speed_hz = 100\nuntil = 0.01\nequations = \"consistent\"\n"
+        "[parameters]\nstart_speed_hz = 100\nuntil = 0.01\nequations = \"corrected\"\n"
         "method = \"rk4\"\n[[run]]\nname = \"a\"\n"
-        "[[run]]\nname = \"b\"\nequations = \"consistent\"\nmethod = \"rk4\"\n");
+        "[[run]]\nname = \"b\"\nequations = \"corrected\"\nmethod = \"rk4\"\n");
   const auto line = [&](const std::string& arguments, const std::string& run) {
     EXPECT_EQ(rotor("figure 31 --scenes . --out . " + arguments).status, 0);
     const std::string csv = content("fig31.csv");
     const std::size_t begin = csv.find("# " + run + ": ");
     return csv.substr(begin, csv.find(", mass", begin) - begin);
   };
-  EXPECT_EQ(line("", "a"), "# a: equations consistent, method rk4");
+  EXPECT_EQ(line("", "a"), "# a: equations corrected, method rk4");
   const std::string options = "--equations published --method event";
   EXPECT_EQ(line(options, "a"), "# a: equations published, method event");
-  EXPECT_EQ(line(options, "b"), "# b: equations consistent, method rk4");
+  EXPECT_EQ(line(options, "b"), "# b: equations corrected, method rk4");
 }
 
 }  // namespace

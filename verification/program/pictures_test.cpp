@@ -18,9 +18,9 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
       return FigureFolder::of(equations).csv(GetParam().number).string();
     };
     const auto [status, output] = shell(fmt::format(
-        "'{0}/../draw.sh' a.svg \"data_published = '{1}'; data_consistent = "
+        "'{0}/../draw.sh' a.svg \"data_published = '{1}'; data_corrected = "
         "'{2}';\" '{0}/fig{3:02}.gp' >/dev/null",
-        ROTOR_SCENES, csv(Equations::published), csv(Equations::consistent), GetParam().number));
+        ROTOR_SCENES, csv(Equations::published), csv(Equations::corrected), GetParam().number));
     EXPECT_EQ(status, 0);
     EXPECT_EQ(output, "");
     return DrawnPicture(content("a.svg"));

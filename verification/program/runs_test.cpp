@@ -196,13 +196,13 @@ TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
   for (auto [change, scenario, outcome] :
        {Case{touches_late, {.start_speed_Hz = 4, .until = 20}, Outcome::freed},
         {touches_balanced,
-         {.equations = Equations::consistent, .start_speed_Hz = 5.3, .until = 3},
+         {.equations = Equations::corrected, .start_speed_Hz = 5.3, .until = 3},
          Outcome::bouncing},
         {stalls,
-         {.equations = Equations::consistent, .start_speed_Hz = 5, .until = 30},
+         {.equations = Equations::corrected, .start_speed_Hz = 5, .until = 30},
          Outcome::stalled},
         {rolls_faster,
-         {.equations = Equations::consistent, .start_speed_Hz = 120, .until = 0.5},
+         {.equations = Equations::corrected, .start_speed_Hz = 120, .until = 0.5},
          Outcome::rolling},
         {rolls_faster,
          {.method = Method::rk4, .start_speed_Hz = 120, .until = 0.2},
@@ -220,7 +220,7 @@ TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
 TEST(StopsAtTheOutcome, MayBeInFlight) {
   for (const auto& [clearance, outcome] :
        {std::pair(3.4e-3, Outcome::no_contact), {3e-3, Outcome::freed}}) {
-    Scenario scenario{.equations = Equations::consistent, .start_speed_Hz = 100, .until = 1};
+    Scenario scenario{.equations = Equations::corrected, .start_speed_Hz = 100, .until = 1};
     Parameters& p = scenario.parameters;
     p.mass_loss_time = p.torque = 0;
     p.friction = 0.15;
@@ -266,7 +266,7 @@ TEST_F(Stops, AreAtRest) {
 // smooth decay does not have.
 TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
   const Json stopped = summary(
-      "--equations consistent --clearance 1e-3 --friction 0.8 --unbalance-factor 1 "
+      "--equations corrected --clearance 1e-3 --friction 0.8 --unbalance-factor 1 "
       "--mass-loss-time 2.4 --until 2.8 --stop-on outcome");
   EXPECT_EQ(stopped["outcome"], "rolling");
   EXPECT_GT(stopped["final_time_s"], 2.5);
@@ -275,7 +275,7 @@ TEST_F(Stops, AreBehindALossInRollingThatChangesNothing) {
 // Below resonance it is not decided yet: the motor drives the rotor through it, and into contact.
 TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
   for (const std::string run :
-       {"--mass-loss-time 1 --until 5 ", "--mass-loss-time 1.5 --until 5 --equations consistent ",
+       {"--mass-loss-time 1 --until 5 ", "--mass-loss-time 1.5 --until 5 --equations corrected ",
         // It coasts down through its resonance.
         "--mass 2.24760174 --inertia 0.0138229672 --eccentricity "
         "0.0158509437 --support-stiffness 977.876082 --support-damping "
@@ -290,7 +290,7 @@ TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
         "--mass 16.43673084432687 --motor-off-rpm 1724.5873413573881 --rotor-radius 0.16308656567 "
         "--start-speed-rpm 1724.4148998674013 --support-damping 10.90143554690996 "
         "--support-stiffness 13306.901291593784 --torque 0.0510535711584 --until 0.4239246 "
-        "--no-mass-loss --equations consistent "}) {
+        "--no-mass-loss --equations corrected "}) {
     const Json whole = summary(run), stopped = summary(run + "--stop-on outcome");
     EXPECT_GT(whole["touch_downs"], 0) << run;
     EXPECT_EQ(stopped["outcome"], whole["outcome"]) << run;

@@ -40,7 +40,7 @@ std::vector<Scenario> scenarios() {
                            : one_of(0., 0.5, 2.0, 9.4, 19.1, 29.1, 29.2, 29.100001, 28.0);
     p.loses_mass = one_of(true, true, true, true, false);
     scenario.until = p.mass_loss_time + one_of(0.02, 0.05, 0.3);
-    scenario.equations = one_of(Equations::published, Equations::consistent);
+    scenario.equations = one_of(Equations::published, Equations::corrected);
     if (p.mass_loss_time < 3) scenario.start_speed_Hz = one_of(0, 0, 100);
     if (n % 8 == 0) {
       scenario.method = Method::rk4;

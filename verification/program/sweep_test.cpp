@@ -27,7 +27,7 @@ title = "mixed"
 tolerance = 1e-7
 [[axis]]
 quantity = "equations"
-values = ["published", "consistent"]
+values = ["published", "corrected"]
 [[axis]]
 quantity = "support_stiffness"
 from = 2e4

@@ -88,7 +88,7 @@ void compare(const Column& column, const std::vector<Instant>& instants, const S
 }
 
 TEST(Column, IsWhatItsFormulaSays) {
-  for (const Equations& equations : {Equations::published, Equations::consistent})
+  for (const Equations& equations : {Equations::published, Equations::corrected})
     for (const Method method : {Method::event, Method::rk4})
       for (const bool motor_on : {false, true}) {
         Scenario scenario = of_its_own(equations, method);

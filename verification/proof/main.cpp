@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   for (auto& [name, input] : of.inputs)
     app.add_option("--" + name, input.value, "instead of " + input.value);
   std::string equations = "published";
-  app.add_option("--equations", equations)->check(CLI::IsMember({"published", "consistent"}));
+  app.add_option("--equations", equations)->check(CLI::IsMember({"published", "corrected"}));
   app.add_option("--bits", proof::Ball::bits, "precision")->check(CLI::Range(32, 10000));
   app.add_option("--rounding", of.rounding,
                  "width of all inputs: the share of their printed digits' rounding");

@@ -36,7 +36,7 @@ struct Case {
       {"until", {"0.03", "0"}},
   };
   std::string rounding = "0";  ///< the inputs lie within this share of theirs
-  bool published = true;       ///< the equations as printed, or else the consistent ones
+  bool published = true;       ///< the equations as printed, or else the corrected ones
 };
 
 /// Quantities in the order of their proof, with the engine's names; forces are magnitudes.

@@ -60,7 +60,7 @@ function compare(options) {
 
 const settings = [
   {},
-  { friction: "0.2", equations: "consistent" },
+  { friction: "0.2", equations: "corrected" },
   { friction: "0.15", "mass-loss-time": "20" },
   { "mass-loss-speed-hz": "75" },
   { clearance: "0.001", friction: "0.1", "mass-loss-time": "19.1" },

@@ -127,8 +127,8 @@ async function check_pins(page) {
   await page.getByRole("button", { name: /^75 Hz/ }).click();
   await shown(page, "#mass-loss-time=14.15");
   expect(/roll.* 136\.\d kN/.test(await outcome()), `at 75 Hz: ${await outcome()}`);
-  await page.check("#consistent");
-  await shown(page, "#mass-loss-time=14.15&equations=consistent");
+  await page.check("#corrected");
+  await shown(page, "#mass-loss-time=14.15&equations=corrected");
   expect(/does not touch/.test(await outcome()), `at 75 Hz, corrected: ${await outcome()}`);
   await page.check("#published");
   await page.getByRole("button", { name: /^μ = 0.2/ }).press("Enter");

@@ -27,7 +27,7 @@ Json findings(Json summary) {
 // To the bit, though runs share what they can.
 TEST_F(Explore, SaysWhatRotorRunSays) {
   for (const Options& options :
-       std::vector<Options>{{{"friction", "0.2"}, {"equations", "consistent"}},
+       std::vector<Options>{{{"friction", "0.2"}, {"equations", "corrected"}},
                             {{"mass-loss-time", "19.1"}},
                             {{"mass-loss-speed-hz", "75"}, {"unbalance-factor", "4"}},
                             {{"clearance", "1e-3"}, {"mass-loss-time", "19.1"}},

@@ -105,6 +105,6 @@ test("an address keeps settings, and its command is that of one program", () => 
   for (const hash of ["#friction=0.2&x%3Btouch%20p%3B%23=1", "#friction=0.2%3Btouch%20p", "#%24(touch p)=&clearance=1`p`",
     "#until=29.2%0Atouch%20p%0A&a%0Ap=1", "#friction='&clearance='", "#--=%1b[2J&\u202e=1"])
     assert.match(commandOf(settingsIn(hash)), /^build\/rotor run( --[a-z-]+ [\w.+-]+)* --json$/);
-  assert.deepEqual([{}, { equations: "consistent" }].map(setOf), ["published", "consistent"]);
-  assert.deepEqual(inSet({ friction: "0.2", equations: "consistent" }, "published"), { friction: "0.2" });
+  assert.deepEqual([{}, { equations: "corrected" }].map(setOf), ["published", "corrected"]);
+  assert.deepEqual(inSet({ friction: "0.2", equations: "corrected" }, "published"), { friction: "0.2" });
 });

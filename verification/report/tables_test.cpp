@@ -29,7 +29,7 @@ Json limits_json() {
                natural = std::sqrt(p.support_stiffness / mass);
   const double zeta = p.support_damping / (2 * mass * natural);
   const double swing_s = std::acos(zeta) / (natural * std::sqrt(1 - zeta * zeta));
-  for (const Equations& equations : {Equations::published, Equations::consistent}) {
+  for (const Equations& equations : {Equations::published, Equations::corrected}) {
     const double speed_Hz = onset_speed_Hz(equations, 0), speed = two_pi * speed_Hz;
     all[std::string(name_of(equations))] = {
         {"speed_Hz", speed_Hz},

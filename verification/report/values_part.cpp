@@ -118,7 +118,7 @@ Json values_json(const std::vector<Number>& numbers) {
           {"printed", printed},
           {"holds_in_percent", shares},
           {"published", runs_json(Equations::published, true)},
-          {"consistent", runs_json(Equations::consistent, true)},
+          {"corrected", runs_json(Equations::corrected, true)},
           {"balanced", runs_json({VelocityJump::twice, GravityMoment::balanced}, false)},
           {"once", runs_json({VelocityJump::once, GravityMoment::whole}, false)},
           {"draws", draws},

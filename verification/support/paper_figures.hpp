@@ -36,8 +36,8 @@ inline std::string preview_of(int figure) { return fmt::format("preview/fig{:02}
 class FigureFolder {
  public:
   static const FigureFolder& of(Equations equations) {
-    static const FigureFolder published(Equations::published), consistent(Equations::consistent);
-    return equations == Equations::published ? published : consistent;
+    static const FigureFolder published(Equations::published), corrected(Equations::corrected);
+    return equations == Equations::published ? published : corrected;
   }
   ~FigureFolder() { std::filesystem::remove_all(path_); }
   FigureFolder(const FigureFolder&) = delete;

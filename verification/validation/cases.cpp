@@ -34,7 +34,7 @@ ComparedAccident random_rotor() {
     return std::uniform_real_distribution<double>(least, greatest)(random);
   };
   for (;;) {
-    Scenario scenario{.equations = Equations::consistent};
+    Scenario scenario{.equations = Equations::corrected};
     Parameters& p = scenario.parameters;
     for (double* value : {&p.mass, &p.support_stiffness, &p.support_damping, &p.contact_stiffness,
                           &p.contact_damping, &p.eccentricity, &p.rotor_radius}) {
@@ -69,7 +69,7 @@ std::vector<ComparedAccident> accidents() {
           accident(fmt::format("jump {}, mu {}, loss at {} s", name, mu, loss_s), scenario));
     }
   all.push_back(random_rotor());
-  Scenario hertz{.equations = Equations::consistent};
+  Scenario hertz{.equations = Equations::corrected};
   hertz.parameters.contact_exponent = 1.5;
   hertz.parameters.reference_indentation = 1e-4;
   hertz.parameters.contact_damping = 0;  // the other code's grows with the root of the indentation

@@ -16,7 +16,7 @@ namespace {
 /// Without mass loss, at a constant speed.
 Scenario held(const Parameters& parameters, double speed, double until_s) {
   Scenario scenario{.parameters = parameters,
-                    .equations = Equations::consistent,
+                    .equations = Equations::corrected,
                     .start_speed_Hz = speed / two_pi,
                     .until = until_s};
   scenario.parameters.drive = Drive::constant_speed;
@@ -152,7 +152,7 @@ TEST(DryWhirl, SaturatesAtTheCoupledNaturalFrequency) {
                                            {1000, 1933},
                                            {3000, 1999},
                                            {10000, 2023}}) {
-    Scenario scenario{.equations = Equations::consistent, .start_speed_Hz = speed_Hz, .until = 0.5};
+    Scenario scenario{.equations = Equations::corrected, .start_speed_Hz = speed_Hz, .until = 0.5};
     Parameters& p = scenario.parameters;
     p.drive = Drive::constant_speed;
     p.unbalance_factor = 9;
@@ -170,7 +170,7 @@ TEST(DryWhirl, SaturatesAtTheCoupledNaturalFrequency) {
 TEST(LimitedPower, LeavesTheRotorBelowItsResonance) {
   for (const auto& [torque, speed_Hz] :
        {std::pair(0.004, 9.840070360089), {0.0056, 10.033427780885}, {0.0057, 10.071078039440}}) {
-    Scenario scenario{.equations = Equations::consistent, .start_speed_Hz = 8, .until = 1000};
+    Scenario scenario{.equations = Equations::corrected, .start_speed_Hz = 8, .until = 1000};
     scenario.parameters.gravity = 0;
     scenario.parameters.loses_mass = false;
     scenario.parameters.torque = torque;

@@ -27,7 +27,7 @@ const plots = new Plots(at("plots"), (to_s) => { play(false); goTo(to_s); });
 async function refresh() {
   const asked_ms = performance.now(), mine = options;
   at("command").textContent = commandOf(options);
-  for (const set of ["published", "consistent"]) at(set).checked = setOf(options) === set;
+  for (const set of ["published", "corrected"]) at(set).checked = setOf(options) === set;
   for (const input of at("inputs").elements) if (input.name) {
     input.value = options[input.name] ?? input.defaultValue;
     input.previousElementSibling.textContent = input.value;
@@ -92,7 +92,7 @@ window.addEventListener("hashchange", () => {
   options = settingsIn(location.hash);
   refresh();
 });
-for (const set of ["published", "consistent"]) at(set).addEventListener("change", () => use(inSet(options, set)));
+for (const set of ["published", "corrected"]) at(set).addEventListener("change", () => use(inSet(options, set)));
 at("inputs").addEventListener("input", ({ target }) => use({ ...options, [target.name]: target.value }));
 at("paper").addEventListener("click", () => use({}));
 

@@ -8,16 +8,16 @@ const known = ["friction", "clearance", "unbalance-factor", "mass-loss-time", "m
 export function settingsIn(hash) {
   const options = Object.fromEntries([...new URLSearchParams(hash.slice(1))].filter(
     ([option, text]) => known.includes(option) && /^[\w.+-]+$/.test(text)));
-  if (options.equations === "corrected") options.equations = "consistent"; // as the program has it
+  if (options.equations === "consistent") options.equations = "corrected"; // its name before version 5 of the schema
   return options;
 }
 
 export const addressOf = (options) => "#" + new URLSearchParams(options);
 
-export const setOf = ({ equations }) => (equations === "consistent" ? "consistent" : "published");
+export const setOf = ({ equations }) => (equations === "corrected" ? "corrected" : "published");
 
 /// The same settings in a set of equations.
-export const inSet = ({ equations, ...others }, set) => (set === "consistent" ? { ...others, equations: set } : others);
+export const inSet = ({ equations, ...others }, set) => (set === "corrected" ? { ...others, equations: set } : others);
 
 /// The command that repeats a run.
 export const commandOf = (options) =>

@@ -94,7 +94,7 @@ export function showSteps(recorded) {
     };
     const show = () => {
       const of = step.cases?.[Number(input.value)] ?? {};
-      [picture, corrected] = ["published", "consistent"].map((set) => recorded.answer(inSet(of, set)));
+      [picture, corrected] = ["published", "corrected"].map((set) => recorded.answer(inSet(of, set)));
       part = step.part(picture);
       for (const stage of [shared, own]) stage.show(picture, step, part);
     };
