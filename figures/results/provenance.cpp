@@ -20,7 +20,15 @@ std::string describe(const Equations& equations) {
 
 std::string parameters(const Scenario& scenario) {
   std::vector<std::string> all;
-  for (const Quantity& quantity : quantities()) all.push_back(quantity.text(scenario));
+  const Json inputs = inputs_of(scenario);
+  for (const auto& [key, value] : inputs.items())
+    if (value.is_number()) {
+      const std::string_view unit = find_input_quantity(key)->quantity.unit;
+      all.push_back(
+          fmt::format("{} = {}{}{}", key, value.get<double>(), unit.empty() ? "" : " ", unit));
+    }
+  if (scenario.parameters.drive != Drive::motor)
+    all.push_back(fmt::format("drive {}", name_of(scenario.parameters.drive)));
   if (!scenario.parameters.loses_mass) all.emplace_back("no mass loss");
   return fmt::format("{}", fmt::join(all, ", "));
 }
@@ -60,7 +68,7 @@ std::string numbered(std::string_view text) {
 }
 
 std::string variables(const Scene& scene, const std::vector<Summary>& results) {
-  std::vector<std::string> known = {"equations", "method", "inputs"};
+  std::vector<std::string> known = {"equations", "method", "drive", "inputs"};
   for (const auto& field : summary_fields<double>) known.emplace_back(field.key);
   std::string text = fmt::format("known_runs = {}\n", scene.runs.size());
   for (std::size_t n = 0; n < scene.runs.size(); ++n) {

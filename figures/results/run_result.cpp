@@ -42,18 +42,6 @@ Json remarks_of(const RunResult& result) {
   return sentences;
 }
 
-Json inputs_of(const RunResult& result) {
-  Json inputs;
-  for (const Quantity& quantity : quantities())
-    inputs[std::string(quantity.name)] = quantity.of(result.scenario);
-  for (const InputQuantity& input : input_quantities())
-    if (input.of_start)
-      inputs[std::string(input.quantity.name)] =
-          result.scenario.start ? Json(*result.scenario.start.*input.of_start) : Json();
-  inputs["no_mass_loss"] = !result.scenario.parameters.loses_mass;
-  return inputs;
-}
-
 const std::vector<Metadata>& metadata() {
   using A = RunResult;
   const auto with = [](Json names, const Json& more) {
@@ -101,7 +89,7 @@ const std::vector<Metadata>& metadata() {
          return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
        }},
       {"inputs", "All numbers of the scenario, in SI units; speeds in Hz", type("object"),
-       inputs_of},
+       [](const A& a) { return inputs_of(a.scenario); }},
       {"version", "Version of rotor, and its commit", type("string"),
        [](const A&) { return Json(version()); }},
       {"schema",
@@ -137,6 +125,23 @@ Json allowed(T Summary::* /*of*/, bool may_be_open) {
 }
 
 }  // namespace
+
+Json inputs_of(const Scenario& scenario) {
+  const Parameters& p = scenario.parameters;
+  Json inputs;
+  for (const Quantity& quantity : quantities())
+    inputs[std::string(quantity.name)] = quantity.of(scenario);
+  if (p.eccentricity == 0 && p.lost_mass) {  // which no factor describes
+    inputs["unbalance_factor"] = nullptr;
+    inputs["lost_mass"] = *p.lost_mass;
+  }
+  for (const InputQuantity& input : input_quantities())
+    if (input.of_start)
+      inputs[std::string(input.quantity.name)] =
+          scenario.start ? Json(*scenario.start.*input.of_start) : Json();
+  inputs["no_mass_loss"] = !p.loses_mass;
+  return inputs;
+}
 
 RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
                  std::optional<StopOn> stop_on, Observer& others) {

@@ -36,6 +36,8 @@ RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
                  std::optional<StopOn> stop_on, Observer& others);
 
 /// Null: has not happened. With `only`, the values with these keys.
+/// All numbers that determine a run, by their names; null for what does not apply.
+Json inputs_of(const Scenario& scenario);
 Json to_json(const RunResult& result, const std::vector<std::string>* only = nullptr);
 Json to_json(const EnergyObserver& energy);
 

@@ -150,7 +150,7 @@ void check_numbers(const Scenario& scenario) {
             scenario.until);
   }
   require(p.drive == Drive::motor || scenario.start_speed_Hz > 0,
-          "drive = constant_speed: needs start_speed_hz greater than {} Hz", 0);
+          "drive = constant_speed: needs start_speed_hz greater than 0 Hz");
   if (scenario.start)
     require(std::hypot(scenario.start->x, scenario.start->y) < p.stator_radius,
             "start_x, start_y: must be less than stator_radius = {} m away", p.stator_radius);

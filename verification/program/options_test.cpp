@@ -162,6 +162,24 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
   EXPECT_EQ(summary("--scene d.toml --digits 3"), summary(start + "--digits 3"));
 }
 
+// What is stated determines the run, and stands above its trace.
+TEST_F(Options, AllStandAboveATrace) {
+  const auto head = [&](const std::string& arguments) {
+    EXPECT_EQ(rotor("run --until 0.01 --trace t.csv " + arguments).status, 0);
+    const std::string text = content("t.csv");
+    return text.substr(0, text.find("\n# time_s: "));
+  };
+  const std::string constant =
+      head("--drive constant_speed --start-speed-hz 100 --start-x 1e-4 --start-velocity-y -0.25");
+  for (const char* stated : {"drive constant_speed", "start_x = 0.0001 m", "start_y = 0 m",
+                             "start_velocity_y = -0.25 m/s"})
+    EXPECT_NE(constant.find(stated), std::string::npos) << stated << '\n' << constant;
+  const std::string balanced =
+      head("--eccentricity 0 --lost-mass 0.01 --start-speed-hz 100 --mass-loss-time 0.005");
+  EXPECT_NE(balanced.find("lost_mass = 0.01 kg"), std::string::npos) << balanced;
+  EXPECT_EQ(balanced.find("unbalance_factor"), std::string::npos) << balanced;
+}
+
 // A trace has the window of its scene, or the start stated by an option, to the row.
 TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
   write("two.toml",
