@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -73,22 +72,6 @@ Draft new_folder() {
 }
 
 }  // namespace
-
-DrawnUnit drawn_unit(std::string_view si) {
-  return si == "m" ? DrawnUnit{"mm", 1e-3} : si == "N" ? DrawnUnit{"kN", 1e3} : DrawnUnit{si, 1};
-}
-
-std::string conditions(const ScenarioSpec& stated, bool have_same_equations) {
-  std::vector<std::string> all;
-  if (have_same_equations) all.emplace_back(equations_in_words(name_of(equations_of(stated))));
-  for (const auto& [quantity, instead_of, of_start] : input_quantities())
-    if (const auto found = stated.numbers.find(quantity.name); found != stated.numbers.end()) {
-      const auto [unit, in_si] = drawn_unit(quantity.unit);
-      all.push_back(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
-                                found->second / in_si, unit.empty() ? "" : " ", unit));
-    }
-  return fmt::format("{}", fmt::join(all, ", "));
-}
 
 Drawing::Drawing(const std::string& file, const std::string& out)
     : name_(fs::path(file).stem().string()),

@@ -6,21 +6,9 @@
 #include <string_view>
 
 #include "figures/data/files.hpp"
-#include "figures/input/scenario_spec.hpp"
-#include "figures/input/words.hpp"
 #include "figures/results/provenance.hpp"
 
 namespace rotor {
-
-/// The unit in which pictures show an SI unit, and its value in that: kN for N, mm for m.
-struct DrawnUnit {
-  std::string_view name;
-  double in_si;
-};
-DrawnUnit drawn_unit(std::string_view si);
-
-/// The equations, unless they vary, and the stated numbers: what all runs of a picture share.
-std::string conditions(const ScenarioSpec& stated, bool have_same_equations = true);
 
 /// One picture: svg, pdf or png, by its extension. All throw std::exception; then no picture is
 /// written.

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <vector>
 
@@ -9,22 +11,29 @@
 namespace rotor {
 namespace {
 
-/// What the runs of a scene share, as far as they are drawn.
+/// What the runs of a scene share, as far as it is drawn: their equations and the stated numbers.
 std::string conditions_of(const Scene& scene) {
   const std::vector<SceneRun>& runs = scene.runs;
-  ScenarioSpec shared = runs.front().stated;
-  bool have_same_equations = true;
-  for (const SceneRun& run : runs) {
-    have_same_equations =
-        have_same_equations && run.scenario.equations == runs.front().scenario.equations;
-    std::erase_if(shared.numbers, [&](const auto& number) {
-      const auto its = run.stated.numbers.find(number.first);
-      return its == run.stated.numbers.end() || its->second != number.second;
-    });
+  const auto all_have = [&](const auto& has) { return std::ranges::all_of(runs, has); };
+  const Equations equations = runs.front().scenario.equations;
+  std::vector<std::string> all;
+  if (all_have([&](const SceneRun& run) { return run.scenario.equations == equations; }))
+    all.emplace_back(equations_in_words(name_of(equations)));
+  for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
+    const auto stated = [&](const SceneRun& run) -> std::optional<double> {
+      const auto found = run.stated.numbers.find(quantity.name);
+      return found == run.stated.numbers.end() ? std::nullopt : std::optional(found->second);
+    };
+    std::optional<double> shared = stated(runs.front());
+    if (!shared || !all_have([&](const SceneRun& run) { return stated(run) == shared; })) continue;
+    if (quantity.name == "until")
+      shared = std::min(*shared, scene.window.from_s + scene.window.length_s);
+    const bool is_length = quantity.unit == "m";
+    const std::string_view unit = is_length ? "mm" : quantity.unit;
+    all.push_back(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
+                              *shared / (is_length ? 1e-3 : 1), unit.empty() ? "" : " ", unit));
   }
-  if (const auto until = shared.numbers.find("until"); until != shared.numbers.end())
-    until->second = std::min(until->second, scene.window.from_s + scene.window.length_s);
-  return conditions(shared, have_same_equations);
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 /// A panel draws its last column over time or, an orbit, over the one before.

@@ -80,7 +80,8 @@ std::string column_of(const std::string& quantity) {
 std::string sweep_head(const Sweep& sweep) {
   std::vector<std::string> provenance = {
       sweep.title.empty() ? "Sweep" : "Sweep: " + sweep.title, fmt::format("rotor {}", version()),
-      fmt::format("equations {}, unless a row states others", name_of(equations_of(sweep.base))),
+      fmt::format("equations {}, unless a row states others",
+                  name_of(equations_of(SweepPoints(sweep)(0).spec))),
       fmt::format("{} points, as this file has them, a row each:", sweep.points())};
   std::istringstream text(sweep.text);
   for (std::string line; std::getline(text, line);) {

@@ -74,6 +74,19 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   EXPECT_EQ(curve, picture.curves.size());
 }
 
+// One of them is not the paper's, and has the corrected equations.
+TEST_F(Plot, SaysWhichEquationsAllRunsHave) {
+  const auto texts = [&](const char* second) {
+    write("e.toml", fmt::format("[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n[[run]]\n"
+                                "name = \"a\"\nmass = 4\n[[run]]\nname = \"b\"\n{}\n",
+                                second));
+    EXPECT_EQ(rotor("plot e.toml").status, 0);
+    return fmt::format("{}", fmt::join(DrawnPicture(content("e.svg")).texts, "\n"));
+  };
+  EXPECT_EQ(texts("").find("equations"), std::string::npos);
+  EXPECT_NE(texts("mass = 3").find("corrected equations"), std::string::npos);
+}
+
 // In ten times the time that a picture shows, curves of the same look have hardly more corners.
 // (The old picture of these runs had a megabyte.)
 TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
