@@ -137,6 +137,13 @@ Tally compute(const Sweep& sweep, const std::string& out, int threads, const Row
   return tally;
 }
 
+/// Rows without any result are not what a sweep is for.
+void require_results(bool has_any, const std::string& name) {
+  if (!has_any)
+    throw std::runtime_error(
+        fmt::format("{}: no point has a result; column refusal says why", name));
+}
+
 void require_file(const SweepOptions& options) {
   std::error_code error;  // reported as it is opened
   const fs::file_status status = fs::status(options.out, error);
@@ -178,16 +185,14 @@ void run_sweep(const SweepOptions& stated) {
           "rotor: {} has all points of this sweep, {} of them refused; --retry computes "
           "those again, and --force all",
           name, refused));
-      return;
+      return require_results(!finished.rows.empty(), name);
     }
   }
   const Tally tally = compute(sweep, options.out, options.jobs > 0 ? options.jobs : cores(), known);
   tally.print();
   say_what_is_assumed(sweep);
   fmt::print("{}\n", name);
-  if (!tally.has_results())
-    throw std::runtime_error(
-        fmt::format("{}: no point has a result; column refusal says why", name));
+  require_results(tally.has_results(), name);
 }
 
 }  // namespace rotor

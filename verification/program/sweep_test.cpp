@@ -194,6 +194,16 @@ TEST_F(SweepCommand, FailsIfNoPointHasAResult) {
   EXPECT_EQ(status, 1);
   EXPECT_NE(output.find("s.csv: no point has a result"), std::string::npos) << output;
   EXPECT_EQ(results("s.csv").size(), 2U);
+  EXPECT_EQ(rotor("sweep s.toml").status, 1);  // repeated
+}
+
+TEST_F(SweepCommand, StatesTheEquationsOfItsRows) {
+  write("s.toml",
+        "columns = [\"equations\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n"
+        "[[axis]]\nquantity = \"mass\"\nvalues = [4, 6]\n");
+  ASSERT_EQ(rotor("sweep s.toml").status, 0);
+  for (const CsvRow& row : results("s.csv"))
+    EXPECT_NE(content("s.csv").find("# equations " + row["equations"] + ","), std::string::npos);
 }
 
 TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
