@@ -277,6 +277,7 @@ def build(hand, candidates, count):
     call(['cmake', '-S', TREE, '-B', BUILD, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=None',
           '-DCMAKE_CXX_FLAGS=-O1 -w -fno-diagnostics-show-caret', '-DROTOR_WARNINGS_AS_ERRORS=OFF',
           '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'], 'CMake')
+    call(['cmake', '--build', BUILD, '--target', 'describe'], 'Writing the version')  # which units() compiles
     with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
         changes = without_errors(changes, pool)
     call(['cmake', '--build', BUILD, '--target', 'verification', 'rotor', 'random-rotors'], 'The build')

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/run/simulation.hpp"
 #include "verification/support/content.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/read_csv.hpp"
