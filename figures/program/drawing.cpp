@@ -74,8 +74,7 @@ Draft new_folder() {
 }  // namespace
 
 Drawing::Drawing(const std::string& file, const std::string& out)
-    : name_(fs::path(file).stem().string()),
-      out_(checked(out, file)),
+    : out_(checked(out, file)),
       picture_(fs::path("picture").replace_extension(out_.extension()).string()),
       folder_(new_folder()) {}
 
@@ -95,9 +94,8 @@ std::string Drawing::headings(const std::string& title, std::string conditions,
     conditions[end + 1] = '\n';
     begin = end + 2;
   }
-  return fmt::format("heading = {}; conditions = {}; lines = {}\n",
-                     numbered(title.empty() ? one_line(name_) : title), numbered(conditions),
-                     lines);
+  return fmt::format("heading = {}; conditions = {}; lines = {}\n", numbered(title),
+                     numbered(conditions), lines);
 }
 
 void Drawing::write(const std::string& name, std::string_view text) const {

@@ -24,8 +24,8 @@ class Drawing {
   std::filesystem::path file(const std::string& name) const { return folder_.path / name; }
   void write(const std::string& name, std::string_view text) const;
 
-  /// Settings for the texts above a picture: `heading`, which is the title or the name of the
-  /// scene; and `conditions` in a number of `lines` of so many letters, which end between items.
+  /// Settings for the texts above a picture: `heading`, the title; and `conditions` in a number
+  /// of `lines` of so many letters, which end between items.
   std::string headings(const std::string& title, std::string conditions,
                        std::size_t most = 140) const;
 
@@ -33,7 +33,6 @@ class Drawing {
   void finish(const std::string& settings, const std::string& script) const;
 
  private:
-  std::string name_;
   std::filesystem::path out_;
   std::string picture_;
   Draft folder_;

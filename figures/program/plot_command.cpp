@@ -29,7 +29,9 @@ std::string conditions_of(const Scene& scene) {
     if (quantity.name == "until")
       shared = std::min(*shared, scene.window.from_s + scene.window.length_s);
     const bool is_length = quantity.unit == "m";
-    const std::string_view unit = is_length ? "mm" : quantity.unit;
+    const std::string_view unit = is_length                   ? "mm"
+                                  : quantity.unit == "kg m^2" ? "kg m²"
+                                                              : quantity.unit;
     all.push_back(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
                               *shared / (is_length ? 1e-3 : 1), unit.empty() ? "" : " ", unit));
   }

@@ -31,6 +31,7 @@ class Pictures : public CommandLine, public testing::WithParamInterface<Figure> 
 TEST_P(Pictures, AreThoseOfTheGallery) {
   const DrawnPicture picture = drawn();
   EXPECT_EQ(picture.clipped, std::vector<std::string>());
+  EXPECT_EQ(picture.hiding, std::vector<std::string>());
   const fs::path file = fs::path(ROTOR_SCENES) / preview_of(GetParam().number);
   if (std::getenv("ROTOR_APPROVE"))
     fs::copy_file(folder_ / "a.svg", file, fs::copy_options::overwrite_existing);
