@@ -48,15 +48,11 @@ inline constexpr auto sets_in_words = std::to_array<EquationsInWords>(
     {{"published", "#0072b2", "#56b4e9", "equations as printed", "as printed"},
      {"corrected", "#b34700", "#f0934f", "corrected equations", "corrected"}});
 
-/// What else has one colour in all pictures: the paper's values, closed forms; and instants, which
-/// share that of axes.
-struct Tint {
-  std::string_view name, light, dark;
-};
-
-inline constexpr auto other_tints = std::to_array<Tint>({{"paper", "#707070", "#a3adb7"},
-                                                         {"law", "#7a0177", "#d59ae0"},
-                                                         {"event", "#000000", "#ffffff"}});
+/// What else has one colour in all pictures; instants share that of axes.
+inline constexpr auto others_in_words =
+    std::to_array<EquationsInWords>({{"paper", "#707070", "#a3adb7", "the paper's values", "paper"},
+                                     {"law", "#7a0177", "#d59ae0", "closed forms", "closed form"},
+                                     {"event", "#000000", "#ffffff", "events", "event"}});
 
 /// What summaries call equations by their name, "mixed" and "corrected" included.
 constexpr std::string_view equations_in_words(std::string_view name) {

@@ -86,9 +86,9 @@ if (shows eq "outcome") {
     result, result, data)))
   if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }
 }
-top = 0.88; bottom = rows == 2 ? 0.19 : 0.28
+top = 0.88; bottom = rows == 2 ? 0.2 : 0.33
 height = (top - bottom)/rows
-low = rows == 2 ? 0.025 : 0.05
+low = rows == 2 ? 0.03 : 0.06
 do for [p = 0:2*rows - 1] {
   at_left = p % 2 == 0; at_bottom = p/2 == rows - 1
   set lmargin at screen at_left ? 0.09 : 0.555
@@ -101,7 +101,7 @@ do for [p = 0:2*rows - 1] {
   set xlabel (at_bottom ? x_name : "") offset 0,0.4
   set ylabel (at_left ? y_name : "") offset 0.5,0
   if (shows eq "force" && p == 2*rows - 1) {
-    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.185) size screen 0.4, screen 0.018
+    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.115 : 0.22) size screen 0.4, screen 0.018
     set cblabel "largest normal force, kN; white: no contact, or no result" offset 0,0.8
   }
   drawn = ""
@@ -135,8 +135,8 @@ do for [c = 0:6] {
 }
 set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox
-set key at screen 0.5, screen low center center samplen 2.5 maxrows (rows == 2 ? 1 : 3) width -6
+set key at screen 0.5, screen low center center samplen 2.5 maxrows (rows == 2 ? 2 : 3) width -6
 if (strlen(lines)) { eval "plot ".lines."NaN notitle" }
-set key at screen 0.5, screen (rows == 2 ? 0.09 : 0.155) center center samplen 1 maxrows 3 width -6
+set key at screen 0.5, screen (rows == 2 ? 0.1 : 0.19) center center samplen 1 maxrows 3 width -6
 if (shows eq "outcome") { eval "plot ".colours."NaN notitle" }
 unset multiplot

@@ -11,7 +11,7 @@ eval find_critical("a")
 eval mark_instant("critical speed", crossing)
 eval level(clearance_of("a"), clearance)
 rho(name) = of_run(name, "rho_m")*1e3
-eval table(0.5, 0.86, 14)
+eval table(0.51, 0.86, 14)
 eval row(1, "f at t_1", sprintf("%g Hz", paper_Hz)); eval row(2, sprintf("%g Hz reached at", paper_Hz), "")
 eval row(3, "largest ρ, Graph a", "no contact"); eval row(4, "largest ρ, Graph b", "no contact")
 do for [set in sets] {
@@ -22,7 +22,7 @@ do for [set in sets] {
   stats data using (of_run("a", "time_s")):(rho("a")) name "a" nooutput
   eval ours_in(3, sprintf("%.2f mm", a_max_y)); eval ours_in(4, sprintf("%.2f mm", 1e3*number("b", "max_displacement_before_loss_m")))
   eval label_curve(short_of(set), is_printed(set) ? a_pos_max_y : t_1, is_printed(set) ? a_max_y : 1.75, \
-    is_printed(set) ? "center offset 1,0.7" : "right offset -0.5,0")
+    is_printed(set) ? "center offset 0.2,0.7" : "right offset -0.5,0")
 }
 set label "{/:Italic a}" at 3.2,0.72 center offset 0,0.7
 set label "{/:Italic b}" at 2.42,0.45 right offset -0.6,0

@@ -48,7 +48,7 @@ std::string palette_of_gnuplot() {
        {std::pair("words_of", &In::words), {"short_of", &In::short_words}, {"tint_of", &In::light}})
     text += fmt::format("{}(set) = set eq \"{}\" ? \"{}\" : \"{}\"\n", function,
                         sets_in_words[0].name, sets_in_words[0].*of, sets_in_words[1].*of);
-  for (const Tint& of : other_tints) text += fmt::format("{}_tint = \"{}\"\n", of.name, of.light);
+  for (const In& of : others_in_words) text += fmt::format("{}_tint = \"{}\"\n", of.name, of.light);
   return text;
 }
 
@@ -61,13 +61,13 @@ std::string words_of_page() {
 }
 
 std::string tints_of_page() {
-  const auto all = [](auto of_set, auto of_outcome, auto of_other) {
+  const auto all = [](auto of_set, auto of_outcome) {
     return properties(sets_in_words, of_set) + properties(outcomes, of_outcome) +
-           properties(other_tints, of_other);
+           properties(others_in_words, of_set);
   };
   return fmt::format(":root {{{} }}\n@media (prefers-color-scheme: dark) {{ :root {{{} }} }}\n",
-                     all(&EquationsInWords::light, &OutcomeInWords::light, &Tint::light),
-                     all(&EquationsInWords::dark, &OutcomeInWords::dark, &Tint::dark));
+                     all(&EquationsInWords::light, &OutcomeInWords::light),
+                     all(&EquationsInWords::dark, &OutcomeInWords::dark));
 }
 
 }  // namespace rotor
