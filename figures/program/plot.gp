@@ -10,7 +10,7 @@ less(a, b) = a < b ? a : b
 if (heading eq "") { heading = "Normal force, speed, displacement and orbit of O" }
 
 # A run has the colour of its equations, or black if they are corrected in part; several of a set shades and dashes of it.
-earlier(i) = sum [k = 1:i] (k < i && of("equations", k) eq of("equations", i))
+earlier(i) = (of("equations", i) eq "mixed") + sum [k = 1:i] (k < i && of("equations", k) eq of("equations", i))
 tint(i) = of("equations", i) eq "mixed" ? event_tint : tint_of(of("equations", i))
 array dashes[4] = ["solid", "(9,5)", "(3,3)", "(9,3,2,3)"]
 do for [i = 1:runs] {

@@ -79,7 +79,8 @@ inline bool is_clipped(const std::string& group, const std::string& text,
   const std::string anchor = after("text-anchor=\"");
   const double before = anchor.starts_with("start") ? 0 : anchor.starts_with("end") ? 1 : 0.5;
   const auto [x, y] = corners(after("translate(")).front();
-  if (group.find("rotate(270") != std::string::npos)
+  if (group.find("rotate(270") != std::string::npos ||
+      group.find("rotate(-90") != std::string::npos)
     return y + before * length > canvas.second || y - (1 - before) * length < 0;
   return x - before * length < 0 || x + (1 - before) * length > canvas.first || y < 0 ||
          y > canvas.second;
