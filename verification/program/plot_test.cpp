@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "figures/input/words.hpp"
 #include "verification/support/command_line.hpp"
@@ -86,6 +87,23 @@ TEST_F(Plot, SaysWhichEquationsAllRunsHave) {
   };
   EXPECT_EQ(texts("").find("equations"), std::string::npos);
   EXPECT_NE(texts("mass = 3").find("corrected equations"), std::string::npos);
+}
+
+// As the summary does, in a unit that leaves at most three digits before the point.
+TEST_F(Plot, SaysTheOutcomeAndTheLargestForce) {
+  for (const char* stiffness : {"8e8", "1e10"}) {
+    write("s.toml", fmt::format("[parameters]\nstart_speed_hz = 400\ncontact_stiffness = {}\n"
+                                "until = 0.03\n",
+                                stiffness));
+    ASSERT_EQ(rotor("plot s.toml").status, 0);
+    const std::string texts =
+                          fmt::format("{}", fmt::join(DrawnPicture(content("s.svg")).texts, "\n")),
+                      summary = rotor("run --scene s.toml").output;
+    static const std::regex force("largest normal force (\\d{1,3}\\.\\d+ [kM]N)\\.");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(summary, found, force)) << summary;
+    EXPECT_NE(texts.find("rolling, largest force " + found[1].str()), std::string::npos) << texts;
+  }
 }
 
 // A run has the colour of its equations, and a picture of one set has that of no other.
