@@ -1,9 +1,12 @@
 # rho after a mass loss at a lower speed, F_n below it in the paper's axes, and the shares of draws that roll.
-set title caption(13, "Displacement ρ and radial force F_n, ".loss("run"), friction("run").", ".stiffness("run").", ".motor("run").\
+set title caption(13, "Displacement ρ and radial force F_n, ".loss("run"), friction("run").", ".stiffness("run").", ".motor("run"). \
   sprintf("; f = %.1f Hz at t_1, paper: 75 Hz", number("run", "speed_at_mass_loss_Hz")))
 set multiplot
-panel(bottom, top) = sprintf("set lmargin at screen 0.08; set rmargin at screen 0.79; set bmargin at screen %g; set tmargin at screen %g", bottom, top)
-eval panel(0.52, 0.87)
+panel(left, right, bottom, top) = sprintf("set lmargin at screen %g; set rmargin at screen %g; \
+  set bmargin at screen %g; set tmargin at screen %g", left, right, bottom, top)
+touches(unused) = number("run", "touch_downs") > 0
+free_s = 14.228                                    # where labels of a set without contact hide nothing
+eval panel(0.08, 0.79, 0.52, 0.87)
 set xtics 14.15,0.03 format ""
 set ylabel "ρ, mm"
 set ytics 1
@@ -11,16 +14,14 @@ eval level(clearance_of("run"), clearance)
 set label sprintf("clearance %g mm", clearance_of("run")) at graph 0.985,first clearance_of("run") right offset 0,0.7
 do for [set in sets] {
   eval use(set)
-  stats data using "time_s":(column("time_s") < 14.2 ? column("rho_m")*1e3 : NaN) name "rho" nooutput
-  touches = number("run", "touch_downs") > 0
-  eval label_curve(short_of(set).(touches ? sprintf(": touches the ring at %.4f s", number("run", "first_contact_s")) : \
+  eval label_curve(short_of(set).(touches(0) ? sprintf(": touches the ring at %.4f s", number("run", "first_contact_s")) : \
     sprintf(": no contact, largest ρ %.2f mm", 1e3*number("run", "max_displacement_m"))), \
-    touches ? number("run", "first_contact_s") : 14.228, 3.95, "left")
+    touches(0) ? number("run", "first_contact_s") : free_s, 3.95, "left")
 }
 plot [14.15:14.3] [0:4.4] @each_set using "time_s":(column("rho_m")*1e3) @layered
 
 unset title; unset label; unset arrow
-eval panel(0.1, 0.49)
+eval panel(0.08, 0.79, 0.1, 0.49)
 set xlabel "t, s" offset 0,0.4
 set format x "%.2f"
 set ylabel "F_n, kN"
@@ -30,17 +31,15 @@ law_place = "graph 0.985,first %g right offset 0,-0.9"
 do for [set in sets] {
   eval use(set)
   eval mark_law("run")
-  touches = number("run", "touch_downs") > 0
-  eval label_curve(short_of(set).(touches ? sprintf(": largest |F_n| %.1f kN", 1e-3*number("run", "peak_normal_force_N")) : ": no force"), \
-    touches ? number("run", "peak_time_s") : 14.228, touches ? -50 : -20, "left offset 1,0")
+  eval label_curve(short_of(set).(touches(0) ? sprintf(": largest |F_n| %.1f kN", 1e-3*number("run", "peak_normal_force_N")) : \
+    ": no force"), touches(0) ? number("run", "peak_time_s") : free_s, touches(0) ? -50 : -20, "left offset 1,0")
 }
 plot [14.15:14.3] [-180:0] @each_set using "time_s":(column("normal_force_N")/1e3) @layered
 
 unset label; unset arrow; unset xlabel; unset ylabel; unset xtics; unset grid
-set lmargin at screen 0.86; set rmargin at screen 0.98; set tmargin at screen 0.76
+eval panel(0.86, 0.98, 0.1, 0.76)
 set ytics 50 format "%g %%"
 set label "draws that roll,\nof inputs that\nprint the same" at screen 0.98,screen 0.86 right
-set boxwidth 0.7
 do for [i = 1:words(sets)] {
   equations = word(sets, i)
   stats reference_data."/ensembles.csv" using (share("rolls_75", "b")) name "draws" nooutput

@@ -84,20 +84,6 @@ Drawing::~Drawing() {
   ::close(folder_.descriptor);
 }
 
-std::string Drawing::headings(const std::string& title, std::string conditions,
-                              std::size_t most) const {
-  long lines = 1;
-  for (std::size_t begin = 0; conditions.size() - begin > most; ++lines) {
-    std::size_t end = conditions.rfind(", ", begin + most - 1);
-    if (end == std::string::npos || end < begin) end = conditions.find(", ", begin);
-    if (end == std::string::npos) break;
-    conditions[end + 1] = '\n';
-    begin = end + 2;
-  }
-  return fmt::format("heading = {}; conditions = {}; lines = {}\n", numbered(title),
-                     numbered(conditions), lines);
-}
-
 void Drawing::write(const std::string& name, std::string_view text) const {
   FileTransaction draft;
   draft.write(file(name), text);

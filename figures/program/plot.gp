@@ -1,5 +1,5 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, besides what style.gp needs:
-#   heading, conditions in a number of lines, and what it writes beside the data of a figure
+#   heading, conditions in one or more lines, and what it writes beside the data of a figure
 # Each run has a data file for each panel in gnuplot's folder, named after the column that is drawn upwards.
 
 runs = known_runs
@@ -7,6 +7,7 @@ gap(i) = 1e3*(of("stator_radius", i) - of("rotor_radius", i))
 data(i, c) = sprintf("run%d-%s.csv", i, c)
 greater(a, b) = a > b ? a : b
 less(a, b) = a < b ? a : b
+lines = 1 + sum [k = 1:strlen(conditions)] (conditions[k:k] eq "\n")
 if (heading eq "") { heading = "Normal force, speed, displacement and orbit of O" }
 
 # A run has the colour of its equations, or black if they are corrected in part; several of a set shades and dashes of it.
