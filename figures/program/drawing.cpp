@@ -74,8 +74,7 @@ Draft new_folder() {
 }  // namespace
 
 Drawing::Drawing(const std::string& file, const std::string& out)
-    : name_(fs::path(file).stem().string()),
-      out_(checked(out, file)),
+    : out_(checked(out, file)),
       picture_(fs::path("picture").replace_extension(out_.extension()).string()),
       folder_(new_folder()) {}
 
@@ -83,21 +82,6 @@ Drawing::~Drawing() {
   std::error_code ignored;
   fs::remove_all(folder_.path, ignored);  // while it is locked
   ::close(folder_.descriptor);
-}
-
-std::string Drawing::headings(const std::string& title, std::string conditions,
-                              std::size_t most) const {
-  long lines = 1;
-  for (std::size_t begin = 0; conditions.size() - begin > most; ++lines) {
-    std::size_t end = conditions.rfind(", ", begin + most - 1);
-    if (end == std::string::npos || end < begin) end = conditions.find(", ", begin);
-    if (end == std::string::npos) break;
-    conditions[end + 1] = '\n';
-    begin = end + 2;
-  }
-  return fmt::format("heading = {}; conditions = {}; lines = {}\n",
-                     numbered(title.empty() ? one_line(name_) : title), numbered(conditions),
-                     lines);
 }
 
 void Drawing::write(const std::string& name, std::string_view text) const {

@@ -63,7 +63,9 @@ std::string in_print(std::string_view key, double value) {
   };
   const bool is_small = std::abs(value) < 1;
   if (key.ends_with("_N"))
-    return std::abs(value) < 1e3 ? shown(value, " N") : shown(value / 1e3, " kN");
+    return std::abs(value) < 1e3   ? shown(value, " N")
+           : std::abs(value) < 1e6 ? shown(value / 1e3, " kN")
+                                   : shown(value / 1e6, " MN");
   if (key.ends_with("_s")) return is_small ? shown(1e3 * value, " ms") : shown(value, " s");
   if (key.ends_with("_m")) return shown(1e3 * value, " mm");
   return shown(value, key.ends_with("_Hz") ? " Hz" : "");

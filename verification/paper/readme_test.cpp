@@ -30,6 +30,7 @@ TEST_P(Readme, HasExamplesThatRun) {
       commands.emplace_back(line.substr(command.size(), line.find('#') - command.size()),
                             line.substr(std::min(line.size(), line.find('#'))));
   }
+  fs::create_directory_symlink(ROTOR_SOURCES "/figures", folder_ / "figures");
   ASSERT_FALSE(scenes.empty());
   EXPECT_FALSE(commands.empty());
   for (const std::string& scene : scenes) {

@@ -48,6 +48,7 @@ std::string palette_of_gnuplot() {
        {std::pair("words_of", &In::words), {"short_of", &In::short_words}, {"tint_of", &In::light}})
     text += fmt::format("{}(set) = set eq \"{}\" ? \"{}\" : \"{}\"\n", function,
                         sets_in_words[0].name, sets_in_words[0].*of, sets_in_words[1].*of);
+  for (const In& of : others_in_words) text += fmt::format("{}_tint = \"{}\"\n", of.name, of.light);
   return text;
 }
 
@@ -60,11 +61,13 @@ std::string words_of_page() {
 }
 
 std::string tints_of_page() {
-  return fmt::format(":root {{{}{} }}\n@media (prefers-color-scheme: dark) {{ :root {{{}{} }} }}\n",
-                     properties(sets_in_words, &EquationsInWords::light),
-                     properties(outcomes, &OutcomeInWords::light),
-                     properties(sets_in_words, &EquationsInWords::dark),
-                     properties(outcomes, &OutcomeInWords::dark));
+  const auto all = [](auto of_set, auto of_outcome) {
+    return properties(sets_in_words, of_set) + properties(outcomes, of_outcome) +
+           properties(others_in_words, of_set);
+  };
+  return fmt::format(":root {{{} }}\n@media (prefers-color-scheme: dark) {{ :root {{{} }} }}\n",
+                     all(&EquationsInWords::light, &OutcomeInWords::light),
+                     all(&EquationsInWords::dark, &OutcomeInWords::dark));
 }
 
 }  // namespace rotor
