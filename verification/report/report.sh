@@ -11,6 +11,10 @@ sed 's/^points = 400$/points = 60/' figures/maps/speed-friction.toml >"$map/map.
 [ "$map/map.csv" -nt "$build/rotor" ] && [ "$map/map.csv" -nt figures/maps/speed-friction.toml ] ||
   "$build/rotor" sweep "$map/map.toml" --out "$map/map.csv"
 cp "$map/map.csv" "$out"
+"$build/map-theory" figures/maps/speed-friction.toml >"$map/theory.csv"
+gnuplot -e "theory = '$map/theory.csv'; rows = 1; forms = 5; along_x(v) = v; along_y(v) = v" figures/maps/lines.gp \
+  -e "set print '$out/lines.txt'; do for [p = 1:2] { do for [i = 1:forms] { \
+    print 'line ', word('published corrected', p), i; eval sprintf('print \$line_%d_%d', p - 1, i) } }"
 rm -f "$out/engine.wasm.gz.base64"
 [ ! -e "$build/explore/engine.wasm" ] ||
   gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"
