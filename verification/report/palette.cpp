@@ -54,8 +54,7 @@ std::string palette_of_gnuplot() {
                                  of.dashes.empty() ? "solid" : fmt::format("({})", of.dashes)));
   add("line_words", each(lines_in_words, &LineInWords::words));
   add("line_style", styles);
-  for (const In& of : others_in_words) text += fmt::format("{}_tint = \"{}\"
-", of.name, of.light);
+  for (const In& of : others_in_words) text += fmt::format("{}_tint = \"{}\"\n", of.name, of.light);
   return text;
 }
 
