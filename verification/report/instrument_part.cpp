@@ -4,12 +4,10 @@
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 #include "figures/data/csv.hpp"
 #include "verification/report/document.hpp"
 #include "verification/report/engine/explorer.hpp"
-#include "verification/support/content.hpp"
 #include "verification/support/read_csv.hpp"
 
 namespace rotor {
@@ -113,34 +111,12 @@ Json maps_json(const std::filesystem::path& csv) {
   return maps;
 }
 
-/// Lines of a map as figures/maps/lines.gp draws them, after "line SET NUMBER": by set and number
-/// parts of points, each a speed, Hz, and a friction.
-Json lines_json(const std::filesystem::path& text) {
-  std::map<std::string, Json> lines;
-  Json* parts = nullptr;
-  bool begins = true;
-  std::istringstream rows(content_of(text));
-  for (std::string row; std::getline(rows, row);) {
-    std::istringstream words(row);
-    std::string set;
-    double speed_Hz = 0, friction = 0;
-    if (row.starts_with("line ") && words >> set >> set) {
-      parts = &lines[set].emplace_back(Json::array());
-    } else if (words >> speed_Hz >> friction) {
-      if (begins) parts->push_back(Json::array());
-      parts->back().push_back({speed_Hz, friction});
-    }
-    begins = words.fail() || row.starts_with("line ");
-  }
-  return lines;
-}
-
 }  // namespace
 
 Json instrument_json(const std::filesystem::path& report) {
   return {{"runs", runs_json()},
           {"maps", maps_json(report / "map.csv")},
-          {"lines", lines_json(report / "lines.txt")}};
+          {"lines", read_json(report / "lines.json")}};
 }
 
 }  // namespace rotor

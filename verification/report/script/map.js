@@ -58,7 +58,7 @@ export class OutcomeMap {
     };
     list.replaceChildren(...Object.entries(letters).filter(([letter]) => cells.includes(letter))
       .map(([, name]) => entry(`<i style="background: var(--${name})"></i>`, `${name.replace("_", " ")}: ${outcomes[name]}`)),
-    ...lines.filter((line, n) => Object.values(this.#lines).some((of) => of[n]?.length))
+    ...lines.filter((of, n) => this.#lines.some(({ line }) => line === n))
       .map(({ width, dashes, words }) => entry(`<svg viewBox="0 0 34 4"><path d="M0,2H34" stroke-width="${width}" stroke-dasharray="${dashes}"/></svg>`, words)));
   }
 
@@ -147,17 +147,16 @@ export class OutcomeMap {
     ctx.strokeStyle = colour("quiet");
     ctx.stroke();
     ctx.clip();
-    this.#lines[this.#set].forEach((parts, n) => {
+    for (const { line, points } of this.#lines.filter(({ set }) => set === this.#set)) {
+      const { width: wide, dashes } = lines[line];
       ctx.beginPath();
-      for (const part of parts) part.forEach((point, at) => ctx[at ? "lineTo" : "moveTo"](...this.#place(point)));
-      for (const [ink, wider, dashes] of [["page", 2, []], ["law", 0, lines[n].dashes]]) { // an edge sets it off
-        ctx.strokeStyle = colour(ink);
-        ctx.lineWidth = lines[n].width + wider;
-        ctx.setLineDash(dashes);
-        ctx.globalAlpha = wider ? 0.6 : 1;
+      for (const point of points) ctx.lineTo(...this.#place(point));
+      for (const [ink, lineWidth, pattern] of [["page", wide + 2, []], ["law", wide, dashes]]) { // an edge sets it off
+        Object.assign(ctx, { strokeStyle: colour(ink), lineWidth });
+        ctx.setLineDash(pattern);
         ctx.stroke();
       }
-    });
+    }
     ctx.restore();
   }
 }
