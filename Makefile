@@ -250,7 +250,7 @@ claim: build ## paper: print all that is known about one claim: make claim ID=sp
 	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
 
 report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## start: make the page, build/report/index.html: one file, no network
-	$(call build-target,report-page report-numbers)
+	$(call build-target,report-page report-numbers map-theory)
 	@$(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=both
 	@verification/report/report.sh $(BUILD)
 check-report: report ## code: check the page in a browser, its links and its spelling

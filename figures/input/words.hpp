@@ -54,6 +54,22 @@ inline constexpr auto others_in_words =
                                      {"law", "#7a0177", "#d59ae0", "closed forms", "closed form"},
                                      {"event", "#000000", "#ffffff", "events", "event"}});
 
+/// Where a closed form equals what it is compared with, as maps show it: its column of map-theory,
+/// its width and pattern of dashes and gaps.
+struct LineInWords {
+  std::string_view name;
+  double width;
+  std::string_view dashes, words;
+};
+
+inline constexpr auto lines_in_words =
+    std::to_array<LineInWords>({{"greatest", 2, "", "closed forms: border of contact"},
+                                {"bound", 1.6, "5,4", "limit of possible contact"},
+                                {"steady", 1.6, "1,4", "steady response reaches the ring"},
+                                {"forward", 1.6, "14,4", "limit of lasting forward rub"},
+                                {"rebound", 1.6, "10,4,2,4", "limit of backward whirl by rebounds"},
+                                {"peak", 1.6, "14,4,2,4,2,4", "largest force of 300 kN"}});
+
 /// What summaries call equations by their name, "mixed" and "corrected" included.
 constexpr std::string_view equations_in_words(std::string_view name) {
   for (const EquationsInWords& set : sets_in_words)

@@ -31,37 +31,13 @@ rows_of(p) = sprintf("< awk -F, -v OFS=, '!/^#/ && n++ > %d { print $%d, $%d, $%
   p*panel, result, x_column, y_column, (p + 1)*panel, data)
 first_of(p) = sprintf("< awk '!/^#/ && (!n++ || n > %d) { print } n > %d { exit }' '%s'", 1 + p*panel, 1 + p*panel, data)
 
-# Lines on which a closed form equals the quantity it is compared with: contours of no excess. A plane without any
-# contour is drawn with each, because gnuplot refuses to draw nothing.
 forms = shows eq "force" ? 6 : 5
-array meaning[6] = ["closed forms: border of contact", "limit of possible contact", \
-  "steady response reaches the ring", "limit of lasting forward rub", \
-  "limit of backward whirl by rebounds", "largest force of 300 kN"]
-array dashes[6] = ["solid", "(5,4)", "(1,4)", "(14,4)", "(10,4,2,4)", "(14,4,2,4,2,4)"]
-line(i) = sprintf("linecolor rgb law_tint linewidth %g dashtype %s", i == 1 ? 2 : 1.6, dashes[i])
+load figures."/maps/lines.gp"
+line(i) = line_style[i]." linecolor rgb law_tint"
 white = "with lines linecolor rgb '#ffffff' linewidth 4, '' using (nth_word(1)):(nth_word(2))"    # beneath a line
 pin = "with points pointtype 7 pointsize 1 linecolor rgb event_tint, '' using 1:2 with points pointtype 7 pointsize 0.5 linecolor rgb '#ffffff'"
 array seen[6] = [0, 0, 0, 0, 0, 0]
-$plane << END
-0,0
-1,0
-
-0,1
-1,1
-END
-set contour base
-unset surface
-set cntrparam levels discrete 0
-do for [p = 0:2*rows - 1] {
-  do for [i = 1:forms] {
-    eval sprintf("set table $line_%d_%d", p, i)
-    splot $plane using 1:2:(1 + $1), theory index p using (along_x($1)):(along_y($2)):(column(i + 2))
-    unset table
-  }
-}
 nth_word(n) = real(word(strcol(1), n))  # a table has no commas
-unset contour
-set surface
 
 set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome within ".duration : "largest normal force"). \
   "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
@@ -124,7 +100,7 @@ set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0
 found = system(sprintf("awk -F, '!/^#/ && n++ { print $%d == \"\" ? \"stalled\" : $%d }' '%s' | sort -u | tr '\n' ' '", result, result, data))
 lines = ""; colours = ""
 do for [i = 1:forms] {
-  if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line(i), meaning[i]) }
+  if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line(i), line_words[i]) }
 }
 if (pins) { lines = lines."keyentry with points pointtype 6 pointsize 0.8 linewidth 1.6 linecolor rgb event_tint title 'cases of the paper', " }
 do for [c = 0:6] {

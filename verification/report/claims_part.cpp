@@ -28,13 +28,12 @@ std::string shown(const std::optional<double>& value, const Number& number) {
   if (is_statement(number)) return *value == 1 ? "yes" : "no";
   const double size = std::abs(*value);
   const bool in_powers = number.printed.find('e') != std::string::npos;
-  std::string text = size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
-                     : size >= 1e4                          ? fmt::format("{:.0f}", *value)
-                     : in_powers && size < 1e-2
-                         ? fmt::format("{:.2e}", *value)
-                         : fmt::format("{:.{}g}", *value, number.printed.empty() ? 3 : 4);
-  if (const auto zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
-  return text + ' ' + number.unit;
+  return (size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
+          : size >= 1e4                          ? fmt::format("{:.0f}", *value)
+          : in_powers && size < 1e-2
+              ? fmt::format("{:.2e}", *value)
+              : fmt::format("{:.{}g}", *value, number.printed.empty() ? 3 : 4)) +
+         ' ' + number.unit;
 }
 
 /// What the paper states: a number or a word.

@@ -29,7 +29,9 @@ std::string in_html(const std::string& text) {
         {"\\bpi\\b", "\u03c0"},
         {"\\^2\\b", "\u00b2"},
         {"\\+-", "\u00b1"},
+        {"(^|[ (])-(?=\\d)", "$1\u2212"},
         {"\\bx (?=\\d)", "\u00d7 "},
+        {"\\b(\\d+(?:\\.\\d+)?)e-0?(\\d+)\\b", "$1\u00a0\u00d7\u00a010<sup>\u2212$2</sup>"},
         {"(\\d) (?=(k?N|k?Hz|J|mm|m?s|%)(?![A-Za-z]))", "$1\u00a0"},
         {"(\\b[A-Za-z]|\u0394)_([A-Za-z0-9]{1,4})(?![A-Za-z0-9_])", "$1<sub>$2</sub>"}})
     html = std::regex_replace(html, std::regex(plain), symbol);

@@ -65,6 +65,9 @@ TEST(Render, EscapesAndPrintsSymbols) {
             "\u03bc &lt; 0.3 &amp; F<sub>n</sub>, \u0394<sub>vy</sub>, \u03c1");
   EXPECT_EQ(rendered("2 pi x 0.5 +- 0.1 kg m^2, 7 % of 2 Hz"),
             "2 \u03c0 \u00d7 0.5 \u00b1 0.1 kg m\u00b2, 7\u00a0% of 2\u00a0Hz");
+  EXPECT_EQ(rendered("(-7.8 %), 1.5e-06 to 2e-5"),
+            "(\u22127.8\u00a0%), 1.5\u00a0\u00d7\u00a010<sup>\u22126</sup> to "
+            "2\u00a0\u00d7\u00a010<sup>\u22125</sup>");
   EXPECT_EQ(rendered("I_C1, u_num_published, t_operating"),  // but no symbols of identifiers
             "I<sub>C1</sub>, u_num_published, t_operating");
   EXPECT_EQ(rendered("columns = [\n\"x_a_m\"]"), "columns = [\n&quot;x_a_m&quot;]");
