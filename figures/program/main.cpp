@@ -209,8 +209,8 @@ void add_options(CLI::App& command, CaseOptions& options) {
       ->needs(scene);
   std::string heading;
   for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
-    for (const auto& [first, its] : headings)
-      if (first == quantity.name) heading = its;
+    for (const auto& [first, text] : headings)
+      if (first == quantity.name) heading = text;
     std::string meaning(quantity.meaning);
     if (!quantity.symbol.empty()) meaning += fmt::format(", {}", quantity.symbol);
     if (!instead_of.empty()) meaning += ", instead of " + option_of(instead_of);
