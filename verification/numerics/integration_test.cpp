@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <random>
 
@@ -165,27 +163,11 @@ using Stepper2 = Verner87<State2, double>;
 using Control2 = ErrorControl<double, Stepper2>;
 using Point2 = Control2::Point;
 
-/// Odeint's pairs whose last stage is the first of the next step (first same as last). A Step does
-/// not take the rates at its end from there.
-template <class Odeint>
-struct FirstSameAsLast : Odeint {
-  template <class System>
-  void do_step(System system, const State2& x, const State2& rates, double time, State2& later,
-               double length, State2& errors) {
-    State2 unused;
-    Odeint::do_step(system, x, rates, time, later, unused, length, errors);
-  }
-};
-
-static_assert(!StepperOf<boost::numeric::odeint::runge_kutta_dopri5<State2>, double>);  // as it is
 static_assert(SystemOf<Ball, double> && !SystemOf<Toy, double>);  // a Toy has no rates
 
 template <class Stepper>
 struct StepBy : testing::Test {};
-using Steppers =
-    testing::Types<Stepper2, Fehlberg78<State2, double>,
-                   boost::numeric::odeint::runge_kutta_cash_karp54<State2>,
-                   FirstSameAsLast<boost::numeric::odeint::runge_kutta_dopri5<State2>>>;
+using Steppers = testing::Types<Stepper2, Fehlberg78<State2, double>>;
 TYPED_TEST_SUITE(StepBy, Steppers);
 
 /// Times and states of the events of a toy system. Each step has a given length or ends at its
