@@ -8,7 +8,7 @@ OPTIONS := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID TESTS
 $(if $(findstring e,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),$(error make -e: exported variables must not replace those of the Makefile))
 $(foreach name,$(OPTIONS),$(if $(filter environment,$(origin $(name))),$(warning \
   exported $(name)=$(value $(name)) is ignored; write make $(name)=... instead)$(eval unexport $(name))$(eval undefine $(name))))
-unexport $(filter GTEST_% RC_% ROTOR_%,$(.VARIABLES))
+unexport $(filter GTEST_% ROTOR_%,$(.VARIABLES))
 
 FORMAT    ?= svg
 EQUATIONS ?= both
@@ -68,13 +68,12 @@ ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $
 #   libeigen3-dev             plane vectors
 #   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 #                             command line, scene files, JSON summary, messages and CSV
-#   libgtest-dev librapidcheck-dev
-#                             tests, and properties on random rotors
+#   libgtest-dev              tests
 #   libkainjow-mustache-dev   templates of the reviewer's page
 #   gnuplot-nox fonts-dejavu-core
 #                             pictures, and the font in them
 PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
-            nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev libkainjow-mustache-dev \
+            nlohmann-json3-dev libfmt-dev libgtest-dev libkainjow-mustache-dev \
             gnuplot-nox fonts-dejavu-core
 # The library that the benchmark compares with.
 BENCH_PACKAGES := libgsl-dev

@@ -1,4 +1,3 @@
-
 #include "figures/program/commands.hpp"
 #include "figures/results/json.hpp"
 #include "figures/results/laws.hpp"

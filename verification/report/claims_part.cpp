@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 #include "verification/report/document.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -16,11 +16,10 @@ namespace {
 constexpr std::array set_keys = {"as_printed", "corrected"};
 
 /// A statement, 1 if it is true and 0 if not, as its words explain in brackets.
-const std::regex yes_or_no(" \\((1: yes|0: no)\\)");
-bool is_statement(const Number& number) { return std::regex_search(number.says, yes_or_no); }
 std::string words_of(const Number& number) {
-  return std::regex_replace(number.says, yes_or_no, "");
+  return replaced(number.says, " \\((1: yes|0: no)\\)", "");
 }
+bool is_statement(const Number& number) { return words_of(number) != number.says; }
 
 /// In a unit, without superfluous digits; in powers of ten if the paper has them.
 std::string shown(const std::optional<double>& value, const Number& number) {
