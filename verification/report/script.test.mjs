@@ -22,7 +22,7 @@ test("numbers are in their units", () => {
   const numbers = new Map(numbersOf(summary));
   assert.equal(numbers.get("outcome"), "no contact");
   for (const [key, text] of Object.entries({ touch_downs: "7", first_contact_s: "29.1046 s", rolling_onset_speed_Hz: "45.15 Hz",
-    peak_normal_force_N: "454.8 kN", max_displacement_m: "3.567 mm", whirl_frequency_Hz: "-595.61 Hz", rolling_until_s: "–" }))
+    peak_normal_force_N: "454.8 kN", max_displacement_m: "3.567 mm", whirl_frequency_Hz: "−595.61 Hz", rolling_until_s: "–" }))
     assert.equal(numbers.get(results[key]), text);
   const words = sentence(summary);
   for (const part of ["7 times", "29.1046 s", "454.8 kN", "29.1277 s, 23.1 ms after", "Remark: the ring is round."])

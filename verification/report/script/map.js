@@ -131,9 +131,10 @@ export class OutcomeMap {
     ctx.clip();
     rows.forEach((cells, row) => {
       const y = top + height - edge(row, rows.length, height), next = top + height - edge(row + 1, rows.length, height);
-      for (let n = 0; n < count; ++n) {
+      for (let n = 0, end; n < count; n = end) { // like neighbours at once
+        for (end = n + 1; cells[end] === cells[n];) ++end;
         ctx.fillStyle = inks[cells[n]];
-        ctx.fillRect(left + edge(n, count, width), next, edge(n + 1, count, width) - edge(n, count, width), y - next);
+        ctx.fillRect(left + edge(n, count, width), next, edge(end, count, width) - edge(n, count, width), y - next);
       }
     });
     ctx.restore();

@@ -21,7 +21,7 @@ export function sentence(summary) {
 
 /// A result in the unit that follows from its key's.
 const inUnit = { s: inSeconds, N: inKilonewton, m: (rho) => `${(1e3 * rho).toFixed(3)} mm`, Hz: (f) => `${f.toFixed(2)} Hz` };
-const inText = (key, value = null) => value === null ? "–" : (inUnit[key.split("_").at(-1)] ?? ((count) => String(+count.toFixed(3))))(value);
+const inText = (key, value = null) => value === null ? "–" : (inUnit[key.split("_").at(-1)] ?? ((count) => String(+count.toFixed(3))))(value).replace(/^-/, "−");
 
 /// Each number's name and text.
 export const numbersOf = (summary) => [["outcome", summary.outcome.replace("_", " ")]].concat(

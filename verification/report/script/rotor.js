@@ -131,9 +131,9 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
     ctx.fillText(...place);
   }
   else {
-    const [right, down] = points[12], { clientWidth: wide, clientHeight: high } = ctx.canvas; // in the corner opposite the arrow
-    ctx.textAlign = right > 0 ? "left" : "right";
-    ctx.fillText(text, (right > 0 ? -wide : wide) / 2, down > 0 ? 14 - high / 2 : high / 2 - 24);
+    const side = points[12][0] > 0 ? -1 : 1, { clientWidth: wide, clientHeight: high } = ctx.canvas; // away from the arrow
+    ctx.textAlign = side < 0 ? "left" : "right";
+    ctx.fillText(text, (side * wide) / 2, 12 - high / 2);
   }
   ctx.font = "12px system-ui, sans-serif";
 }
