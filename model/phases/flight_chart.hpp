@@ -134,7 +134,6 @@ class FlightChart {
   /// Turns the axes to the rotor's if these have turned far away, and renews the chart where what
   /// it subtracts is no longer worth it. Returns whether the rates have to be computed again.
   bool recentre(Unknowns& x) {
-    constexpr double far = 32;  // rad; up to here the angle is rounded by some 1e-14 rad
     const bool is_near = x[rotor_angle] < far && x[rotor_angle] > -far;
     if (!is_near) {
       const Vector<S> turn = unit_vector(x[rotor_angle]);
@@ -172,6 +171,8 @@ class FlightChart {
   }
 
  private:
+  static constexpr double far = 32;  ///< rad; up to here the angle is rounded by some 1e-14 rad
+
   /// Chooses what to subtract at the present speed: nothing if the rotor is not fast, the steady
   /// response if it vibrates, or else the synchronous motion, unless the speed ripples too much.
   void renew(Unknowns& x) {
@@ -245,10 +246,13 @@ class FlightChart {
                : x[rotor_angle];
   }
 
-  /// Above 1.4 times the critical speed. Nearer to it the response changes too fast with the speed
-  /// to be worth subtracting. Springs that are not linear have no such response.
+  /// Above 1.4 times the critical speed, and not driven by the motor to change by a quarter in five
+  /// turns. Nearer to it, or then, the response changes too fast to be worth subtracting. Springs
+  /// that are not linear have no such response.
   bool is_fast(const S& speed) const {
-    return speed * speed > 2 * rotor_.supports.stiffness / rotor_.body.mass;
+    using std::max;
+    const S per_turns = 4 * far * rotor_.motor_torque() / rotor_.body.inertia;
+    return speed * speed > max<S>(2 * rotor_.supports.stiffness / rotor_.body.mass, per_turns);
   }
 
   RotorSystem<S> rotor_;
