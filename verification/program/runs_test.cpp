@@ -100,6 +100,24 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
                std::exception);
 }
 
+// Wherever it moves from there: off a damped ring the rim may come free at once.
+TEST(SeparationSpeed, IsNotReachedAfterAStartOverTheRing) {
+  Observer monitor;
+  for (const double velocity : {-3., -0.01, 0., 3.})
+    for (const double damping : {0., 1e4}) {
+      SCOPED_TRACE(fmt::format("{} m/s, {} N s/m", velocity, damping));
+      Scenario scenario{.start_speed_Hz = 30, .start = Start{3.000001e-3, 0, velocity, 0}};
+      scenario.parameters.contact_damping = damping;
+      RunUps run_ups;
+      for (const double speed_Hz : {30., 30.5, 40.}) {  // the later ones where the others ended
+        const SpeedReached found = run_ups.time_at_speed(scenario, speed_Hz, {}, monitor);
+        EXPECT_FALSE(found.time_s) << speed_Hz;
+        EXPECT_TRUE(found.touches) << speed_Hz;
+        EXPECT_EQ(found.looked_until_s, 0) << speed_Hz;
+      }
+    }
+}
+
 // The response at a constant speed, which changes only by the drag of damping.
 TEST(StartSpeed, BeginsInSteadyResponse) {
   Scenario scenario;
