@@ -30,7 +30,7 @@ ScenarioSpec numbers(std::initializer_list<std::pair<const std::string, double>>
   return spec;
 }
 
-TEST(RandomInputs, LeaveNoneOut) {
+TEST(RandomInputs, LeaveOutNoneAndNoSign) {
   RandomInputs random(1);
   std::map<std::string, std::set<std::string>> values;
   for (int n = 0; n < 1000; ++n) {
@@ -40,6 +40,12 @@ TEST(RandomInputs, LeaveNoneOut) {
   }
   for (const std::string& name : varied_inputs())
     EXPECT_GT(values[option_of(name)].size(), 1U) << name;
+  for (const InputQuantity& input : input_quantities())
+    if (input.quantity.allows(-1)) {  // in the order of characters, negative ones come first
+      const std::set<std::string>& drawn = values[option_of(input.quantity.name)];
+      EXPECT_EQ(drawn.begin()->front(), '-') << input.quantity.name;
+      EXPECT_NE(drawn.rbegin()->front(), '-') << input.quantity.name;
+    }
 }
 
 TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
