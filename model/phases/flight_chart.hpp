@@ -156,6 +156,7 @@ class FlightChart {
 
   void switch_motor_off(Unknowns& x) {
     rotor_.motor_on = false;
+    square_of_fast_ = square_of_fast();
     renew(x);
   }
 
@@ -246,16 +247,19 @@ class FlightChart {
                : x[rotor_angle];
   }
 
+  bool is_fast(const S& speed) const { return speed * speed > square_of_fast_; }
+
   /// Above 1.4 times the critical speed, and not driven by the motor to change by a quarter in five
   /// turns. Nearer to it, or then, the response changes too fast to be worth subtracting. Springs
   /// that are not linear have no such response.
-  bool is_fast(const S& speed) const {
+  S square_of_fast() const {
     using std::max;
-    const S per_turns = 4 * far * rotor_.motor_torque() / rotor_.body.inertia;
-    return speed * speed > max<S>(2 * rotor_.supports.stiffness / rotor_.body.mass, per_turns);
+    const S in_turns = 4 * far * rotor_.motor_torque() / rotor_.body.inertia;
+    return max<S>(2 * rotor_.supports.stiffness / rotor_.body.mass, in_turns);
   }
 
   RotorSystem<S> rotor_;
+  S square_of_fast_ = square_of_fast();
   S angle_, speed_;
   Vector<S> down_;
   bool is_steady_;                     ///< whether the steady response is subtracted,
