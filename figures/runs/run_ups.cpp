@@ -56,7 +56,9 @@ SpeedReached search(const Simulation& from, Scenario run_up, double speed_Hz,
   Parameters& p = run_up.parameters;
   const double start_Hz = in_Hz(from.instant().state[5]);
   constexpr double speed_rounding = 1e-12;
-  if (from.instant().touches()) return {std::nullopt, 0, start_Hz, true};
+  // Only a start can be over the ring; whether it touches depends on the ring of the first
+  // scenario.
+  if (from.instant().contact != ContactState::free) return {std::nullopt, 0, start_Hz, true};
   if (start_Hz >= (1 - speed_rounding) * speed_Hz)
     return {from.instant().time_s, 0, start_Hz, false};
   if (p.torque == 0 || !from.instant().motor_on) return {std::nullopt, 0, start_Hz, false};

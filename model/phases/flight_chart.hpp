@@ -134,7 +134,6 @@ class FlightChart {
   /// Turns the axes to the rotor's if these have turned far away, and renews the chart where what
   /// it subtracts is no longer worth it. Returns whether the rates have to be computed again.
   bool recentre(Unknowns& x) {
-    constexpr double far = 32;  // rad; up to here the angle is rounded by some 1e-14 rad
     const bool is_near = x[rotor_angle] < far && x[rotor_angle] > -far;
     if (!is_near) {
       const Vector<S> turn = unit_vector(x[rotor_angle]);
@@ -157,6 +156,7 @@ class FlightChart {
 
   void switch_motor_off(Unknowns& x) {
     rotor_.motor_on = false;
+    square_of_fast_ = square_of_fast();
     renew(x);
   }
 
@@ -172,6 +172,8 @@ class FlightChart {
   }
 
  private:
+  static constexpr double far = 32;  ///< rad; up to here the angle is rounded by some 1e-14 rad
+
   /// Chooses what to subtract at the present speed: nothing if the rotor is not fast, the steady
   /// response if it vibrates, or else the synchronous motion, unless the speed ripples too much.
   void renew(Unknowns& x) {
@@ -245,13 +247,19 @@ class FlightChart {
                : x[rotor_angle];
   }
 
-  /// Above 1.4 times the critical speed. Nearer to it the response changes too fast with the speed
-  /// to be worth subtracting. Springs that are not linear have no such response.
-  bool is_fast(const S& speed) const {
-    return speed * speed > 2 * rotor_.supports.stiffness / rotor_.body.mass;
+  bool is_fast(const S& speed) const { return speed * speed > square_of_fast_; }
+
+  /// Above 1.4 times the critical speed, and not driven by the motor to change by a quarter in five
+  /// turns. Nearer to it, or then, the response changes too fast to be worth subtracting. Springs
+  /// that are not linear have no such response.
+  S square_of_fast() const {
+    using std::max;
+    const S in_turns = 4 * far * rotor_.motor_torque() / rotor_.body.inertia;
+    return max<S>(2 * rotor_.supports.stiffness / rotor_.body.mass, in_turns);
   }
 
   RotorSystem<S> rotor_;
+  S square_of_fast_ = square_of_fast();
   S angle_, speed_;
   Vector<S> down_;
   bool is_steady_;                     ///< whether the steady response is subtracted,

@@ -1,6 +1,8 @@
 /// The inputs of a run, its start, its mass loss and its end.
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "figures/data/text.hpp"
 #include "figures/input/scenario_spec.hpp"
@@ -23,6 +25,17 @@ ScenarioSpec numbers(std::initializer_list<std::pair<const std::string, double>>
   ScenarioSpec spec;
   spec.numbers.insert(stated.begin(), stated.end());
   return spec;
+}
+
+TEST(RandomInputs, HaveBothSignsWhereBothAreAllowed) {
+  RandomInputs random(1);
+  std::map<std::string, std::set<bool>> signs;
+  for (int n = 0; n < 1000; ++n)
+    for (const auto& [name, value] : random.rotor().stated.numbers)
+      signs[name].insert(std::signbit(value));
+  for (const InputQuantity& input : input_quantities())
+    if (input.quantity.allows(-1))
+      EXPECT_EQ(signs[std::string(input.quantity.name)].size(), 2U) << input.quantity.name;
 }
 
 TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
@@ -81,6 +94,24 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   // A higher speed after a contact, here at 1.77 s, does not count.
   EXPECT_THROW(scenario_of(numbers({{"mass_loss_speed_hz", 75}, {"eccentricity", 1e-3}})),
                std::exception);
+}
+
+// Wherever it moves from there: off a damped ring the rim may come free at once.
+TEST(SeparationSpeed, IsNotReachedAfterAStartOverTheRing) {
+  Observer monitor;
+  for (const double velocity : {-3., -0.01, 0., 3.})
+    for (const double damping : {0., 1e4}) {
+      SCOPED_TRACE(fmt::format("{} m/s, {} N s/m", velocity, damping));
+      Scenario scenario{.start_speed_Hz = 30, .start = Start{3.000001e-3, 0, velocity, 0}};
+      scenario.parameters.contact_damping = damping;
+      RunUps run_ups;
+      for (const double speed_Hz : {30., 30.5, 40.}) {  // the later ones where the others ended
+        const SpeedReached found = run_ups.time_at_speed(scenario, speed_Hz, {}, monitor);
+        EXPECT_FALSE(found.time_s) << speed_Hz;
+        EXPECT_TRUE(found.touches) << speed_Hz;
+        EXPECT_EQ(found.looked_until_s, 0) << speed_Hz;
+      }
+    }
 }
 
 // The runs of a scene are the same as single runs, even if one fails.

@@ -36,7 +36,7 @@ double contact_period(const Numbers& drawn) {
 }
 
 /// A range, in units that may depend on the rows above it; in one draw of so many, a value that is
-/// a case of its own, in the same units.
+/// a case of its own, in the same units. Inputs that may be negative are so in every second draw.
 struct NumberRange {
   std::string_view name;
   double least, greatest;
@@ -122,10 +122,11 @@ ScenarioSpec RandomInputs::spec(double part) {
     const NumberRange& drawn = *rows[below(rows.size())];
     const double reach = std::pow(drawn.greatest / drawn.least, part / 2),
                  middle = std::sqrt(drawn.least * drawn.greatest);
-    const bool is_special = drawn.one_in > 0 && one_in(drawn.one_in);
+    const bool is_special = drawn.one_in > 0 && one_in(drawn.one_in),
+               is_negative = find_input_quantity(drawn.name)->quantity.allows(-1) && one_in(2);
     spec.numbers.emplace(drawn.name,
                          (is_special ? drawn.special : between(middle / reach, middle * reach)) *
-                             drawn.unit(spec.numbers));
+                             drawn.unit(spec.numbers) * (is_negative ? -1 : 1));
   }
   for (const NameRange& row : name_ranges)
     if (one_in(2)) find_named_input(row.name)->state(spec, row.values[below(row.values.size())]);
