@@ -9,7 +9,7 @@ set datafile separator comma
 set encoding utf8
 letters = format eq "svg" ? 14 : format eq "png" ? 11 : 8
 size(x, y) = format eq "svg" ? sprintf("svg background 'white' linewidth 1 size %g,%g", x, y) : \
-  format eq "png" ? sprintf("pngcairo fontscale 2 pointscale 2 linewidth 2.4 size %g,%g", 2*x, 2*y) : \
+  format eq "png" ? sprintf("pngcairo fontscale 2 pointscale 2 linewidth 2.4 dashlength 2.4 size %g,%g", 2*x, 2*y) : \
   sprintf("pdfcairo linewidth 0.7 size %.2fcm,%.2fcm", x/60.0, y/60.0)
 wide = size(960, 560).sprintf(" font 'DejaVu Sans,%d' enhanced rounded", letters)
 square = size(760, 800).sprintf(" font 'DejaVu Sans,%d' enhanced rounded", letters)

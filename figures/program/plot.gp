@@ -113,7 +113,7 @@ do for [i = 1:runs] {
   y = runs > 1 ? 590 + (i - 1)/in_a_row*cell : top + height + 73
   set ylabel "x_a, mm (down)"
   set xlabel "y_a, mm"
-  if (runs > 1) { set title shortened(greek(of("run", i)), int(less(36, cell/8.5))) offset 0,-0.7 noenhanced font small textcolor linetype i }
+  if (runs > 1) { set title shortened(greek(of("run", i)), int(less(36, cell/8.8))) offset 0,-0.7 noenhanced font small textcolor linetype i }
   eval panel(x, x + (runs > 1 ? side : 0.5*wide - right - left), y, y + side)
   plot data(i, "x_a_m") using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i dashtype solid, \
     gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance

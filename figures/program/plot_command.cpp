@@ -25,8 +25,8 @@ std::string conditions_of(const Scene& scene) {
   if (all_have([&](const SceneRun& run) { return run.scenario.equations == equations; }))
     add(std::string(equations_in_words(name_of(equations))));
   for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
-    const auto stated = [&](const SceneRun& run) -> std::optional<double> {
-      const auto found = run.stated.numbers.find(quantity.name);
+    const auto stated = [&name = quantity.name](const SceneRun& run) -> std::optional<double> {
+      const auto found = run.stated.numbers.find(name);
       return found == run.stated.numbers.end() ? std::nullopt : std::optional(found->second);
     };
     std::optional<double> shared = stated(runs.front());
