@@ -55,32 +55,43 @@ std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
          csv_rows({{all.name, thinned(some, pixel)}});
 }
 
-/// Force, speed, displacement and orbit.
-void plot_motion(const Scene& scene, const PlotOptions& options) {
-  const Drawing drawing(options.file, options.out);
-  const SceneData data = std::move(compute({{1, scene}}).at(1));
-  const std::vector<Panel> panels = {
-      {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
-  for (std::size_t n = 1; n <= scene.runs.size(); ++n)
-    for (const Panel& panel : panels)
-      drawing.write(fmt::format("run{}-{}.csv", n, panel.column),
-                    rows_of(panel.columns, scene, data.curves[n - 1]));
-  drawing.finish(
-      drawing.headings(scene.title, conditions_of(scene)) + variables(scene, data.results),
-      "plot.gp");
+/// The texts above a picture: the title or else the scene's name, and conditions in lines that end
+/// between items.
+std::string headings(const std::string& title, std::string conditions) {
+  constexpr std::size_t most = 140;  // letters in a line
+  long lines = 1;
+  for (std::size_t begin = 0; conditions.size() - begin > most; ++lines) {
+    std::size_t end = conditions.rfind(", ", begin + most - 1);
+    if (end == std::string::npos || end < begin) end = conditions.find(", ", begin);
+    if (end == std::string::npos) break;
+    conditions[end + 1] = '\n';
+    begin = end + 2;
+  }
+  return fmt::format("heading = {}; conditions = {}; lines = {}\n", numbered(title),
+                     numbered(conditions), lines);
 }
 
 }  // namespace
 
-void plot(const PlotOptions& stated) {
-  PlotOptions options = stated;
-  if (options.out.empty())
-    options.out = std::filesystem::path(options.file).stem().string() + ".svg";
+void plot(const PlotOptions& options) {
+  const std::string name = std::filesystem::path(options.file).stem().string(),
+                    out = options.out.empty() ? name + ".svg" : options.out;
   Scene scene = read_scene(options.file, {options.stated, {}});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
-  plot_motion(scene, options);
+  require_picture(out, options.file);
+  const SceneData data = std::move(compute({{1, scene}}).at(1));
+  const std::string title = scene.title.empty() ? one_line(name) : scene.title;
+  Drafts drafts = {
+      {"settings.gp", headings(title, conditions_of(scene)) + variables(scene, data.results)}};
+  const std::vector<Panel> panels = {
+      {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
+  for (std::size_t n = 1; n <= scene.runs.size(); ++n)
+    for (const Panel& panel : panels)
+      drafts.emplace_back(fmt::format("run{}-{}.csv", n, panel.column),
+                          rows_of(panel.columns, scene, data.curves[n - 1]));
+  draw(out, drafts);
   say_what_is_assumed(scene.runs);
 }
 
