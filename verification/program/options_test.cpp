@@ -127,7 +127,7 @@ TEST_F(Options, AreRefusedInTheUnitInWhichTheyAreStated) {
        {std::pair("--mass-loss-speed-rpm 9600", "mass_loss_speed_rpm = 9600 rpm"),
         {"--start-speed-rpm 3000 --mass-loss-speed-hz 25", "start_speed_rpm = 3000 rpm"},
         {"--start-speed-rpm 603.6 --support-damping 0.1", "start_speed_rpm = 603.6 rpm"},
-        {"--mass-loss-speed-rpm 90 --mass-loss-time 1", "mass_loss_speed_rpm and"},
+        {"--mass-loss-speed-rpm 90 --mass-loss-time 1", "mass_loss_speed_rpm = 90 rpm and"},
         {"--lost-mass 4.9", "lost_mass = 4.9 kg"},
         {"--clearance 1e-19", "clearance = 1e-19 m"}}) {
     expect_refusal(std::string("run ") + options, number);
