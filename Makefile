@@ -8,7 +8,7 @@ OPTIONS := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID TESTS
 $(if $(findstring e,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),$(error make -e: exported variables must not replace those of the Makefile))
 $(foreach name,$(OPTIONS),$(if $(filter environment,$(origin $(name))),$(warning \
   exported $(name)=$(value $(name)) is ignored; write make $(name)=... instead)$(eval unexport $(name))$(eval undefine $(name))))
-unexport $(filter GTEST_% RC_% ROTOR_%,$(.VARIABLES))
+unexport $(filter GTEST_% ROTOR_%,$(.VARIABLES))
 
 FORMAT    ?= svg
 EQUATIONS ?= both
@@ -69,13 +69,12 @@ ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $
 #   libeigen3-dev             plane vectors
 #   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
 #                             command line, scene files, JSON summary, messages and CSV
-#   libgtest-dev librapidcheck-dev
-#                             tests, and properties on random rotors
+#   libgtest-dev              tests
 #   libkainjow-mustache-dev   templates of the reviewer's page
 #   gnuplot-nox fonts-dejavu-core
 #                             pictures, and the font in them
 PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
-            nlohmann-json3-dev libfmt-dev libgtest-dev librapidcheck-dev libkainjow-mustache-dev \
+            nlohmann-json3-dev libfmt-dev libgtest-dev libkainjow-mustache-dev \
             gnuplot-nox fonts-dejavu-core
 # The library that the benchmark compares with.
 BENCH_PACKAGES := libgsl-dev
@@ -254,7 +253,7 @@ claim: build ## paper: print all that is known about one claim: make claim ID=sp
 	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
 
 report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## start: make the page, build/report/index.html: one file, no network
-	$(call build-target,report-page report-numbers)
+	$(call build-target,report-page report-numbers map-theory)
 	@$(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=both
 	@verification/report/report.sh $(BUILD)
 check-report: report ## code: check the page in a browser, its links and its spelling

@@ -7,11 +7,9 @@ report=$build/report
 data=reference-data
 mkdir -p "$report"
 failed=0
-verification/tests.sh "$build" verification || failed=1
+verification/tests.sh "$build" verification | tee "$report/tests.txt" || failed=1
 "$build/report-numbers" $data "$report" | tee "$report/report.txt" || failed=1
 "$build/random-rotors" 200 "$report" | tee -a "$report/report.txt" || failed=1
-echo
-echo "This report: $report/report.txt"
 # The reviewer's page, if its pictures have been drawn.
 drawn=1
 for scene in figures/paper/fig[0-9][0-9].toml; do
@@ -20,4 +18,15 @@ done
 if [ $drawn = 1 ]; then
   verification/report/report.sh "$build" || failed=1
 fi
+
+# The answer.
+echo
+echo "Tests: $(tail -n 1 "$report/tests.txt")"
+grep -E '^(equations as printed|corrected equations) ' "$report/report.txt"
+for begin in 1 17; do # a row of a claim begins with its verdicts, as printed and corrected
+  echo "Refuted by the claim's own rule, $([ $begin = 1 ] && echo as printed || echo corrected):$(awk -v begin=$begin '
+    substr($0, begin, 7) == "refuted" { id = substr($0, 57); sub(/[,:].*/, "", id); if (!seen[id]++) printf " %s", id }
+  ' "$report/report.txt")"
+done
+echo "Everything: $report/report.txt; one claim: make claim ID=energy_kept"
 exit $failed

@@ -20,8 +20,6 @@ std::string csv_field(std::string_view text) {
   return field + '"';
 }
 
-std::string csv_field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
-
 std::string csv_head(const std::vector<std::string>& provenance,
                      const std::vector<std::string_view>& headings) {
   std::string head;

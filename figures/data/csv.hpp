@@ -35,15 +35,11 @@ struct NamedTable {
 /// A text as a field, in quotes if it needs them.
 std::string csv_field(std::string_view text);
 
-/// A number as a field, with as many digits as are needed to read the same number back; empty for
-/// NaN.
-std::string csv_field(double value);
-
 /// Lines of provenance and the header row.
 std::string csv_head(const std::vector<std::string>& provenance,
                      const std::vector<std::string_view>& headings);
 
-/// A row: a name, then numbers.
+/// A row: a name, then numbers, with as many digits as are needed to read them back; NaN is empty.
 std::string csv_row(std::string_view name, std::span<const double> values);
 
 std::string csv_rows(const std::vector<NamedTable>& tables);

@@ -69,10 +69,10 @@ std::string read_file(const fs::path& file, std::size_t most) {
 }
 
 bool is_at(int descriptor, const fs::path& path) {
-  struct stat its {
+  struct stat opened {
   }, there{};
-  return ::fstat(descriptor, &its) == 0 && ::stat(path.c_str(), &there) == 0 &&
-         its.st_dev == there.st_dev && its.st_ino == there.st_ino;
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &there) == 0 &&
+         opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
 }
 
 Draft::Draft(const fs::path& of, Kind kind) {
@@ -196,13 +196,13 @@ FileTransaction::FileTransaction(const fs::path& source)
     : source_(source.empty() ? "" : identity(source)) {}
 
 OutputFile& FileTransaction::open(const fs::path& file) {
-  const std::string its = identity(file);
-  const bool is_source = its == source_, is_open = contains(identities_, its);
-  if (!its.empty() && (is_source || is_open))
+  const std::string file_id = identity(file);
+  const bool is_source = file_id == source_, is_open = contains(identities_, file_id);
+  if (!file_id.empty() && (is_source || is_open))
     throw std::runtime_error(fmt::format(
         "{}: cannot be written: {}", shown(file.string()),
         is_source ? "the runs are read from this file" : "it is the file of two outputs"));
-  identities_.push_back(its);
+  identities_.push_back(file_id);
   return *files_.emplace_back(std::make_unique<OutputFile>(file));
 }
 

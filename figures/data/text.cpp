@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <boost/locale/utf.hpp>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -35,21 +36,13 @@ std::size_t distance(std::string_view a, std::string_view b) {
 /// Number of bytes of the letter in UTF-8 at the start of a text; 0 if there is none, or if XML
 /// does not allow it or it is a control character.
 std::size_t letter_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const unsigned first = byte(0), second = byte(1);
-  if (first < 0x80) return first < 0x20 || first == 0x7f ? 0 : 1;
-  const std::size_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0U) != 0x80) return 0;
-  const bool is_overlong = first < 0xc2 || (first == 0xe0 && second < 0xa0) ||
-                           (first == 0xf0 && second < 0x90),
-             is_beyond = first > 0xf4 || (first == 0xf4 && second >= 0x90),
-             is_half_a_pair = first == 0xed && second >= 0xa0,
-             is_control = (first == 0xc2 && second < 0xa0) ||
-                          (first == 0xef && second == 0xbf && byte(2) >= 0xbe);
-  return is_overlong || is_beyond || is_half_a_pair || is_control ? 0 : length;
+  using Utf8 = boost::locale::utf::utf_traits<char>;
+  const char* end = text.data();
+  const auto letter = Utf8::decode(end, text.data() + text.size());
+  const bool is_control = letter < 0x20 || (letter >= 0x7f && letter < 0xa0);
+  return is_control || letter > 0x10ffff || letter == 0xfffe || letter == 0xffff
+             ? 0
+             : static_cast<std::size_t>(end - text.data());
 }
 
 }  // namespace

@@ -33,7 +33,6 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
 std::string choices(std::string_view mistyped, const std::vector<std::string>& names,
                     std::string_view many);
 
-/// Whether a value is among others.
 template <class Values, class Value>
 bool contains(const Values& values, const Value& value) {
   return std::find(std::begin(values), std::end(values), value) != std::end(values);

@@ -26,7 +26,6 @@ const std::vector<InputQuantity>& input_quantities();
 const InputQuantity* find_input_quantity(std::string_view name);
 /// The names of these quantities and of named_inputs().
 const std::vector<std::string>& varied_inputs();
-/// For messages.
 inline constexpr std::string_view list_of_inputs =
     "rotor run --help lists them, with dashes for underscores";
 /// The name of the number that has this symbol; otherwise the text.

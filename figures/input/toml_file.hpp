@@ -39,7 +39,6 @@ class TomlFile {
 
   void expect_keys(const toml::table& table, const Keys& allowed) const;
 
-  /// The value of a key, if it is set.
   template <class T>
   std::optional<T> value(const toml::table& in, std::string_view key, std::string_view kind) const {
     const toml::node* node = in.get(key);
@@ -62,7 +61,6 @@ class TomlFile {
   std::optional<double> time(const toml::table& in, std::string_view key) const;
   /// The sub-table of that name, empty if there is none.
   const toml::table& table(const toml::table& in, std::string_view key) const;
-  /// The tables of that name, in their order; none if there are none.
   std::vector<const toml::table*> tables(const toml::table& in, std::string_view key) const;
 
   /// Calls a function, and adds file, line and key to the error that it throws.

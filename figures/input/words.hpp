@@ -26,14 +26,14 @@ inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
      {Outcome::undecided, "undecided", "#efe0a0", "#453d1f",
       "has not touched the ring so far, but contact is possible",
       "there was no contact, but one is possible"},
-     {Outcome::freed, "freed", "#a2c8e4", "#3b5a73",
+     {Outcome::freed, "freed", "#a5d4b8", "#33604c",
       "has touched the ring and is clear of it again",
       "there were contacts, but the free rotor cannot reach the ring at this speed"},
-     {Outcome::bouncing, "bouncing", "#78aad2", "#4d7ea3",
+     {Outcome::bouncing, "bouncing", "#62b08c", "#48917a",
       "bounces, and further contacts are possible", "there were contacts, and more are possible"},
-     {Outcome::sliding, "sliding", "#2e5f8c", "#a9cfec", "slides along the ring without leaving it",
+     {Outcome::sliding, "sliding", "#1f6b52", "#a5e3cb", "slides along the ring without leaving it",
       "the last contact has lasted longer than a natural period of the contact"},
-     {Outcome::rolling, "rolling", "#cc6c24", "#d98742", "has come to roll along the ring",
+     {Outcome::rolling, "rolling", "#bf5b98", "#d77db4", "has come to roll along the ring",
       "rolling has set in, whatever followed"},
      {Outcome::stalled, "stalled", "#333333", "#ebebe6",
       "is stalled below 1.5 times its critical speed: the motor cannot raise it",
@@ -47,6 +47,28 @@ struct EquationsInWords {
 inline constexpr auto sets_in_words = std::to_array<EquationsInWords>(
     {{"published", "#0072b2", "#56b4e9", "equations as printed", "as printed"},
      {"corrected", "#b34700", "#f0934f", "corrected equations", "corrected"}});
+
+/// What else has one colour in all pictures; instants share that of axes.
+inline constexpr auto others_in_words =
+    std::to_array<EquationsInWords>({{"paper", "#707070", "#a3adb7", "the paper's values", "paper"},
+                                     {"law", "#7a0177", "#d59ae0", "closed forms", "closed form"},
+                                     {"event", "#000000", "#ffffff", "events", "event"}});
+
+/// Where a closed form equals what it is compared with, as maps show it: its column of map-theory,
+/// its width and pattern of dashes and gaps.
+struct LineInWords {
+  std::string_view name;
+  double width;
+  std::string_view dashes, words;
+};
+
+inline constexpr auto lines_in_words =
+    std::to_array<LineInWords>({{"greatest", 2, "", "closed forms: border of contact"},
+                                {"bound", 1.6, "5,4", "limit of possible contact"},
+                                {"steady", 1.6, "1,4", "steady response reaches the ring"},
+                                {"forward", 1.6, "14,4", "limit of lasting forward rub"},
+                                {"rebound", 1.6, "10,4,2,4", "limit of backward whirl by rebounds"},
+                                {"peak", 1.6, "14,4,2,4,2,4", "largest force of 300 kN"}});
 
 /// What summaries call equations by their name, "mixed" and "corrected" included.
 constexpr std::string_view equations_in_words(std::string_view name) {

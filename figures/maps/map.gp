@@ -7,6 +7,7 @@
 if (!exists("rows")) { rows = 1; name_of_row(unused) = "" }
 if (!exists("panels")) panels = "equations_varied"
 if (!exists("duration")) duration = "0.5 s"
+pins = exists("$cases")
 name_of_panel(unused) = panels eq "equations_varied" ? words_of(strcol(panels)).name_of_row(0) : \
   sprintf(panel_format, column(panels))
 if (!exists("x_unit")) x_unit = 1
@@ -30,36 +31,13 @@ rows_of(p) = sprintf("< awk -F, -v OFS=, '!/^#/ && n++ > %d { print $%d, $%d, $%
   p*panel, result, x_column, y_column, (p + 1)*panel, data)
 first_of(p) = sprintf("< awk '!/^#/ && (!n++ || n > %d) { print } n > %d { exit }' '%s'", 1 + p*panel, 1 + p*panel, data)
 
-# Lines on which a closed form equals the quantity it is compared with: contours of no excess. A plane without any
-# contour is drawn with each, because gnuplot refuses to draw nothing.
 forms = shows eq "force" ? 6 : 5
-array meaning[6] = ["closed forms: border of contact", "limit of possible contact", \
-  "steady response reaches the ring", "limit of lasting forward rub", \
-  "limit of backward whirl by rebounds", "largest force of 300 kN"]
-array line[6] = ["linecolor rgb black linewidth 1.6", "linecolor rgb black linewidth 1.2 dashtype (5,4)", \
-  "linecolor rgb blue linewidth 1.6 dashtype (2,2)", "linecolor rgb '#7a0177' linewidth 1.8 dashtype (8,3)", \
-  "linecolor rgb '#006d2c' linewidth 1.8 dashtype (8,3,2,3)", "linecolor rgb '#30c0c0' linewidth 1.8"]
+load figures."/maps/lines.gp"
+line(i) = line_style[i]." linecolor rgb law_tint"
+white = "with lines linecolor rgb '#ffffff' linewidth 4, '' using (nth_word(1)):(nth_word(2))"    # beneath a line
+pin = "with points pointtype 7 pointsize 1 linecolor rgb event_tint, '' using 1:2 with points pointtype 7 pointsize 0.5 linecolor rgb '#ffffff'"
 array seen[6] = [0, 0, 0, 0, 0, 0]
-$plane << END
-0,0
-1,0
-
-0,1
-1,1
-END
-set contour base
-unset surface
-set cntrparam levels discrete 0
-do for [p = 0:2*rows - 1] {
-  do for [i = 1:forms] {
-    eval sprintf("set table $line_%d_%d", p, i)
-    splot $plane using 1:2:(1), theory index p using (along_x($1)):(along_y($2)):(column(i + 2))
-    unset table
-  }
-}
 nth_word(n) = real(word(strcol(1), n))  # a table has no commas
-unset contour
-set surface
 
 set multiplot title "{/:Bold ".heading."}: ".(shows eq "outcome" ? "outcome within ".duration : "largest normal force"). \
   "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
@@ -84,9 +62,9 @@ if (shows eq "outcome") {
     result, result, data)))
   if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }
 }
-top = 0.88; bottom = rows == 2 ? 0.19 : 0.28
+top = 0.88; bottom = rows == 2 ? 0.2 : 0.33
 height = (top - bottom)/rows
-low = rows == 2 ? 0.025 : 0.035
+low = rows == 2 ? 0.03 : 0.06
 do for [p = 0:2*rows - 1] {
   at_left = p % 2 == 0; at_bottom = p/2 == rows - 1
   set lmargin at screen at_left ? 0.09 : 0.555
@@ -99,7 +77,7 @@ do for [p = 0:2*rows - 1] {
   set xlabel (at_bottom ? x_name : "") offset 0,0.4
   set ylabel (at_left ? y_name : "") offset 0.5,0
   if (shows eq "force" && p == 2*rows - 1) {
-    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.105 : 0.16) size screen 0.4, screen 0.018
+    set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.115 : 0.22) size screen 0.4, screen 0.018
     set cblabel "largest normal force, kN; white: no contact, or no result" offset 0,0.8
   }
   drawn = ""
@@ -107,28 +85,34 @@ do for [p = 0:2*rows - 1] {
     its = sprintf("$line_%d_%d", p, i)
     eval sprintf("contours = sum [k = 1:|%s|] (%s[k][1:9] eq '# Contour')", its, its)
     if (contours) {
-      drawn = drawn.sprintf(", %s using (nth_word(1)):(nth_word(2)) with lines %s", its, line[i])
+      drawn = drawn.sprintf(", %s using (nth_word(1)):(nth_word(2)) %s with lines %s", its, white, line(i))
       seen[i] = 1
     }
   }
-  eval "plot rows_of(p) using (along_x($2)):(along_y($3)):(its(0)) with image ".(panel > 4096 ? "" : "pixels").drawn
+  if (pins) { drawn = drawn.", $cases using 1:2 ".pin }
+  eval "plot rows_of(p) using (along_x($2)):(along_y($3)):(its(0)) with image ".(panel > 4096 || format eq "png" ? "" : "pixels").drawn
 }
 
 # What the colours and lines mean.
 unset title; unset border; unset tics; unset xlabel; unset ylabel; unset logscale
 set xrange [0:1]; set yrange [0:1]
 set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0
+found = system(sprintf("awk -F, '!/^#/ && n++ { print $%d == \"\" ? \"stalled\" : $%d }' '%s' | sort -u | tr '\n' ' '", result, result, data))
 lines = ""; colours = ""
 do for [i = 1:forms] {
-  if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line[i], meaning[i]) }
+  if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line(i), line_words[i]) }
 }
+if (pins) { lines = lines."keyentry with points pointtype 6 pointsize 0.8 linewidth 1.6 linecolor rgb event_tint title 'cases of the paper', " }
 do for [c = 0:6] {
-  colours = colours.sprintf("keyentry with points pointtype 5 pointsize 1.3 linecolor rgb '%s' title '%s', ", outcome_tint[c + 1], outcome_words[c + 1])
+  if (strstrt(" ".found, " ".outcome_name[c + 1]." ")) {
+    colours = colours.sprintf("keyentry with boxes fillcolor rgb '%s' fillstyle solid border linecolor rgb event_tint title '%s', ", \
+      outcome_tint[c + 1], outcome_words[c + 1].(outcome_name[c + 1] eq "freed" ? ": touched the ring, cannot reach it again" : ""))
+  }
 }
 set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox
-set key at screen 0.5, screen low center center samplen 2.5 maxrows (rows == 2 ? 1 : 2) width -6
+set key at screen 0.5, screen low center center samplen 2.5 maxrows (rows == 2 ? 2 : 3) width -6
 if (strlen(lines)) { eval "plot ".lines."NaN notitle" }
-set key at screen 0.5, screen (rows == 2 ? 0.09 : 0.12) center center samplen 1 maxrows 3 width -6
+set key at screen 0.5, screen (rows == 2 ? 0.1 : 0.19) center center samplen 1 maxrows 3 width -6
 if (shows eq "outcome") { eval "plot ".colours."NaN notitle" }
 unset multiplot

@@ -24,7 +24,7 @@ do for [p = 0:3] {
   set xlabel (at_bottom ? "speed at the mass loss, Hz" : "") offset 0,0.4
   set ylabel (at_left ? "coefficient of friction μ" : "") offset 0.5,0
   if (at_bottom) {
-    set palette defined (0 "#ffffff", 1 "#707070")
+    set palette defined (0 "#ffffff", 1 event_tint)
     set cbrange [0:0.05]; set cblabel "standard error of the share" offset 1,0
   } else {
     eval share_palette; set cblabel "share that rolls" offset 1,0

@@ -14,6 +14,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "figures/input/words.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "model/theory/accident.hpp"
@@ -21,9 +22,8 @@
 namespace rotor {
 namespace {
 
-/// What map.gp draws.
-constexpr std::array lines = {"greatest", "bound", "steady", "forward", "rebound", "peak"};
-using Excess = std::array<double, lines.size()>;
+/// For each line of maps.
+using Excess = std::array<double, lines_in_words.size()>;
 
 /// How far each closed form is above the clearance, the friction or 300 kN; NaN where it has no
 /// value. Friction above 1 counts as 1.
@@ -54,8 +54,9 @@ void print(const char* file) {
   for (Axis* axis : {&x, &y}) axis->range.points = std::min(axis->range.points, most);
   const long width = x.points(), height = y.points();
   const SweepPoints points(sweep);
-  fmt::print("# Closed forms of model/theory for {}\n# x,y,{}\n", sweep.title,
-             fmt::join(lines, ","));
+  fmt::print("# Closed forms of model/theory for {}\n# x,y", sweep.title);
+  for (const LineInWords& line : lines_in_words) fmt::print(",{}", line.name);
+  fmt::print("\n");
   for (long n = 0; n < sweep.points(); ++n) {
     const auto [spec, values] = points(n);
     Excess at{};

@@ -3,7 +3,7 @@ set title caption(2, "Start-up: generalised coordinates and displacement of O", 
   sprintf("M_{mot} = %g N m, e_x = %g mm, critical speed %.1f Hz", number("run", "torque"), \
   1e3*number("run", "eccentricity"), number("run", "critical_speed_Hz")))
 eval find_critical("run")
-set arrow from crossing,graph 0 to crossing,graph 1 nohead linestyle reading
+set arrow from crossing,graph 0 to crossing,graph 1 nohead linestyle event
 set multiplot layout 3,1 margins 0.1,0.97,0.11,0.86 spacing 0,0.05
 set format x ""
 set ytics -1,0.5,0.5
@@ -21,7 +21,7 @@ set xlabel "t, s" offset 0,0.4
 set format x "%g"
 set ytics 0,0.5
 its_quantity = "rho_m"
-set label "critical speed" at crossing,graph 0.85 right offset -0.5,0 textcolor rgb grey front
+set label "critical speed" at crossing,graph 0.85 right offset -0.5,0
 do for [set in sets] {
   eval use(set)
   stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput

@@ -1,16 +1,17 @@
 # F_n for high, intermediate and low friction.
 set title caption(3, "Radial component F_n of the impact force", \
-  sprintf("%s, f_{max} = %g Hz, %s; grey: %s by the %s, steps of %g μs", loss("mu = 0.3"), \
+  sprintf("%s, f_{max} = %g Hz, %s; pale: %s by the %s, steps of %g μs", loss("mu = 0.3"), \
     number("mu = 0.3", "motor_off_hz"), stiffness("mu = 0.3"), short_of(equations), by_method("mu = 0.3 by rk4"), \
     1e6*number("mu = 0.3 by rk4", "step_rub")))
-fixed_data = data
+fixed_data = data; fixed_steps = steps
+law_place = "first 29.158,first %g left offset 0,-0.5"
 runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
 load figures."/paper/forces.gp"
 do for [i = 1:3] {
   @begin_panel
   set label "{/:Bold ".friction(name)."}" at graph (i < 3 ? 0.5 : 0.985),0.84 right
-  if (i == 1) { eval level(-455, published).says("paper: 400–450 kN in rolling, largest 455 kN", 0.985, -455, "right offset 0,0.7 boxed front") }
-  if (i == 3) { eval table(0.02, 0.7, 18)
+  if (i == 1) { eval level(-455, published).says("paper: 400–450 kN in rolling, largest 455 kN", 0.985, -455, "right offset 0,0.7 boxed") }
+  if (i == 3) { eval table(0.02, 0.71, 18)
     do for [n = 1:3] { eval row(n, "largest |F_n|, ".friction(word(runs, n)), n == 1 ? "455 kN" : "") } }
   do for [set in sets] {
     eval use(set)

@@ -1,13 +1,13 @@
 # The rotation speed for high, intermediate and low friction.
 set title caption(4, "Rotation speed f = q̇_3/2π of the rotor", \
-  sprintf("%s; flat: flight, steep: impacts; grey: %s by the %s, which chatters in rolling", \
+  sprintf("%s; flat: flight, steep: impacts; pale: %s by the %s, which chatters in rolling", \
     loss("mu = 0.3"), short_of(equations), by_method("mu = 0.3 by rk4")))
 runs = "'mu = 0.3' 'mu = 0.2' 'mu = 0.08'"
 set xlabel "t, s"
 set ylabel "f, Hz"
 set format x "%.2f"
-eval level(45, published).says("paper: 45 Hz at the onset of rolling, ".friction("mu = 0.3"), 0.985, 45, "right offset 0,0.7 boxed front")
-fixed_data = data
+eval level(45, published).says("paper: 45 Hz at the onset of rolling, ".friction("mu = 0.3"), 0.985, 45, "right offset 0,0.7 boxed")
+fixed_data = data; fixed_steps = steps
 do for [set in sets] {
   eval use(set)
   do for [name in runs] {

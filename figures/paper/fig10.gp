@@ -45,14 +45,14 @@ set xrange [-1.25:1.35]
 set yrange [-1.75:1.12]
 unset border; unset tics; unset grid; unset key
 set style arrow 1 linecolor rgb tint_of(equations) linewidth 2.2 filled size 0.06,18
-set style arrow 3 linecolor rgb black linewidth 1.2 filled size 0.05,18
-set style arrow 4 nohead linecolor rgb grey linewidth 1 dashtype (3,3)
+set style arrow 3 linecolor rgb event_tint linewidth 1.2 filled size 0.05,18
+set style arrow 4 nohead linecolor rgb event_tint linewidth 1 dashtype (3,3)
 
-set object 2 circle at Ox,Oy size radius fillcolor rgb "#eef3f8" fillstyle solid border linecolor rgb black linewidth 1.5
-set object 3 circle at 0,0 size 0.018 fillcolor rgb black fillstyle solid front
-set object 4 circle at Ox,Oy size 0.018 fillcolor rgb black fillstyle solid front
-set object 5 circle at Kx,Ky size 0.024 fillcolor rgb black fillstyle solid front
-set object 6 circle at 0,0 size drawn fillstyle empty border linecolor rgb grey linewidth 1 dashtype (2,3) front
+set object 2 circle at Ox,Oy size radius fillcolor rgb "#f2f2f2" fillstyle solid border linecolor rgb event_tint linewidth 1.5
+set object 3 circle at 0,0 size 0.018 fillcolor rgb event_tint fillstyle solid front
+set object 4 circle at Ox,Oy size 0.018 fillcolor rgb event_tint fillstyle solid front
+set object 5 circle at Kx,Ky size 0.024 fillcolor rgb event_tint fillstyle solid front
+set object 6 circle at 0,0 size drawn fillstyle empty border linecolor rgb event_tint linewidth 1 dashtype (2,3) front
 Px = Ox - radius*nx; Py = Oy - radius*ny           # the rim point opposite to K
 
 # Velocities of a body that turns about K at this instant.
@@ -62,13 +62,13 @@ set arrow from Ox,Oy to Ox - v_O*u*tx,Oy - v_O*u*ty arrowstyle 1 front
 set arrow from Px,Py to Px - 2*v_O*u*tx,Py - 2*v_O*u*ty arrowstyle 1 front
 set label "O_a" at 0,0 right offset -0.6,0.6 front
 set label "O" at Ox,Oy offset 0.8,-0.8 front
-set label "path of O" at 0,-drawn center offset 0,-0.8 textcolor rgb grey front
+set label "path of O" at 0,-drawn right offset 0,-0.8 front
 set label "{/:Bold K}" at 1.09*Kx,1.09*Ky center front
 set label "v_K = 0" at 1.2*Kx,1.2*Ky center front
 # Beyond the tips, on the side to which they point.
 side = tx < 0 ? "left offset 0.8,0" : "right offset -0.8,0"
-set label sprintf("v_O = %.1f m/s", v_O) at Ox - v_O*u*tx,Oy - v_O*u*ty @side front boxed
-set label sprintf("%.1f m/s", 2*v_O) at Px - 2*v_O*u*tx,Py - 2*v_O*u*ty @side front boxed
+set label sprintf("v_O = %.1f m/s", v_O) at Ox - 0.5*v_O*u*tx,Oy - 0.5*v_O*u*ty left offset 0.5,-1 front
+set label sprintf("%.1f m/s", 2*v_O) at Px - 2*v_O*u*tx,Py - 2*v_O*u*ty @side front
 # About O, f turns with the sense of rotation; about O_a, f_rol turns against it.
 arc(a, b, t) = a + (b - a)*t
 set parametric
@@ -77,15 +77,15 @@ whirl_angle = atan2(ny, nx)
 turning = 0.22                                     # the radius of the arrow about O, from v_O past K
 begin = whirl_angle - 1.2; end = whirl_angle + 2.3
 set arrow from Ox + turning*cos(end - 0.25),Oy + turning*sin(end - 0.25) to Ox + turning*cos(end),Oy + turning*sin(end) \
-  linecolor rgb black linewidth 1.6 filled size 0.06,18 front
+  linecolor rgb event_tint linewidth 1.6 filled size 0.06,18 front
 set label "f" at Ox + 1.3*turning*cos(whirl_angle + 1.5),Oy + 1.3*turning*sin(whirl_angle + 1.5) center front
 set arrow from 1.1*cos(whirl_angle - 0.9),1.1*sin(whirl_angle - 0.9) \
   to 1.1*cos(whirl_angle - 1.0),1.1*sin(whirl_angle - 1.0) \
-  linecolor rgb black linewidth 1.6 filled size 0.06,18 front
+  linecolor rgb event_tint linewidth 1.6 filled size 0.06,18 front
 set label "f_{rol}" at 1.18*cos(whirl_angle - 0.65),1.18*sin(whirl_angle - 0.65) center front
 
-plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb black linewidth 3, \
+plot cos(2*pi*t),sin(2*pi*t) with lines linecolor rgb event_tint linewidth 3, \
      Ox + turning*cos(arc(begin, end - 0.2, t)),Oy + turning*sin(arc(begin, end - 0.2, t)) \
-       with lines linecolor rgb black linewidth 1.6, \
+       with lines linecolor rgb event_tint linewidth 1.6, \
      1.1*cos(whirl_angle - arc(0.25, 0.98, t)),1.1*sin(whirl_angle - arc(0.25, 0.98, t)) \
-       with lines linecolor rgb black linewidth 1.6
+       with lines linecolor rgb event_tint linewidth 1.6

@@ -5,9 +5,9 @@ runs = "'k_t' '2 k_t' '0.5 k_t'"
 load figures."/paper/forces.gp"
 do for [i = 1:3] {
   @begin_panel
-  eval level(-455, published)
-  eval table(0.01, 0.68, 5)
-  set label "{/:Bold ".name."}" at graph 0.01,0.68 left boxed front
+  if (i == 1) { eval level(-455, published).says("paper: 455 kN", 0.985, -455, "right offset 0,-0.7") }
+  eval table(0.01, 0.55, 7)
+  set label "{/:Bold ".name."}" at graph 0.01,0.55 left boxed
   eval row(1, "largest |F_n|", i == 1 ? "455 kN" : "")
   if (i > 1) { eval row(2, "change", "minor") }
   do for [set in sets] {

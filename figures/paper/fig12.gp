@@ -3,6 +3,7 @@ set title caption(12, "Radial force F_n, ".loss("run"), friction("run").", ".sti
 set xlabel "t, s"
 set ylabel "F_n, kN"
 set format x "%.2f"
+law_place = "graph 0.985,first %g right offset 0,-0.9"
 eval level(-237, published).says("paper: 237 kN", 0.02, -237, "offset 0,0.7")
 eval table(0.02, 0.55, 8)
 eval row(1, "f at t_1", "100 Hz"); eval row(2, "largest |F_n|", "237 kN"); eval row(3, "reached at", "")

@@ -1,8 +1,13 @@
 # Written by `make approve` from figures/input/words.hpp.
 array outcome_name[7] = ["no_contact","undecided","freed","bouncing","sliding","rolling","stalled"]
-array outcome_tint[7] = ["#f7f7f5","#efe0a0","#a2c8e4","#78aad2","#2e5f8c","#cc6c24","#333333"]
+array outcome_tint[7] = ["#f7f7f5","#efe0a0","#a5d4b8","#62b08c","#1f6b52","#bf5b98","#333333"]
 array outcome_words[7] = ["no contact","undecided","freed","bouncing","sliding","rolling","stalled, or no result"]
-outcome_palette = "set palette maxcolors 7 defined (0 '#f7f7f5', 1 '#efe0a0', 2 '#a2c8e4', 3 '#78aad2', 4 '#2e5f8c', 5 '#cc6c24', 6 '#333333'); set cbrange [-0.5:6.5]"
+outcome_palette = "set palette maxcolors 7 defined (0 '#f7f7f5', 1 '#efe0a0', 2 '#a5d4b8', 3 '#62b08c', 4 '#1f6b52', 5 '#bf5b98', 6 '#333333'); set cbrange [-0.5:6.5]"
 words_of(set) = set eq "published" ? "equations as printed" : "corrected equations"
 short_of(set) = set eq "published" ? "as printed" : "corrected"
 tint_of(set) = set eq "published" ? "#0072b2" : "#b34700"
+array line_words[6] = ["closed forms: border of contact","limit of possible contact","steady response reaches the ring","limit of lasting forward rub","limit of backward whirl by rebounds","largest force of 300 kN"]
+array line_style[6] = ["linewidth 2 dashtype solid","linewidth 1.6 dashtype (5,4)","linewidth 1.6 dashtype (1,4)","linewidth 1.6 dashtype (14,4)","linewidth 1.6 dashtype (10,4,2,4)","linewidth 1.6 dashtype (14,4,2,4,2,4)"]
+paper_tint = "#707070"
+law_tint = "#7a0177"
+event_tint = "#000000"

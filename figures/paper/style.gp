@@ -17,28 +17,26 @@ eval "set terminal ".wide
 small = sprintf(",%g", 0.8*letters)                # a font for long keys
 set output output
 
-# Colours that colour-blind readers can distinguish. What a run of ours shows has the colour of its equations, in all
-# figures and on the page; the paper's values are grey and dashed. `rotor plot` has a colour for each run instead.
+# A colour means one thing, in all pictures and on the page. What a run of ours shows has that of its equations, of which
+# several runs have shades; the paper's values are grey and dashed, closed forms purple; events and the ring are black.
 load figures."/paper/palette.gp"
-set colorsequence podo
-blue = "#0072b2"; vermilion = "#d55e00"; green = "#009e73"; black = "#000000"; grey = "#707070"
-array tints[8] = [blue, vermilion, green, black, "#cc79a7", "#56b4e9", "#e69f00", "#7a0177"]
-do for [i = 1:8] { set linetype i linecolor rgb tints[i] linewidth 1.3 }
-set linetype 7 dashtype (9, 6)
-set linetype 8 dashtype (5, 6)
-published = 11; clearance = 12; reading = 13; fixed_steps = 14; lost = 16; law = 18
-set style line 10 linecolor rgb tint_of("published") linewidth 1.3
-set style line 20 linecolor rgb tint_of("corrected") linewidth 1.3
-set style line 21 linecolor rgb "#d07f4a" linewidth 3    # wide and lighter beneath the other, so also in grey
-set style line published linecolor rgb grey linewidth 1.2 dashtype (6, 7)
-set style line clearance linecolor rgb black linewidth 1.2 dashtype (1, 5)
-set style line fixed_steps linecolor rgb "#a0a0a0" linewidth 1.2
-beneath = 3.4                                       # its width beneath a curve that may coincide
-set style line lost pointtype 2 pointsize 1.2 linecolor rgb black linewidth 2
-set style line law linecolor rgb "#7a0177" linewidth 1.2 dashtype (10, 6, 1, 6)
-set style line reading linecolor rgb grey linewidth 0.8
+part(tint, i) = int(real("0x".tint[2*i:2*i + 1]))
+lighter(tint, w) = sum [i = 1:3] int(part(tint, i) + w*(255 - part(tint, i)) + 0.5)*256**(3 - i)
+published = 11; clearance = 12; event = 13; lost = 16; law = 18
+do for [i = 1:2] {                                 # of a run, and by fixed steps
+  equations = word("published corrected", i)
+  set style line 10*i linecolor rgb tint_of(equations) linewidth 1.3
+  set style line 10*i + 4 linecolor rgb lighter(tint_of(equations), 0.5) linewidth 1.3
+}
+set style line 21 linecolor rgb lighter(tint_of("corrected"), 0.3) linewidth 3    # beneath the other, so also in grey
+beneath = 3.4                                      # width of fixed steps beneath a curve that may coincide
+set style line published linecolor rgb paper_tint linewidth 1.2 dashtype (6, 7)
+set style line clearance linecolor rgb event_tint linewidth 1.2 dashtype (1, 5)
+set style line event linecolor rgb event_tint linewidth 0.6
+set style line lost pointtype 2 pointsize 1.2 linecolor rgb event_tint linewidth 2
+set style line law linecolor rgb law_tint linewidth 1.6
 outcome_code(outcome) = 6 + sum [k = 1:6] (outcome eq outcome_name[k] ? k - 7 : 0)    # of none that of stalled
-share_palette = "set palette defined (0 '#f4f4f4', 1 '#f3c9a0', 2 '#d55e00'); set cbrange [0:1]"
+share_palette = sprintf("set palette defined (0 '#f4f4f4', 1 '%s'); set cbrange [0:1]", outcome_tint[6])
 force_palette = "set palette defined \
   (0 '#fff7e0', 1 '#f5c56b', 2 '#e07b39', 3 '#a83a5a', 4 '#4b1d5e', 5 '#10082a')"
 
@@ -46,7 +44,7 @@ set border linewidth 0.8
 set tics nomirror scale 0.7
 set grid linetype 1 dashtype solid linecolor rgb "#d8d8d8" linewidth 0.6
 set minussign
-set key opaque samplen 2 spacing 1.15
+set key samplen 2 spacing 1.15
 set title offset 0,0.3
 set style textbox opaque noborder margins 0.4,0.4
 signed(form, x) = x < 0 ? "−".sprintf(form, -x) : "+".sprintf(form, x)
@@ -64,7 +62,7 @@ is_printed(set) = set eq "published"
 sets = (exists("data_published") ? "published " : "").(exists("data_corrected") ? "corrected" : "")
 from_below = words(sets) == 2 ? "corrected published" : sets
 data_of(set) = value("data_".set)
-use(set) = sprintf("equations = '%s'; data = data_of(equations); ours = %d; load data[:strlen(data) - 4].'.var'", \
+use(set) = sprintf("equations = '%s'; data = data_of(equations); ours = %d; steps = ours + 4; load data[:strlen(data) - 4].'.var'", \
   set, is_printed(set) ? 10 : 20)
 if (words(sets)) { eval use(word(sets, 1)) }
 # plot @each_set using ... @layered: curves of which the upper ones leave the edges of the lower ones visible.
@@ -91,29 +89,31 @@ x_0 = NaN; y_0 = NaN; crossing = NaN
 follow(x, y, at) = (x_0 < at && x >= at ? crossing = y_0 + (y - y_0)*(at - x_0)/(x - x_0) : 0, x_0 = x, y_0 = y, 0)
 
 # What is drawn by eval: a line at a value, and with words of the paper; an instant with its name; the time at which a run
-# passes the critical speed; the largest force by the closed form, if that predicts rolling; and the name of a curve.
+# passes the critical speed; at the peak of a run, its height by the closed form, if that predicts rolling; and the name
+# of a curve. Labels are drawn before the curves, so that their white edges hide none.
 level(y, style) = sprintf("set arrow from graph 0,first %g to graph 1,first %g nohead linestyle %d; ", y, y, style)
-says(text, x, y, place) = sprintf("set label '%s' at graph %g,first %g %s textcolor rgb grey; ", text, x, y, place)
+says(text, x, y, place) = sprintf("set label '%s' at graph %g,first %g %s textcolor rgb paper_tint; ", text, x, y, place)
 mark_height = 0.12                                 # of the name of an instant
-mark_instant(name, t) = sprintf("set arrow from %.17g,graph 0 to %.17g,graph 1 nohead linestyle reading; ".\
-  "set label '%s' at %.17g,graph %g right offset -0.5,0 textcolor rgb grey front", t, t, name, t, mark_height)
+mark_instant(name, t) = sprintf("set arrow from %.17g,graph 0 to %.17g,graph 1 nohead linestyle event; ".\
+  "set label '%s' at %.17g,graph %g right offset -0.5,0", t, t, name, t, mark_height)
 find_critical(run) = sprintf("stats data using (follow(of_run('%s', 'speed_Hz'), of_run('%s', 'time_s'), %.17g)) nooutput", \
   run, run, number(run, "critical_speed_Hz"))
-says_law = ""
+says_law = ""; law_place = "graph 0.985,first %g right offset 0,-0.7"
 mark_law(run) = (says_law = equations eq word(sets, 1) ? "" : says_law, number(run, "law_outcome") ne "rolling" ? "" : \
   (kN = 1e-3*number(run, "law_peak_force_N"), \
-  says_law = says_law.(says_law eq "" ? "closed form of rolling: " : ", ").sprintf("%.0f kN %s", kN, short_of(equations)), \
-  level(-kN, law).sprintf("set label 99 says_law at graph 0.985,first %g right offset 0,-0.7 textcolor rgb '#7a0177'", -kN)))
-label_curve(text, x, y, place) = sprintf("set label '%s' at %.17g,%.17g %s textcolor rgb '%s' boxed front", \
+  says_law = says_law.(says_law eq "" ? "largest force by the closed form: " : ", ").sprintf("%.0f kN %s", kN, short_of(equations)), \
+  sprintf("set arrow from %.17g,%g rto graph 0.04,0 nohead linestyle law; ", number(run, "peak_time_s"), -kN). \
+  sprintf("set label 99 says_law at ".law_place." textcolor rgb law_tint", -kN)))
+label_curve(text, x, y, place) = sprintf("set label '%s' at %.17g,%.17g %s textcolor rgb '%s' boxed", \
   text, x, y, place, tint_of(equations))
 
 # A table of the paper's numbers and ours: eval table(x, y, letters) at a place of the graph, with heads of so many
 # letters; eval row(1, head, paper's number); and, in each set of equations, eval ours_in(1, number).
 cell(n, place, offset, text, tint) = text eq "" ? "" : sprintf("set label '%s' at graph %g,graph %g %s offset %g,%g textcolor rgb '%s' \
-  boxed front; ", text, table_x, table_y, place, offset, -1.25*n, tint)
+  boxed; ", text, table_x, table_y, place, offset, -1.25*n, tint)
 column_at(set) = table_letters + (set eq "paper" ? 9 : is_printed(set) || words(sets) == 1 ? 18 : 27)
 head_of(set) = cell(0, "right", column_at(set), short_of(set), tint_of(set))
-table(x, y, letters) = (table_x = x, table_y = y, table_letters = letters, cell(0, "right", column_at("paper"), "paper", grey). \
+table(x, y, letters) = (table_x = x, table_y = y, table_letters = letters, cell(0, "right", column_at("paper"), "paper", paper_tint). \
   head_of(word(sets, 1)).(words(sets) == 2 ? head_of("corrected") : ""))
-row(n, head, paper) = cell(n, "left", 0, head, black).cell(n, "right", column_at("paper"), paper, grey)
+row(n, head, paper) = cell(n, "left", 0, head, event_tint).cell(n, "right", column_at("paper"), paper, paper_tint)
 ours_in(n, number) = cell(n, "right", column_at(equations), number, tint_of(equations))

@@ -15,18 +15,15 @@
 
 namespace rotor {
 
-/// Options of several commands.
-struct CommonOptions {
-  ScenarioSpec stated;  ///< equations and method, and of a case also numbers
-};
-
-struct FigureOptions : CommonOptions {
+struct FigureOptions {
+  ScenarioSpec stated;       ///< equations, method and drive
   std::vector<int> numbers;  ///< all if empty
   std::string out = "build/figures";
   std::string scenes;  ///< folder with figNN.toml
 };
 
-struct PlotOptions : CommonOptions {
+struct PlotOptions {
+  ScenarioSpec stated;
   std::string file;  ///< a scene
   std::string out;   ///< if empty, the file's name with .svg
   std::optional<double> from_s, until_s;
@@ -42,7 +39,8 @@ struct SweepOptions {
 };
 
 /// The case to run or estimate.
-struct CaseOptions : CommonOptions {
+struct CaseOptions {
+  ScenarioSpec stated;
   std::string scene, run_name;
   bool json = false;
 };
@@ -59,19 +57,10 @@ struct RunOptions : CaseOptions {
   bool energy = false;             ///< by cause, in the summary
 };
 
-/// `rotor figure` writes the data of the paper's figures.
 void write_figures(const FigureOptions& options);
-
-/// `rotor plot` draws a scene.
 void plot(const PlotOptions& options);
-
-/// `rotor sweep` runs many rotors.
 void run_sweep(const SweepOptions& stated);
-
-/// `rotor run` runs any rotor.
 void run_rotor(const RunOptions& options);
-
-/// `rotor estimate` evaluates closed forms only.
 void estimate_rotor(const CaseOptions& options);
 
 /// The scene with the runs that were requested.

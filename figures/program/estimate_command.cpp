@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "figures/program/commands.hpp"
 #include "figures/results/json.hpp"
 #include "figures/results/laws.hpp"

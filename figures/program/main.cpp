@@ -123,11 +123,10 @@ CLI::Option* add_seconds(CLI::App& command, const char* option, std::optional<do
   return command.add_option(option, into, meaning)->type_name("s")->check({unless_number, "", ""});
 }
 
-void add_options(CLI::App& command, CommonOptions& options) {
+void add_options(CLI::App& command, ScenarioSpec& stated) {
   for (const NamedInput& input : named_inputs())
     add_text(
-        command, option_of(input.name),
-        [&options, &input](const std::string& name) { input.state(options.stated, name); },
+        command, option_of(input.name), [&](const std::string& name) { input.state(stated, name); },
         std::string(input.meaning))
         ->default_str(std::string(input.standard));
 }
@@ -143,7 +142,7 @@ void add_options(CLI::App& command, FigureOptions& options) {
       ->capture_default_str();
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->default_str("the paper's");
-  add_options(command, static_cast<CommonOptions&>(options));
+  add_options(command, options.stated);
   command.footer(std::string(precedence) +
                  "\nExamples:\n"
                  "  rotor figure --out data\n"
@@ -159,7 +158,7 @@ void add_options(CLI::App& command, PlotOptions& options) {
               "mass loss)");
   add_seconds(command, "--until", options.until_s,
               "end of what is drawn (default: the end of the window or the run)");
-  add_options(command, static_cast<CommonOptions&>(options));
+  add_options(command, options.stated);
   command.footer(std::string(precedence) +
                  "\nExample:\n"
                  "  rotor plot my-rotor.toml --until 0.05");
@@ -209,8 +208,8 @@ void add_options(CLI::App& command, CaseOptions& options) {
       ->needs(scene);
   std::string heading;
   for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
-    for (const auto& [first, its] : headings)
-      if (first == quantity.name) heading = its;
+    for (const auto& [first, text] : headings)
+      if (first == quantity.name) heading = text;
     std::string meaning(quantity.meaning);
     if (!quantity.symbol.empty()) meaning += fmt::format(", {}", quantity.symbol);
     if (!instead_of.empty()) meaning += ", instead of " + option_of(instead_of);
@@ -233,7 +232,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
           "--no-mass-loss", [&options] { options.stated.loses_mass = false; }, "no mass is lost")
       ->group(of_loss);
   command.option_defaults()->group(of_run);
-  add_options(command, static_cast<CommonOptions&>(options));
+  add_options(command, options.stated);
   command.option_defaults()->group("Output");
   command.add_flag("--json", options.json, "print the results as JSON");
 }

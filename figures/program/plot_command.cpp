@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,14 +10,20 @@
 namespace rotor {
 namespace {
 
-/// What the runs of a scene share, as far as it is drawn: their equations and the stated numbers.
+/// What the runs of a scene share, as far as it is drawn: their equations and the stated numbers,
+/// in lines that end between them.
 std::string conditions_of(const Scene& scene) {
   const std::vector<SceneRun>& runs = scene.runs;
   const auto all_have = [&](const auto& has) { return std::ranges::all_of(runs, has); };
   const Equations equations = runs.front().scenario.equations;
-  std::vector<std::string> all;
+  std::string all;
+  const auto add = [&all](const std::string& item) {
+    constexpr std::size_t most = 140;  // letters of a line
+    const std::size_t line = all.size() - (all.rfind('\n') + 1);
+    all += (all.empty() ? "" : line + item.size() > most ? ",\n" : ", ") + item;
+  };
   if (all_have([&](const SceneRun& run) { return run.scenario.equations == equations; }))
-    all.emplace_back(equations_in_words(name_of(equations)));
+    add(std::string(equations_in_words(name_of(equations))));
   for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
     const auto stated = [&](const SceneRun& run) -> std::optional<double> {
       const auto found = run.stated.numbers.find(quantity.name);
@@ -29,11 +34,13 @@ std::string conditions_of(const Scene& scene) {
     if (quantity.name == "until")
       shared = std::min(*shared, scene.window.from_s + scene.window.length_s);
     const bool is_length = quantity.unit == "m";
-    const std::string_view unit = is_length ? "mm" : quantity.unit;
-    all.push_back(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
-                              *shared / (is_length ? 1e-3 : 1), unit.empty() ? "" : " ", unit));
+    const std::string_view unit = is_length                   ? "mm"
+                                  : quantity.unit == "kg m^2" ? "kg m²"
+                                                              : quantity.unit;
+    add(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
+                    *shared / (is_length ? 1e-3 : 1), unit.empty() ? "" : " ", unit));
   }
-  return fmt::format("{}", fmt::join(all, ", "));
+  return all;
 }
 
 /// A panel draws its last column over time or, an orbit, over the one before.
@@ -55,36 +62,22 @@ std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
          csv_rows({{all.name, thinned(some, pixel)}});
 }
 
-/// The texts above a picture: the title or else the scene's name, and conditions in lines that end
-/// between items.
-std::string headings(const std::string& title, std::string conditions) {
-  constexpr std::size_t most = 140;  // letters in a line
-  long lines = 1;
-  for (std::size_t begin = 0; conditions.size() - begin > most; ++lines) {
-    std::size_t end = conditions.rfind(", ", begin + most - 1);
-    if (end == std::string::npos || end < begin) end = conditions.find(", ", begin);
-    if (end == std::string::npos) break;
-    conditions[end + 1] = '\n';
-    begin = end + 2;
-  }
-  return fmt::format("heading = {}; conditions = {}; lines = {}\n", numbered(title),
-                     numbered(conditions), lines);
-}
-
 }  // namespace
 
 void plot(const PlotOptions& options) {
-  const std::string name = std::filesystem::path(options.file).stem().string(),
-                    out = options.out.empty() ? name + ".svg" : options.out;
+  const std::string out = options.out.empty()
+                              ? std::filesystem::path(options.file).stem().string() + ".svg"
+                              : options.out;
   Scene scene = read_scene(options.file, {options.stated, {}});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
   require_picture(out, options.file);
   const SceneData data = std::move(compute({{1, scene}}).at(1));
-  const std::string title = scene.title.empty() ? one_line(name) : scene.title;
   Drafts drafts = {
-      {"settings.gp", headings(title, conditions_of(scene)) + variables(scene, data.results)}};
+      {"settings.gp", fmt::format("heading = {}; conditions = {}\n", numbered(scene.title),
+                                  numbered(conditions_of(scene))) +
+                          variables(scene, data.results)}};
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
   for (std::size_t n = 1; n <= scene.runs.size(); ++n)

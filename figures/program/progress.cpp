@@ -8,17 +8,13 @@
 #include "figures/data/text.hpp"
 
 namespace rotor {
-namespace {
 
-constexpr double first_s = 1.5, times_later_elsewhere = 4;
-
-}  // namespace
-
-ProgressLine::ProgressLine() : next_s_(first_s), on_terminal_(::isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine() : on_terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 void ProgressLine::update(const std::function<std::string(double elapsed_s)>& text) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   if (elapsed.count() <= next_s_) return;
+  constexpr double times_later_elsewhere = 4;
   next_s_ = on_terminal_ ? elapsed.count() + 1 : times_later_elsewhere * elapsed.count();
   is_shown_ = true;
   const std::string line = text(elapsed.count());

@@ -23,7 +23,7 @@ class ProgressLine {
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double next_s_;  ///< next time a text is due, since the start
+  double next_s_ = 1.5;  ///< next time a text is due, since the start
   bool on_terminal_, is_shown_ = false;
 };
 

@@ -47,7 +47,7 @@ Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
   }
   result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
   if (!options.columns.empty()) result.columns = parse_columns(options.columns);
-  if (result.columns.empty()) result.columns = every_column();
+  if (result.columns.empty()) result.columns = all_columns();
   return result;
 }
 
@@ -181,8 +181,8 @@ RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, R
 
 void run_rotor(const RunOptions& options) {
   if (options.columns == std::vector<std::string>{"help"}) {
-    for (const Column& column : all_columns())
-      fmt::print("{}", wrapped(fmt::format("{:<24}", column.name), std::string(column.meaning)));
+    for (const Column* column : all_columns())
+      fmt::print("{}", wrapped(fmt::format("{:<24}", column->name), std::string(column->meaning)));
     return;
   }
   if (options.json_schema) return fmt::print("{}\n", summary_schema().dump(2));

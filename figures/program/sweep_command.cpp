@@ -24,8 +24,6 @@ namespace fs = std::filesystem;
 /// Rows by the numbers of their points.
 using Rows = std::map<long, std::string>;
 
-int cores() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
-
 /// Finished results: their rows, or how their head differs from that of this sweep.
 struct Finished {
   Rows rows{};
@@ -188,7 +186,8 @@ void run_sweep(const SweepOptions& stated) {
       return require_results(!finished.rows.empty(), name);
     }
   }
-  const Tally tally = compute(sweep, options.out, options.jobs > 0 ? options.jobs : cores(), known);
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const Tally tally = compute(sweep, options.out, options.jobs > 0 ? options.jobs : cores, known);
   tally.print();
   say_what_is_assumed(sweep);
   fmt::print("{}\n", name);

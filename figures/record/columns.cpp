@@ -47,7 +47,11 @@ constexpr std::array table = {
     Column{"kinetic_energy_J", "T of the rotor",
            [](InstantView& v) { return kinetic_energy(v.at().body, v.motion()); }},
     Column{"bearing_force_N", "magnitude of k r_O + d v_O of the supports",
-           [](InstantView& v) { return v.bearing_force().norm(); }, Extreme::bearing_force},
+           [](InstantView& v) {
+             const Motion<double>& m = v.motion();
+             return v.supports().bearing_force(m.displacement, m.velocity).norm();
+           },
+           Extreme::bearing_force},
     Column{"whirl_frequency_Hz", "whirl frequency of O about O_a, negative against the rotation",
            whirl_frequency},
     Column{"contact_angle_rad", "direction of O from O_a in the stator's frame, from x_a",
@@ -61,7 +65,7 @@ constexpr std::array table = {
            [](InstantView& v) { return v.supports().damping_power(v.motion()); }},
     Column{"friction_power_W", "power of F_tau at the rim, negative",
            [](InstantView& v) {
-             return v.in_contact() ? v.friction() * v.rim_point().slip_velocity : 0;
+             return v.at().touches() ? v.friction() * v.rim_point().slip_velocity : 0;
            }},
     Column{"contact_damping_power_W",
            "power of the contact's damper, negative; also while the ring springs back",
@@ -77,7 +81,7 @@ constexpr std::array table = {
 }  // namespace
 
 double InstantView::friction() {
-  if (!in_contact()) return 0;
+  if (!at_.touches()) return 0;
   if (at_.contact == ContactState::rolling && context_.rolls)
     return friction_without_slip(at_.body, ring(), motion(), rim_point(),
                                  supports().loads(at_.body, motion(), at_.motor_on),
@@ -86,9 +90,7 @@ double InstantView::friction() {
   return ring().sliding_friction(normal_force(), at_.slip_sign == 0 ? own : at_.slip_sign);
 }
 
-std::span<const Column> all_columns() { return table; }
-
-std::vector<const Column*> every_column() {
+std::vector<const Column*> all_columns() {
   std::vector<const Column*> all;
   for (const Column& column : table) all.push_back(&column);
   return all;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -36,14 +35,9 @@ class InstantView {
     if (!rim_point_) rim_point_ = ring().rim_point(motion());
     return *rim_point_;
   }
-  bool in_contact() const { return at_.touches(); }
   /// F_n, N.
-  double normal_force() { return in_contact() ? ring().touching_force(rim_point()) : 0; }
+  double normal_force() { return at_.touches() ? ring().touching_force(rim_point()) : 0; }
   double friction();  ///< F_tau, N
-  /// Of the supports on their foundation, N.
-  Vector<double> bearing_force() {
-    return supports().bearing_force(motion().displacement, motion().velocity);
-  }
   Vector<double> displacement_in_stator_frame() {
     return in_stator_frame({at_.state[0], at_.state[1]}, at_.state[2]);
   }
@@ -65,10 +59,8 @@ struct Column {
 };
 
 /// All columns, in the order in which a trace has them.
-std::span<const Column> all_columns();
-std::vector<const Column*> every_column();  ///< the same, as scenes list them
+std::vector<const Column*> all_columns();
 
-/// The column of that name, or null.
 const Column* find_column(std::string_view name);
 
 }  // namespace rotor

@@ -5,12 +5,6 @@
 #include <utility>
 
 namespace rotor {
-namespace {
-
-/// Rounding allowed in the comparison of times with the ends of a window, s.
-constexpr double time_rounding = 1e-11;
-
-}  // namespace
 
 Recorder::Recorder(const Window& window, std::vector<const Column*> columns,
                    const Scenario& scenario, double tolerance, RowSink sink)
@@ -24,8 +18,9 @@ Recorder::Recorder(const Window& window, std::vector<const Column*> columns,
       greatest_(columns_.size(), -std::numeric_limits<double>::infinity()) {}
 
 bool Recorder::contains(double time_s) const {
+  constexpr double rounding_s = 1e-11;
   const double since = time_s - window_.from_s;
-  return open_ && since >= -time_rounding && since <= window_.length_s + time_rounding;
+  return open_ && since >= -rounding_s && since <= window_.length_s + rounding_s;
 }
 
 void Recorder::on_instant(const Instant& at) {

@@ -25,7 +25,6 @@ struct Window {
   double length_s = std::numeric_limits<double>::infinity();
 };
 
-/// Receives the rows.
 using RowSink = std::function<void(std::span<const double>)>;
 
 class Recorder : public Observer {

@@ -10,14 +10,7 @@ constexpr std::size_t most_checkpoints = 2048;
 /// and their distance, in steps and relative to the time of the checkpoint.
 constexpr long least_steps = 4, parts_of_way = 64;
 
-double time_s(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.instant().time_s; }
 long steps(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.counters().steps; }
-
-/// A run-up without an end.
-Scenario endless(Scenario run_up) {
-  run_up.until = std::numeric_limits<double>::max();
-  return run_up;
-}
 
 RunUpCheckpoint branched(const Scenario& scenario, const RunUpCheckpoint& run_so_far) {
   RunUpCheckpoint checkpoint = run_so_far;
@@ -77,13 +70,9 @@ SpeedReached search(const Simulation& from, Scenario run_up, double speed_Hz,
 
 }  // namespace
 
-RunUpCheckpoint::RunUpCheckpoint(const Scenario& scenario)
-    : simulation(scenario), summary(scenario) {
-  summary.on_instant(simulation.instant());
-}
-
 RunUps::Family& RunUps::family(const Scenario& scenario) {
-  const Scenario run_up = endless(run_up_part(scenario));
+  Scenario run_up = run_up_part(scenario);
+  run_up.until = std::numeric_limits<double>::max();
   const auto found = std::find_if(families_.begin(), families_.end(),
                                   [&](const Family& family) { return family.run_up == run_up; });
   if (found != families_.end()) {
@@ -93,7 +82,7 @@ RunUps::Family& RunUps::family(const Scenario& scenario) {
     ++checkpoints_;
   }
   for (; checkpoints_ > most_checkpoints && families_.size() > 1; families_.pop_back())
-    checkpoints_ -= families_.back().checkpoints.size() + families_.back().later.size();
+    checkpoints_ -= families_.back().checkpoints.size();
   return families_.front();
 }
 
@@ -102,7 +91,7 @@ RunUpCheckpoint RunUps::follow(std::vector<RunUpCheckpoint>& checkpoints, double
                                Observer& monitor) {
   const auto later = std::upper_bound(checkpoints.begin() + 1, checkpoints.end(), until_s,
                                       [](double limit_s, const RunUpCheckpoint& checkpoint) {
-                                        return limit_s < time_s(checkpoint);
+                                        return limit_s < checkpoint.simulation.instant().time_s;
                                       });
   const RunUpCheckpoint& last = *(later - 1);
   RunUpCheckpoint run_so_far = last;
@@ -119,19 +108,12 @@ RunUpCheckpoint RunUps::follow(std::vector<RunUpCheckpoint>& checkpoints, double
 
 RunUpCheckpoint RunUps::checkpoint_before(const Scenario& scenario, Observer& monitor,
                                           double latest_s) {
-  const double speed_s = SummaryObserver(scenario).time_of_speed_s(),
-               until_s = std::min(latest_s, scenario.run_up_end());
-  if (!scenario.loses_mass() || !(std::min(until_s, speed_s) > 0) || starts_in_contact(scenario))
+  // Later a summary would need the speed at a time that depends on the end of the run.
+  const double until_s =
+      std::min({latest_s, scenario.run_up_end(), SummaryObserver(scenario).time_of_speed_s()});
+  if (!scenario.loses_mass() || !(until_s > 0) || starts_in_contact(scenario))
     return RunUpCheckpoint(scenario);
-  Family& shared = family(scenario);
-  if (until_s <= speed_s) return branched(scenario, follow(shared.checkpoints, until_s, monitor));
-  if (shared.later.empty() || shared.later.front().summary.time_of_speed_s() != speed_s) {
-    RunUpCheckpoint run_so_far = follow(shared.checkpoints, speed_s, monitor);
-    if (run_so_far.simulation.stopped()) return run_so_far;
-    checkpoints_ += 1 - shared.later.size();
-    shared.later = {branched(scenario, run_so_far)};
-  }
-  return branched(scenario, follow(shared.later, until_s, monitor));
+  return branched(scenario, follow(family(scenario).checkpoints, until_s, monitor));
 }
 
 SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,

@@ -23,14 +23,13 @@ class Interruptible : public Observer {
 
   double budget_s() const { return budget_s_; }
   bool has_time() const {
-    return budget_s_ == unlimited || std::chrono::steady_clock::now() - start_ < budget();
+    const std::chrono::duration<double> budget(budget_s_);
+    return budget_s_ == unlimited || std::chrono::steady_clock::now() - start_ < budget;
   }
   bool may_continue() const { return !is_interrupted() && has_time(); }
   bool should_continue(const Progress& /*now*/) override { return may_continue(); }
 
  private:
-  std::chrono::duration<double> budget() const { return std::chrono::duration<double>(budget_s_); }
-
   double budget_s_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
@@ -41,7 +40,9 @@ struct RunUpCheckpoint {
   SummaryObserver summary;
 
   /// At the start.
-  explicit RunUpCheckpoint(const Scenario& scenario);
+  explicit RunUpCheckpoint(const Scenario& scenario) : simulation(scenario), summary(scenario) {
+    summary.on_instant(simulation.instant());
+  }
 };
 
 struct SpeedReached {
@@ -67,12 +68,9 @@ class RunUps {
                              std::optional<double> until_s, Observer& monitor);
 
  private:
-  /// Checkpoints of one run-up, in the order of their times.
   struct Family {
     Scenario run_up;
-    std::vector<RunUpCheckpoint> checkpoints;
-    /// Only those whose summary needs the speed at the same time as the last one's, from then on.
-    std::vector<RunUpCheckpoint> later{};
+    std::vector<RunUpCheckpoint> checkpoints;  ///< in the order of their times
   };
   Family& family(const Scenario& scenario);
   RunUpCheckpoint follow(std::vector<RunUpCheckpoint>& checkpoints, double until_s,

@@ -39,7 +39,7 @@ class SceneReader : TomlFile {
  private:
   std::vector<const Column*> columns(const toml::table& root) const {
     const toml::node* node = root.get("columns");
-    if (!node) return every_column();
+    if (!node) return all_columns();
     std::vector<std::string> names;
     if (const toml::array* array = node->as_array())
       for (const toml::node& item : *array) names.push_back(item.value_or<std::string>(""));
@@ -211,7 +211,7 @@ std::vector<const Column*> parse_columns(const std::vector<std::string>& names) 
     const Column* column = find_column(name);
     if (!column) {
       std::vector<std::string> allowed;
-      for (const Column& known : all_columns()) allowed.emplace_back(known.name);
+      for (const Column* known : all_columns()) allowed.emplace_back(known->name);
       throw InputError("there is no column \"{}\"{}", shown(name),
                        choices(name, allowed, "rotor run --columns help lists them"));
     }

@@ -22,15 +22,15 @@ std::string difference(std::string_view head, std::string_view wanted, std::stri
   if (head.starts_with("\xef\xbb\xbf"))
     return "starts with a byte-order mark, which another program has added: remove the mark";
   std::istringstream has{std::string(head)}, needs{std::string(wanted)};
-  std::string its, other;
+  std::string line, other;
   do {
-    std::getline(has, its);
+    std::getline(has, line);
     std::getline(needs, other);
-  } while (its == other && has && needs);
-  if (its == other + '\r')
+  } while (line == other && has && needs);
+  if (line == other + '\r')
     return "has lines that end in CR LF, as another program has written them: change them to LF";
   return fmt::format(
-      R"(is of another sweep file or version of rotor: has "{}" instead of "{}"; {})", shown(its),
+      R"(is of another sweep file or version of rotor: has "{}" instead of "{}"; {})", shown(line),
       shown(other), advice);
 }
 

@@ -5,7 +5,6 @@
 
 #include "model/digits/computation.hpp"
 #include "model/digits/quad.hpp"
-#include "model/digits/values.hpp"
 
 namespace rotor {
 namespace {

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "model/results/summary.hpp"
-#include "model/scenario/counters.hpp"
 
 namespace rotor {
 
@@ -29,12 +28,10 @@ struct NamedEstimate {
   double error = 0;
   double size = 0;  ///< reference of its digits: its own magnitude, or that of its vector
 
-  /// The error that a number with so many digits may have.
-  double allowed_error(int digits) const { return 0.5 * std::pow(10, -digits) * size; }
   /// How many significant digits it has.
   int digits() const {
     int most = most_digits;
-    while (most > 0 && value && !(error <= allowed_error(most))) --most;
+    while (most > 0 && value && !(error <= 0.5 * std::pow(10, -most) * size)) --most;
     return most;
   }
 };

@@ -98,17 +98,11 @@ struct Supports {
         torque(as_typed<S>(p.torque)),
         balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
 
-  /// Force on the supports at a position and a velocity of O, N.
-  Vector<S> bearing_force(const Vector<S>& displacement, const Vector<S>& velocity) const {
+  /// Force on the supports at a position and a velocity of O, N; by their magnitudes, an upper
+  /// bound of its own; by velocity and acceleration, its rate, N/s.
+  template <class T>
+  T bearing_force(const T& displacement, const T& velocity) const {
     return stiffness * displacement + damping * velocity;
-  }
-  /// Its rate, N/s.
-  Vector<S> bearing_force_rate(const Vector<S>& velocity, const Vector<S>& acceleration) const {
-    return stiffness * velocity + damping * acceleration;
-  }
-  /// Upper bound of its magnitude, N.
-  S greatest_bearing_force(const S& distance, const S& velocity) const {
-    return stiffness * distance + damping * velocity;
   }
 
   Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {

@@ -15,7 +15,6 @@
 #include "model/methods/run_check.hpp"
 #include "model/methods/show_step.hpp"
 #include "model/phases/flight.hpp"
-#include "model/scenario/counters.hpp"
 
 namespace rotor {
 
@@ -83,8 +82,6 @@ class EventMethod {
     rotor_.motor_on = at_.motor_on;
     chart_ = {};
     phase_is_new_ = true;
-    switches_ = 0;
-    switches_since_s_ = at_.time_s;
     if (at_.contact != ContactState::free) enter(resume_contact(rotor_, at_.state, at_.contact));
     check_.begin(rotor_, at_);
   }
@@ -115,7 +112,6 @@ class EventMethod {
               check_.fault(rotor_, at_, next ? touches(next->contact) : at_.touches()))
         fail(*fault);
       if (next) {
-        limit_switches();
         observer.on_instant(at_);
         enter(*next);
       }
@@ -242,19 +238,6 @@ class EventMethod {
     progress_checked_s_ = now_s;
   }
 
-  /// Ends a run that makes no progress: it switches between phases more often than a motion can.
-  void limit_switches() {
-    constexpr int most = 1000;  // per shortest natural period
-    const S period = rotor_.radians_per_turn() / rotor_.contact_frequency(at_.state[5]);
-    if (at_.time_s - switches_since_s_ > period) {
-      switches_since_s_ = at_.time_s;
-      switches_ = 0;
-    }
-    if (++switches_ > most)
-      fail(fmt::format("more than {} changes between free, sliding and rolling within {} s", most,
-                       static_cast<double>(period)));
-  }
-
   [[noreturn]] void fail(const std::string& reason) const {
     throw std::runtime_error(fmt::format("the event run ends at t = {:.9f} s: {}",
                                          static_cast<double>(at_.time_s), reason));
@@ -270,8 +253,6 @@ class EventMethod {
   S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
   Counters counters_;
   S progress_checked_s_{0};  ///< when limit_steps() last looked at the progress
-  int switches_ = 0;         ///< between phases,
-  S switches_since_s_{0};    ///< at most about a natural period ago
   bool stopped_ = false;
 };
 

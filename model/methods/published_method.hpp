@@ -5,7 +5,6 @@
 #pragma once
 
 #include "model/methods/run_check.hpp"
-#include "model/scenario/counters.hpp"
 #include "model/scenario/observer.hpp"
 
 namespace rotor {

@@ -64,7 +64,7 @@ struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::be
     const Vector<S> of_O = acceleration_of_centre(acceleration(mobility, m, rotor.loads(m)), m);
     return {{ExtremeValue<S>::length(m.displacement, m.velocity),
              ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
-                                     supports.bearing_force_rate(m.velocity, of_O))}};
+                                     supports.bearing_force(m.velocity, of_O))}};
   }
 };
 
@@ -93,7 +93,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     if (!motion) return all;
     using std::max, std::min;
     const S clearance = rotor.ring.clearance, reach = min(motion->displacement, clearance);
-    all.upper_bounds = {reach, rotor.supports.greatest_bearing_force(reach, motion->velocity)};
+    all.upper_bounds = {reach, rotor.supports.bearing_force(reach, motion->velocity)};
     all.events[MotorOff()].stays_positive = !rotor.motor_on || motion->speed < rotor.motor_off;
     EventBound<S>& touch_down = all.events[TouchDown()];
     touch_down.stays_positive = motion->displacement < clearance;
@@ -151,13 +151,13 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     const S speed = abs(chart.speed(from.x)) + synchronous.speed_ripple;
     const S velocity = deviation + synchronous.velocity + speed * e;  // without the change of speed
     const S moment = rotor.motor_torque() + body.mass * supports.gravity * (of_C + e) +
-                     e * supports.greatest_bearing_force(of_O, velocity);
+                     e * supports.bearing_force(of_O, velocity);
     const S relief = 1 - supports.damping * e * e * h / body.inertia;
     if (!(relief > S(0.5))) return std::nullopt;
     const S angular = moment / body.inertia / relief;
     const S velocity_of_O = velocity + angular * h * e;
     return MotionBounds{of_O, velocity_of_O,
-                        supports.greatest_bearing_force(of_O, velocity_of_O) / body.mass,
+                        supports.bearing_force(of_O, velocity_of_O) / body.mass,
                         speed + angular * h, angular};
   }
 

@@ -9,7 +9,6 @@
 
 #include "model/integration/step.hpp"
 #include "model/mechanics/rotating_frame.hpp"
-#include "model/phases/event.hpp"
 #include "model/phases/rotor_system.hpp"
 
 namespace rotor {

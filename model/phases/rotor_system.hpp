@@ -1,11 +1,31 @@
-/// The rotor and all that acts on it.
+/// The rotor and all that acts on it, the events between the phases of its motion, and the maxima
+/// within them.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include "model/mechanics/contact.hpp"
 
 namespace rotor {
+
+/// What happens between two phases.
+enum class Event {
+  none,
+  touch_down,       ///< the rim meets the ring
+  release,          ///< F_n = 0; a damped ring is still indented
+  ring_clear,       ///< the ring has sprung back, the rotor is clear of it
+  renewed_contact,  ///< the rim meets the ring again before it is clear
+  rolling_onset,    ///< the slip ends, and friction can hold the rim
+  slip_reversal,    ///< the slip ends, and friction cannot hold the rim
+  break_away,       ///< friction can no longer hold the rim
+  motor_off,
+  mass_loss,
+};
+
+/// The quantities whose maxima a run can locate.
+enum class Extreme { displacement, bearing_force, normal_force };
+constexpr std::size_t extreme_count = 3;
 
 template <class S>
 struct RotorSystem {

@@ -57,7 +57,7 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
         change(rates[Chart::normal_velocity], chart.tangential_velocity(rates));
     return {{{k.displacement, k.normal_velocity},
              ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
-                                     rotor.supports.bearing_force_rate(drift, change)),
+                                     rotor.supports.bearing_force(drift, change)),
              {-force(k), pressure_rate(k, rates)}}};
   }
 
@@ -242,8 +242,7 @@ struct Rolling : Rub<S, Chart, ContactState::rolling, Law> {
     const RimPoint<S> k = chart.rim_point(at.x);
     const S e = body.eccentricity, r = rotor.ring.rotor_radius, w = abs(chart.speed(at.x));
     if (!(e < r)) return std::numeric_limits<S>::infinity();
-    const S support =
-        supports.greatest_bearing_force(k.displacement, abs(k.normal_velocity) + r * w);
+    const S support = supports.bearing_force(k.displacement, abs(k.normal_velocity) + r * w);
     const S moment = body.inertia * abs(at.rates[Chart::rotor_speed]) + rotor.motor_torque() +
                      body.mass * supports.gravity * (k.displacement + e) +
                      e * (support + abs(this->force(k)));

@@ -33,7 +33,9 @@ class SynchronousMotion {
 
   /// About a speed, in axes in which gravity has the direction `down`.
   SynchronousMotion(const RotorSystem<S>& rotor, const S& speed, const Vector<S>& down)
-      : exists_(true), centre_(rotor.motor_on ? ahead(speed) : speed) {
+      : exists_(true), centre_(speed) {
+    using std::abs;
+    if (rotor.motor_on) centre_ += range() * abs(speed);
     expand(rotor, down);
   }
 
@@ -169,11 +171,6 @@ class SynchronousMotion {
    private:
     std::array<Vectors, Degree + 1> terms_{};
   };
-
-  static S ahead(const S& speed) {
-    using std::abs;
-    return speed + range() * abs(speed);
-  }
 
   /// Time derivatives of functions c(W) as factors of e^(i n theta).
   struct Rate {

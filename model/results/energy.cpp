@@ -54,7 +54,10 @@ void EnergyObserver::on_step(const DenseOutput& motion) {
 
 void EnergyObserver::on_instant(const Instant& at) {
   const double before = balance_.content();
-  take_stock(at);
+  const Motion<double> m = at.motion();
+  balance_.kinetic = kinetic_energy(at.body, m);
+  balance_.support_springs = supports_.spring_energy(m.displacement);
+  balance_.contact_spring = ring_.energy(ring_.rim_point(m), at.contact);
   if (!begun_) {
     const bool is_lost_now = at.event == Event::mass_loss;
     balance_.initial = is_lost_now ? before : balance_.content();
@@ -62,13 +65,6 @@ void EnergyObserver::on_instant(const Instant& at) {
     begun_ = is_lost_now || !loses_mass_;
   }
   if (begun_ && at.contact == ContactState::rolling && !until_rolling_) until_rolling_ = balance_;
-}
-
-void EnergyObserver::take_stock(const Instant& at) {
-  const Motion<double> m = at.motion();
-  balance_.kinetic = kinetic_energy(at.body, m);
-  balance_.support_springs = supports_.spring_energy(m.displacement);
-  balance_.contact_spring = ring_.energy(ring_.rim_point(m), at.contact);
 }
 
 }  // namespace rotor

@@ -51,8 +51,6 @@ class EnergyObserver : public Observer {
   const std::optional<EnergyBalance>& until_rolling() const { return until_rolling_; }
 
  private:
-  void take_stock(const Instant& at);
-
   Supports<double> supports_;
   Ring<double> ring_;
   bool loses_mass_, begun_ = false;

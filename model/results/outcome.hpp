@@ -119,7 +119,7 @@ class BasicOutcomeWatch {
     }
     // So does the steady response A(w), which lags behind a speed that changes.
     const S changing = ((last_.motor_on ? supports_.torque : S(0)) +
-                        e * supports_.greatest_bearing_force(farthest, velocity)) /
+                        e * supports_.bearing_force(farthest, velocity)) /
                        body.inertia;  // rad/s^2
     const auto is_clear_at = [&](const S& w) {
       const S lagging =

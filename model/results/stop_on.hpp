@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "model/results/next_maximum.hpp"
 #include "model/results/outcome.hpp"
 #include "model/scenario/observer.hpp"
 

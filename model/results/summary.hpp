@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "model/mechanics/mass_loss.hpp"
-#include "model/results/next_maximum.hpp"
 #include "model/results/outcome.hpp"
 #include "model/scenario/observer.hpp"
 
@@ -184,13 +183,12 @@ class BasicSummaryObserver : public BasicObserver<S> {
   }
 
   /// The same for a run that another scenario continues, which must not have differed so far: clear
-  /// of the ring, before its mass loss, and before time_of_speed_s() unless that is the same.
+  /// of the ring, and before its mass loss and time_of_speed_s().
   BasicSummaryObserver with(const Scenario& scenario) const {
     BasicSummaryObserver branch = *this;
     branch.ring_ = Ring<S>(scenario.parameters);
     branch.in_rolling_ = NextMaximum<S>(scenario);
     branch.watch_ = BasicOutcomeWatch<S>(scenario);
-    branch.watch_.note_speed(watch_.early_speed());
     branch.note_parameters(scenario.parameters);
     return branch;
   }
@@ -212,7 +210,6 @@ class BasicSummaryObserver : public BasicObserver<S> {
     in_rolling_.on_instant(at);
     watch_.note(at);
     last_ = at;
-    begun_ = true;
 
     summary_.outcome = watch_.outcome();
     summary_.mass_loss_reached = at.mass_lost && *summary_.lost_mass_kg > 0;
@@ -304,9 +301,8 @@ class BasicSummaryObserver : public BasicObserver<S> {
   }
 
   void note_contact(const BasicInstant<S>& at, const Motion<S>& motion) {
-    if (begun_ && last_.touches()) summary_.contact_time_s += at.time_s - last_.time_s;
-    const bool begins =
-        at.contact != ContactState::free && (!begun_ || last_.contact == ContactState::free);
+    if (last_.touches()) summary_.contact_time_s += at.time_s - last_.time_s;
+    const bool begins = at.contact != ContactState::free && last_.contact == ContactState::free;
     if (begins) {
       ++summary_.touch_downs;
       if (!at.mass_lost) ++summary_.touch_downs_before_loss;
@@ -342,7 +338,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
   NextMaximum<S> in_rolling_;  ///< of the normal force
   std::optional<Extreme> ignored_;
   BasicInstant<S> last_;
-  bool begun_ = false, rolls_ = false, loses_mass_ = true;
+  bool rolls_ = false, loses_mass_ = true;
   std::optional<BasicProgress<S>> last_progress_;
   std::optional<BasicProgress<S>> whirl_;        ///< where the angle was last known
   std::optional<BasicProgress<S>> rolls_since_;  ///< its angle counted like the present one

@@ -1,25 +1,27 @@
 #include "model/run/simulation.hpp"
 
-#include <stdexcept>
 #include <variant>
 
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
 #include "model/methods/whole_run.hpp"
+#include "model/results/summary.hpp"
 
 namespace rotor {
+
+template class SynchronousMotion<double>;
+template class FlightChart<double>;
+template class EventMethod<double>;
+template class BasicOutcomeWatch<double>;
+template class BasicSummaryObserver<double>;
+
 namespace {
 
 using AnyMethod = std::variant<EventMethod<double>, PublishedMethod>;
 
 AnyMethod method_of(const Scenario& scenario, const Instant& from) {
-  switch (scenario.method) {
-    case Method::event:
-      return EventMethod<double>(scenario, scenario.tolerance, from);
-    case Method::rk4:
-      return PublishedMethod(scenario, from);
-  }
-  throw std::invalid_argument("unknown method");
+  if (scenario.method == Method::rk4) return PublishedMethod(scenario, from);
+  return EventMethod<double>(scenario, scenario.tolerance, from);
 }
 
 }  // namespace
@@ -40,11 +42,6 @@ Simulation::Simulation(const Scenario& scenario, const Instant& from)
 Simulation::Simulation(const Simulation& other) : state_(new State(*other.state_)) {}
 Simulation::Simulation(Simulation&& other) noexcept = default;
 Simulation::~Simulation() = default;
-
-Simulation& Simulation::operator=(const Simulation& other) {
-  if (this != &other) state_ = std::make_unique<State>(*other.state_);
-  return *this;
-}
 
 void Simulation::run_up(double until_s, Observer& observer) {
   state_->visit([&](auto& method) { method.run_up(until_s, observer); });

@@ -5,7 +5,6 @@
 
 #include <memory>
 
-#include "model/scenario/counters.hpp"
 #include "model/scenario/observer.hpp"
 
 namespace rotor {
@@ -19,7 +18,7 @@ class Simulation {
   Simulation(const Scenario& scenario, const Instant& from);
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
-  Simulation& operator=(const Simulation& other);
+  Simulation& operator=(Simulation other) noexcept { return state_.swap(other.state_), *this; }
   ~Simulation();
 
   /// Takes whole steps of the method that end by `until_s`, as long as the rotor stays clear of the

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "model/mechanics/rotating_frame.hpp"
-#include "model/phases/event.hpp"
 #include "model/phases/rotor_system.hpp"
 #include "model/scenario/scenario.hpp"
 

@@ -4,11 +4,21 @@
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "model/scenario/instant.hpp"
 
 namespace rotor {
+
+/// What a run has cost.
+struct Counters {
+  long steps = 0;             ///< accepted ones
+  long right_hand_sides = 0;  ///< in all steps, accepted or not
+  /// Evaluations of all loads in contact, Eqs. (15)-(25), in right-hand sides and in guards.
+  long contact_evaluations = 0;
+  long located_events = 0;
+};
 
 /// A smooth part of a run, known at any time within it.
 template <class S>
@@ -112,6 +122,37 @@ class ObserverGroup : public Observer {
 
  private:
   std::vector<Observer*> all_;
+};
+
+/// The first maximum of the normal force from some instant on.
+template <class S>
+class NextMaximum {
+ public:
+  explicit NextMaximum(const Scenario& scenario)
+      : has_fixed_steps_(scenario.method == Method::rk4), ring_(scenario.parameters) {}
+
+  /// From the present instant on. The first call counts.
+  void await() { awaited_ = true; }
+  bool is_awaited() const { return awaited_ && !found_; }
+  bool is_found() const { return found_; }
+
+  /// Fixed steps show no maxima: there, the force falls after it has risen.
+  void on_instant(const BasicInstant<S>& at) {
+    if (!has_fixed_steps_ || !is_awaited()) return;
+    const S force = at.contact_force(ring_, at.motion());
+    found_ = rises_ && force < *last_force_;
+    rises_ = last_force_ && (rises_ || force > *last_force_);
+    last_force_ = force;
+  }
+  void on_maximum(const BasicMaximum<S>& maximum) {
+    if (maximum.of == Extreme::normal_force && awaited_) found_ = true;
+  }
+
+ private:
+  bool has_fixed_steps_;
+  Ring<S> ring_;
+  bool awaited_ = false, found_ = false, rises_ = false;
+  std::optional<S> last_force_;
 };
 
 }  // namespace rotor

@@ -25,7 +25,7 @@ class Whirl {
   /// Backward sliding whirl in contact grows above this rate and dies below it, rad/s.
   double separatrix_rate(double friction) const {
     const double braking = damping_ > 0 ? damping_ / (2 * body_.mass * friction) : 0;
-    return braking + std::hypot(natural_rate(), braking);
+    return braking + std::hypot(natural_frequency(stiffness_, body_.mass), braking);
   }
 
   /// Below this friction backward sliding whirl dies at any rate.
@@ -134,8 +134,6 @@ class Whirl {
                  a0 = K_n * K_t + cross_t * cross_n;
     return a3 > 0 && a2 > 0 && a1 > 0 && a0 > 0 && a3 * a2 * a1 > a4 * a1 * a1 + a3 * a3 * a0;
   }
-
-  double natural_rate() const { return natural_frequency(stiffness_, body_.mass); }
 
   Body<double> body_;
   double stiffness_, damping_;

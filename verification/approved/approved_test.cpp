@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "verification/support/command_line.hpp"
 #include "verification/support/content.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -26,9 +26,9 @@ class Approved : public CommandLine, public testing::WithParamInterface<std::str
       const auto [status, output] = shell("sources='" ROTOR_SOURCES "' theory='" ROTOR_MAP_THEORY
                                           "'\n. \"$sources/verification/approved/commands.sh\"\n" +
                                           command);
-      const std::string sources = std::regex_replace(ROTOR_SOURCES, std::regex(R"([.+(){}])"),
-                                                     R"(\$&)");  // make refuses other such letters
-      now += std::regex_replace(output, std::regex("(^|[^\\w.])" + sources), "$1(sources)");
+      const std::string sources =
+          replaced(ROTOR_SOURCES, R"([.+(){}])", R"(\$&)");  // make refuses other such letters
+      now += replaced(output, "(^|[^\\w.])" + sources, "$1(sources)");
       if (!output.empty() && !output.ends_with('\n')) now += "\n(without a newline)\n";
       if (status != 0) now += fmt::format("(status {})\n", status);
       now += '\n';

@@ -48,9 +48,7 @@ TEST(EnergyByCause, UntilRollingIsThatAtItsOnset) {
   const Scenario scenario;
   EnergyObserver energy(scenario);
   EventRecorder events;
-  ObserverGroup both;
-  both.add(energy);
-  both.add(events);
+  ObserverGroup both{&energy, &events};
   run(scenario, both);
   const Instant onset = events.first(Event::rolling_onset);
   ASSERT_EQ(events.last().contact, ContactState::rolling);

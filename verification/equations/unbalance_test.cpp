@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/tools/roots.hpp>
 #include <complex>
 
 #include "verification/support/bare.hpp"
@@ -32,39 +31,6 @@ TEST(SteadyUnbalance, HasTheAmplitudeAndThePhaseLagOfTheJeffcottRotor) {
     law.expect_left((run.last().state[0] - expected.real()) / std::abs(expected));
     law.expect_left((run.last().state[1] - expected.imag()) / std::abs(expected));
   }
-}
-
-TEST(SuddenUnbalance, TouchesTheRingWhenTheClosedFormSaysSo) {
-  Scenario scenario = bare();
-  Parameters& p = scenario.parameters;
-  p.support_stiffness = 20e3;
-  p.support_damping = 25;
-  p.eccentricity = 0.45e-3;
-  p.inertia = 1e9;
-  const double w = 900, w_n = std::sqrt(p.support_stiffness / p.mass);
-  const double decay = p.support_damping / (2 * p.mass);
-  const std::complex<double> i(0, 1);
-  const auto steady =
-      p.mass * p.eccentricity * w * w /
-      std::complex<double>(p.support_stiffness - p.mass * w * w, p.support_damping * w);
-  // z = steady e^{iwt} + (A e^{i w_d t} + B e^{-i w_d t}) e^{-decay t}, at rest at the centre
-  // first.
-  const double w_d = std::sqrt(w_n * w_n - decay * decay);
-  const std::complex<double> z0 = -steady, v0 = -i * w * steady;
-  const auto a = (v0 - (-decay - i * w_d) * z0) / (2. * i * w_d), b = z0 - a;
-  const auto gap = [&](double t) {
-    const auto z = steady * std::exp(i * w * t) +
-                   (a * std::exp(i * w_d * t) + b * std::exp(-i * w_d * t)) * std::exp(-decay * t);
-    return 3e-3 - std::abs(z);
-  };
-  double before = 0;
-  while (gap(before + 1e-5) > 0) before += 1e-5;
-  const auto [low, high] = boost::math::tools::bisect(
-      gap, before, before + 1e-5, boost::math::tools::eps_tolerance<double>(50));
-  // At rest at the centre: the velocity of O is zero.
-  const EventRecorder run = follow_from_state(scenario, {0, 0, 0, 0, 0, w}, 0.05);
-  Law("first contact after a sudden unbalance, s", 1e-13)
-      .expect_left(run.first(Event::touch_down).time_s - (low + high) / 2);
 }
 
 TEST(RunUp, ThroughTheCriticalSpeedIsDuhamelsIntegral) {

@@ -1,9 +1,10 @@
 /// Estimated digits: none may be false.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <cctype>
+#include <cmath>
+#include <random>
 #include <set>
 
 #include "figures/input/names.hpp"
@@ -114,22 +115,27 @@ TEST(Digits, AreNotGivenIfTheRunEndsTooShortlyBeforeOrAfterAnEvent) {
 
 // As many digits as are the same for all numbers within the error, or as were asked for; one more
 // would differ between the ends of the error.
-RC_GTEST_PROP(Digits, ArePrintedAsFarAsTheErrorLeavesThem, ()) {
-  const auto share = [] { return (1 + *rc::gen::inRange(0, 999999)) / 1e6; };
-  const double value =
-      (*rc::gen::inRange(0, 2) == 0 ? 1 : -1) * share() * std::pow(10, *rc::gen::inRange(-12, 12));
-  const double error = std::abs(value) * share() * std::pow(10, *rc::gen::inRange(-12, 1));
-  const int digits = *rc::gen::inRange(1, 13);
-  const auto least = [&](int n) { return rounded_to(value - error, n); };
-  const auto greatest = [&](int n) { return rounded_to(value + error, n); };
-  const std::string printed = text_within(value, error, digits);
-  int sure = 0;  // from the first digit that is not zero on, trailing zeros among them
-  if (printed != no_digit)
-    for (const char c : printed.substr(0, printed.find('e')))
-      sure += std::isdigit(c) && (sure > 0 || c != '0');
-  RC_ASSERT(sure <= digits);
-  if (sure > 0) RC_ASSERT(least(sure) == printed && greatest(sure) == printed);
-  if (sure < digits) RC_ASSERT(least(sure + 1) != greatest(sure + 1));
+TEST(Digits, ArePrintedAsFarAsTheErrorLeavesThem) {
+  std::mt19937_64 random(1);
+  const auto from = [&](int least, int most) {
+    return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
+  };
+  const auto share = [&] { return from(1, 999'999) / 1e6; };
+  for (int run = 0; run < 1000; ++run) {
+    const double value = (run % 2 == 0 ? 1 : -1) * share() * std::pow(10, from(-12, 11));
+    const double error = std::abs(value) * share() * std::pow(10, from(-12, 0));
+    const int digits = from(1, 12);
+    const auto least = [&](int n) { return rounded_to(value - error, n); };
+    const auto greatest = [&](int n) { return rounded_to(value + error, n); };
+    const std::string printed = text_within(value, error, digits);
+    int sure = 0;  // from the first digit that is not zero on, trailing zeros among them
+    if (printed != no_digit)
+      for (const char c : printed.substr(0, printed.find('e')))
+        sure += std::isdigit(c) && (sure > 0 || c != '0');
+    EXPECT_LE(sure, digits) << value << ' ' << error;
+    EXPECT_TRUE(sure == 0 || (least(sure) == printed && greatest(sure) == printed)) << printed;
+    EXPECT_TRUE(sure == digits || least(sure + 1) != greatest(sure + 1)) << printed;
+  }
 }
 
 }  // namespace

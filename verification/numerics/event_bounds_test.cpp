@@ -2,7 +2,7 @@
 /// stays positive over a step, or below what an observer wants to see, it is not searched.
 #include <gtest/gtest.h>
 
-#include <boost/numeric/odeint.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 
 #include "model/phases/flight.hpp"
 #include "verification/support/random_inputs.hpp"

@@ -21,21 +21,6 @@ TEST(EventMethod, GivesTheSameBitsWhoeverWatches) {
   EXPECT_GT(recorder.rows(), 1000);
 }
 
-TEST(BothMethods, GiveTheSameBitsWhereverTheRunWasInterrupted) {
-  for (const Method method : {Method::event, Method::rk4}) {
-    const Scenario scenario{.method = method};
-    Observer null_observer;
-    Simulation simulation(scenario);
-    for (const double stop : {2.2, 9.4, 14.15, 19.1}) simulation.run_up(stop, null_observer);
-    simulation.finish(null_observer);
-    const RunEnd whole = run(scenario, null_observer);
-    EXPECT_EQ(simulation.instant().state, whole.last.state);
-    if (method == Method::event) continue;
-    EXPECT_EQ(whole.counters.steps, 291000 + 50000);
-    EXPECT_EQ(whole.counters.right_hand_sides, 4 * whole.counters.steps);
-  }
-}
-
 TEST(EventMethod, ShowsBothSidesOfEveryEventAndNoEventTwice) {
   struct : EventRecorder {
     void on_instant(const Instant& at) override {

@@ -15,13 +15,6 @@
 namespace rotor {
 namespace {
 
-/// Several observers as one.
-ObserverGroup observers_of(std::initializer_list<Observer*> observers) {
-  ObserverGroup all;
-  for (Observer* observer : observers) all.add(*observer);
-  return all;
-}
-
 /// The largest values of the motion that a run shows, sampled densely.
 class DenseMaxima : public Observer {
  public:
@@ -97,7 +90,7 @@ TEST(Maxima, AreNotHiddenByLooseTolerances) {
                               {find_column("time_s"), find_column("normal_force_N")}, scenario,
                               coarse,
                               [&](auto row) { recorded = std::max(recorded, std::abs(row[1])); });
-            ObserverGroup observers = observers_of({&dense, &observer, &recorder});
+            ObserverGroup observers{&dense, &observer, &recorder};
             run(scenario, observers);
             SCOPED_TRACE(testing::Message() << tolerance << ' ' << damping << ' ' << friction << ' '
                                             << stator_radius << ' ' << start_speed_Hz);
@@ -141,7 +134,7 @@ TEST(Maxima, OfRandomRotorsAreFoundAndNothingRunsBackwards) {
     } in_order;
     SummaryObserver summary(scenario);
     DenseMaxima dense(scenario);
-    ObserverGroup observers = observers_of({&recorder, &in_order, &summary, &dense});
+    ObserverGroup observers{&recorder, &in_order, &summary, &dense};
     const Instant last = follow(scenario, first, 0.01, observers).last;
     EXPECT_GE(*summary.summary().max_displacement_m, last.motion().displacement.norm());
     if (scenario.tolerance < 1e-9) expect_maxima(summary.summary(), dense, 1e-7);

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <regex>
 
 #include "figures/results/json.hpp"
 #include "model/digits/digits.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/pattern.hpp"
 #include "verification/support/read_csv.hpp"
 
 namespace rotor {
@@ -25,10 +25,10 @@ class Proven : public CommandLine {
     if (!found.is_null()) return found;
     // Nine digits of a run from rest at mu = 0.08 take the engine half a minute.
     const int digits = command.find("--start-speed-hz") == std::string::npos ? 6 : 9;
-    const std::regex provers_own(" --(bits|rounding) \\S+|^build/prove");
+    const std::string without_provers_own =
+        replaced(command, " --(bits|rounding) \\S+|^build/prove", "");
     const auto [status, output] =
-        rotor(fmt::format("run {} --digits {} --json 2>errors",
-                          std::regex_replace(command, provers_own, ""), digits));
+        rotor(fmt::format("run {} --digits {} --json 2>errors", without_provers_own, digits));
     EXPECT_EQ(status, 0) << output;
     found = Json::parse(output);
     int touch_downs = 0;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "figures/input/names.hpp"
-#include "model/digits/values.hpp"
+#include "model/digits/computation.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/reference_tables.hpp"
 #include "verification/support/summary_of.hpp"

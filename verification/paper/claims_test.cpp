@@ -6,10 +6,10 @@
 
 #include <cmath>
 #include <fstream>
-#include <regex>
 #include <set>
 
 #include "verification/paper/readings.hpp"
+#include "verification/support/pattern.hpp"
 #include "verification/support/read_csv.hpp"
 
 namespace rotor {
@@ -262,15 +262,12 @@ TEST(Claims, AreListedByTheirKindWithTheirNumber) {
 /// The numbers that policy.md has in the row of a rule.
 std::map<std::string, std::vector<double>> numbers_of_rules() {
   std::ifstream file(ROTOR_REFERENCE_DATA "/policy.md");
-  static const std::regex row("^\\| `(\\w+)` \\| (.*) \\|$"), one("[0-9]+(\\.[0-9]+)?");
   std::map<std::string, std::vector<double>> rules;
-  std::smatch found;
   for (std::string line; std::getline(file, line);)
-    if (std::regex_match(line, found, row)) {
-      const std::string text = found[2];
-      for (std::sregex_iterator at(text.begin(), text.end(), one), end; at != end; ++at)
-        rules[found[1]].push_back(std::stod(at->str()));
-      rules[found[1]];
+    for (const Match& row : matches(line, "^\\| `(\\w+)` \\| (.*) \\|$")) {
+      std::vector<double>& numbers = rules[row[1]];
+      for (const Match& one : matches(row[2], "[0-9]+(\\.[0-9]+)?"))
+        numbers.push_back(std::stod(one[0]));
     }
   return rules;
 }

@@ -18,10 +18,10 @@ do for [i = 1:2] {
   set xlabel (of[i].": law") offset 0,0.4
   set ylabel "run" offset 1,0
   plot data every 17 using (column(law)/units[i]):(y(run, units[i], limit, 1e9)) with points pointtype 7 pointsize 0.22 \
-      linecolor rgb vermilion title sprintf("κ e_{x1}/(μ r) above %g", limit), \
+      linecolor rgb "#e69f00" title sprintf("κ e_{x1}/(μ r) above %g", limit), \
     data every 17 using (column(law)/units[i]):(y(run, units[i], 0, limit)) with points pointtype 7 pointsize 0.22 \
-      linecolor rgb blue title sprintf("up to %g", limit), \
-    x with lines linecolor rgb black notitle, \
-    for [p = 90:110:20] 0.01*p*x with lines linestyle published notitle
+      linecolor rgb event_tint title sprintf("up to %g", limit), \
+    x with lines linecolor rgb law_tint notitle, \
+    for [p = 90:110:20] 0.01*p*x with lines linecolor rgb law_tint dashtype (6,7) notitle
 }
 unset multiplot

@@ -6,11 +6,11 @@
 
 #include <cmath>
 #include <map>
-#include <regex>
 
 #include "figures/runs/scene.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/content.hpp"
+#include "verification/support/pattern.hpp"
 #include "verification/support/read_csv.hpp"
 
 namespace rotor {
@@ -24,8 +24,8 @@ struct LawsOfTheAccident : CommandLine {
   }
   /// Rows of laws.csv for the first rotors of a sweep.
   std::vector<CsvRow> agreement_of(const std::string& sweep, long rotors) const {
-    write("few.toml", std::regex_replace(content_of(paper + sweep), std::regex("count = 10000"),
-                                         "count = " + std::to_string(rotors)));
+    write("few.toml", replaced(content_of(paper + sweep), "count = 10000",
+                               "count = " + std::to_string(rotors)));
     EXPECT_EQ(shell("$rotor sweep few.toml --out few.csv >/dev/null 2>&1 && '" + paper +
                     "laws.sh' few.csv > anew.csv")
                   .status,

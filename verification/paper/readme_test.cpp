@@ -11,6 +11,7 @@
 #include "figures/sweep/sweep.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/content.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -31,6 +32,7 @@ TEST_P(Readme, HasExamplesThatRun) {
       commands.emplace_back(line.substr(command.size(), line.find('#') - command.size()),
                             line.substr(std::min(line.size(), line.find('#'))));
   }
+  fs::create_directory_symlink(ROTOR_SOURCES "/figures", folder_ / "figures");
   ASSERT_FALSE(scenes.empty());
   EXPECT_FALSE(commands.empty());
   for (const std::string& scene : scenes) {
@@ -44,11 +46,9 @@ TEST_P(Readme, HasExamplesThatRun) {
   for (const auto& [run, says] : commands) {
     const Outcome outcome = rotor(run);
     EXPECT_EQ(outcome.status, 0) << run;
-    static const std::regex result("# (\\w+_m) ([\\d.]+)");
-    if (std::smatch found; std::regex_match(says, found, result)) {
-      const std::regex line(found[1].str() + " +" + found[2].str() + "\n");
-      EXPECT_TRUE(std::regex_search(outcome.output, line)) << outcome.output;
-    }
+    for (const Match& result : matches(says, "^# (\\w+_m) ([\\d.]+)$"))
+      EXPECT_FALSE(matches(outcome.output, result[1] + " +" + result[2] + "\n").empty())
+          << outcome.output;
   }
 }
 
@@ -67,17 +67,16 @@ TEST_F(CommandLine, MakesTheNumbersOfTheExamples) {
         said("closed forms: {:.1f} Hz, {:.1f} kN", law["law_rolling_speed_Hz"],
              law["law_peak_force_N"])})
     EXPECT_NE(all.find(sentence), std::string::npos) << sentence;
-  static const std::regex row("\\| `(--[^`]*)` \\| (\\w+ \\| \\d+ \\| [\\d.-]+) \\|");
-  int rows = 0;
-  for (std::sregex_iterator at(all.begin(), all.end(), row), end; at != end; ++at, ++rows) {
-    const Json of_row = summary((*at)[1]), &peak_N = of_row["peak_normal_force_N"];
+  const auto rows = matches(all, "\\| `(--[^`]*)` \\| (\\w+ \\| \\d+ \\| [\\d.-]+) \\|");
+  for (const Match& row : rows) {
+    const Json of_row = summary(row[1]), &peak_N = of_row["peak_normal_force_N"];
     EXPECT_EQ(
         fmt::format("{} | {} | {}", of_row["outcome"].get<std::string>(),
                     of_row["touch_downs"].get<int>(),
                     peak_N.is_null() ? "-" : fmt::format("{:.1f}", peak_N.get<double>() / 1e3)),
-        (*at)[2].str());
+        row[2]);
   }
-  EXPECT_EQ(rows, 3);
+  EXPECT_EQ(rows.size(), 3U);
 }
 
 // The lines in Python, as they stand there.

@@ -1,13 +1,13 @@
 /// Random scenes and command lines: any input is processed, or refused in one clear line.
 #include <boost/property_tree/xml_parser.hpp>
 #include <random>
-#include <regex>
 
 #include "figures/data/text.hpp"
 #include "figures/results/json.hpp"
 #include "figures/runs/scene.hpp"
 #include "model/scenario/instant.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -116,7 +116,7 @@ class Fuzz : public CommandLine {};
 
 std::string quoted(std::string text) {
   std::erase(text, '\0');
-  return " '" + std::regex_replace(text, std::regex("'"), "'\\''") + "'";
+  return " '" + replaced(text, "'", "'\\''") + "'";
 }
 
 /// In lines that a terminal shows as they are.
@@ -129,7 +129,7 @@ void expect_clean(const std::string& output) {
 std::string in_xml(std::string text) {
   for (const auto& [letter, entity] : std::vector<std::pair<std::string, std::string>>{
            {"&", "&amp;"}, {"<", "&lt;"}, {"\\]\\]>", "]]&gt;"}})
-    text = std::regex_replace(text, std::regex(letter), entity);
+    text = replaced(text, letter, entity);
   return text;
 }
 

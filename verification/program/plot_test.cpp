@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 
+#include "figures/input/words.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/read_csv.hpp"
 #include "verification/support/svg_picture.hpp"
@@ -87,6 +89,39 @@ TEST_F(Plot, SaysWhichEquationsAllRunsHave) {
   EXPECT_NE(texts("mass = 3").find("corrected equations"), std::string::npos);
 }
 
+// As the summary does, in a unit that leaves at most three digits before the point.
+TEST_F(Plot, SaysTheOutcomeAndTheLargestForce) {
+  for (const char* stiffness : {"8e8", "1e10"}) {
+    write("s.toml", fmt::format("[parameters]\nstart_speed_hz = 400\ncontact_stiffness = {}\n"
+                                "until = 0.03\n",
+                                stiffness));
+    ASSERT_EQ(rotor("plot s.toml").status, 0);
+    const std::string texts =
+                          fmt::format("{}", fmt::join(DrawnPicture(content("s.svg")).texts, "\n")),
+                      summary = rotor("run --scene s.toml").output;
+    static const std::regex force("largest normal force (\\d{1,3}\\.\\d+ [kM]N)\\.");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(summary, found, force)) << summary;
+    EXPECT_NE(texts.find("rolling, largest force " + found[1].str()), std::string::npos) << texts;
+  }
+}
+
+// A run has the colour of its equations, and a picture of one set has that of no other.
+TEST_F(Plot, DrawsARunInTheColourOfItsEquations) {
+  const auto has = [](const std::string& svg, std::string_view colour) {
+    const auto part = [&](std::size_t at) {
+      return std::stoi(std::string(colour.substr(at, 2)), nullptr, 16);
+    };
+    return svg.find(fmt::format("'rgb({:3}, {:3}, {:3})'", part(1), part(3), part(5))) !=
+           std::string::npos;
+  };
+  for (const EquationsInWords& set : sets_in_words) {
+    ASSERT_EQ(rotor(fmt::format("plot \"it's.toml\" --equations {}", set.name)).status, 0);
+    for (const EquationsInWords& other : sets_in_words)
+      EXPECT_EQ(has(content("it's.svg"), other.light), set.name == other.name) << set.name;
+  }
+}
+
 // In ten times the time that a picture shows, curves of the same look have hardly more corners.
 // (The old picture of these runs had a megabyte.)
 TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
@@ -100,7 +135,7 @@ TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
 // All that is stated, in whole items, and as far as it is drawn.
 TEST_F(Plot, SaysWhatIsDrawnInWholeItems) {
   const std::vector<std::string> items = {
-      "mass = 2 kg",         "inertia = 0.0016 kg m^2",       "eccentricity = 0.02 mm",
+      "mass = 2 kg",         "inertia = 0.0016 kg m²",        "eccentricity = 0.02 mm",
       "friction = 0.25",     "support stiffness = 10000 N/m", "contact stiffness = 1e+09 N/m",
       "clearance = 2 mm",    "support damping = 10 N s/m",    "lost mass = 0.012 kg",
       "rotor radius = 40 mm"};

@@ -1,9 +1,6 @@
 /// The inputs of a run, its start, its mass loss and its end.
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
-#include <sstream>
 
 #include "figures/data/text.hpp"
 #include "figures/input/scenario_spec.hpp"
@@ -12,10 +9,8 @@
 #include "figures/runs/run_ups.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/run/simulation.hpp"
-#include "model/scenario/instant.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/contradiction.hpp"
-#include "verification/support/random_inputs.hpp"
 #include "verification/support/read_csv.hpp"
 
 namespace rotor {
@@ -28,18 +23,6 @@ ScenarioSpec numbers(std::initializer_list<std::pair<const std::string, double>>
   ScenarioSpec spec;
   spec.numbers.insert(stated.begin(), stated.end());
   return spec;
-}
-
-TEST(RandomInputs, LeaveNoneOut) {
-  RandomInputs random(1);
-  std::map<std::string, std::set<std::string>> values;
-  for (int n = 0; n < 1000; ++n) {
-    std::istringstream options(options_of(random.rotor().stated));
-    for (std::string option, value; options >> option && option != "--no-mass-loss";)
-      if (options >> value) values[option].insert(value);
-  }
-  for (const std::string& name : varied_inputs())
-    EXPECT_GT(values[option_of(name)].size(), 1U) << name;
 }
 
 TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
@@ -98,25 +81,6 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   // A higher speed after a contact, here at 1.77 s, does not count.
   EXPECT_THROW(scenario_of(numbers({{"mass_loss_speed_hz", 75}, {"eccentricity", 1e-3}})),
                std::exception);
-}
-
-// The response at a constant speed, which changes only by the drag of damping.
-TEST(StartSpeed, BeginsInSteadyResponse) {
-  Scenario scenario;
-  scenario.parameters.torque = scenario.parameters.gravity = 0;
-  scenario.parameters.loses_mass = false;
-  for (const double speed_Hz : {5., 30., 120.}) {
-    scenario.start_speed_Hz = speed_Hz;
-    scenario.until = 2;
-    const Instant start = start_of(scenario);
-    Observer null_observer;
-    const RunEnd end = run(scenario, null_observer);
-    // The drag slows the rotor by less than a thousandth in that time.
-    EXPECT_NEAR(end.last.state[5] / start.state[5], 1, 1e-3) << speed_Hz;
-    const double size = std::hypot(start.state[0], start.state[1]);
-    EXPECT_NEAR(end.last.state[0], start.state[0], 1e-2 * size) << speed_Hz;
-    EXPECT_NEAR(end.last.state[1], start.state[1], 1e-2 * size) << speed_Hz;
-  }
 }
 
 // The runs of a scene are the same as single runs, even if one fails.

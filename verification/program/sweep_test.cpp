@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <random>
-#include <regex>
 #include <set>
 #include <thread>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/sweep_row.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/pattern.hpp"
 #include "verification/support/read_csv.hpp"
 
 namespace rotor {
@@ -352,10 +352,8 @@ TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
   for (const std::string options :
        {"--start-speed-hz 150 --until 0.01 --digits 6",
         "--motor-off-hz 0 --mass-loss-time 0 --until 0.01 --digits 5"}) {
-    std::string keys = options.substr(2) + '\n';
-    keys = std::regex_replace(keys, std::regex(" --"), "\n");
-    keys =
-        std::regex_replace(std::regex_replace(keys, std::regex(" "), " = "), std::regex("-"), "_");
+    std::string keys = replaced(options.substr(2) + '\n', " --", "\n");
+    keys = replaced(replaced(keys, " ", " = "), "-", "_");
     write("s.toml", "stop_on = \"end\"\n[parameters]\n" + keys +
                         "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
     const int all_refused = rotor("sweep s.toml --out r.csv").status;

@@ -100,7 +100,7 @@ TEST(Column, IsWhatItsFormulaSays) {
         std::set<std::tuple<ContactState, bool>> seen;
         for (const Instant& at : instants.all) seen.insert({at.contact, at.mass_lost});
         EXPECT_EQ(seen.size(), 8U);  // free, indented, sliding, rolling
-        for (const Column& column : all_columns()) compare(column, instants.all, scenario);
+        for (const Column* column : all_columns()) compare(*column, instants.all, scenario);
       }
 }
 

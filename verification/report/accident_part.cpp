@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "figures/input/words.hpp"
 #include "model/mechanics/contact.hpp"
 #include "verification/report/document.hpp"
 #include "verification/report/engine/explorer.hpp"
@@ -103,6 +104,7 @@ Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
 Json accident_json() {
   const Picture picture = Explorer().run({{"until", "29.14"}}, 1e-6);
   return {{"stills", stills_json(frames_of(picture), Parameters{})},
+          {"tint", sets_in_words[0].light},
           {"enlarged", fmt::format("{:g}", enlarged)}};
 }
 

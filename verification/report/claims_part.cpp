@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 #include "verification/report/document.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -16,11 +16,10 @@ namespace {
 constexpr std::array set_keys = {"as_printed", "corrected"};
 
 /// A statement, 1 if it is true and 0 if not, as its words explain in brackets.
-const std::regex yes_or_no(" \\((1: yes|0: no)\\)");
-bool is_statement(const Number& number) { return std::regex_search(number.says, yes_or_no); }
 std::string words_of(const Number& number) {
-  return std::regex_replace(number.says, yes_or_no, "");
+  return replaced(number.says, " \\((1: yes|0: no)\\)", "");
 }
+bool is_statement(const Number& number) { return words_of(number) != number.says; }
 
 /// In a unit, without superfluous digits; in powers of ten if the paper has them.
 std::string shown(const std::optional<double>& value, const Number& number) {
@@ -28,13 +27,12 @@ std::string shown(const std::optional<double>& value, const Number& number) {
   if (is_statement(number)) return *value == 1 ? "yes" : "no";
   const double size = std::abs(*value);
   const bool in_powers = number.printed.find('e') != std::string::npos;
-  std::string text = size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
-                     : size >= 1e4                          ? fmt::format("{:.0f}", *value)
-                     : in_powers && size < 1e-2
-                         ? fmt::format("{:.2e}", *value)
-                         : fmt::format("{:.{}g}", *value, number.printed.empty() ? 3 : 4);
-  if (const auto zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
-  return text + ' ' + number.unit;
+  return (size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
+          : size >= 1e4                          ? fmt::format("{:.0f}", *value)
+          : in_powers && size < 1e-2
+              ? fmt::format("{:.2e}", *value)
+              : fmt::format("{:.{}g}", *value, number.printed.empty() ? 3 : 4)) +
+         ' ' + number.unit;
 }
 
 /// What the paper states: a number or a word.

@@ -1,17 +1,12 @@
 /// The figures: pictures, claims, statements of their scenes.
 #include <fmt/format.h>
 
-#include <regex>
-
 #include "figures/runs/scene.hpp"
 #include "verification/report/document.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
-
-std::string replaced(const std::string& text, const char* pattern, const std::string& by) {
-  return std::regex_replace(text, std::regex(pattern), by);
-}
 
 /// A picture from gnuplot as part of a page: as wide as possible, with unique names, and described
 /// by its caption.

@@ -12,9 +12,8 @@ namespace {
 
 TEST(ApprovedGallery, ShowsEachFigureWithItsCommandItsVerdictsAndItsNumbers) {
   const Json claims = claims_json(judged());
-  const Json captions =
-      with_numbers(read_json(ROTOR_SOURCES "/verification/report/texts.json").at("captions"),
-                   values_json(judged()));
+  const Json texts = with_numbers(read_json(ROTOR_SOURCES "/verification/report/texts.json"),
+                                  values_json(judged()));
   std::string text = R"(# The figures
 
 Redrawn from the equations as printed and from the corrected ones: in blue and in brown. This page is written by
@@ -23,11 +22,18 @@ Redrawn from the equations as printed and from the corrected ones: in blue and i
   for (const Figure& figure : paper_figures()) {
     const Json of_figure = claims_of(figure.number, claims), verdicts = verdicts_json(of_figure);
     text += fmt::format(
-        "\n## Fig. {0}: {1}\n\n`make fig{0:02}`. Claims: {2}{3}.\n\n{4}\n\n![Fig. {0}]({5})\n",
+        "\n## Fig. {0}: {1}\n\n`make fig{0:02}`. Claims: {2}{3}.\n\n{4}\n\n![{5}]({6})\n",
         figure.number, figure.scene.title, verdicts["as_printed"]["says"].get<std::string>(),
         of_figure.empty() ? "" : "; corrected: " + verdicts["corrected"]["says"].get<std::string>(),
-        captions.at(std::to_string(figure.number)).get<std::string>(), preview_of(figure.number));
+        texts.at("captions").at(std::to_string(figure.number)).get<std::string>(),
+        texts.at("seen").at(std::to_string(figure.number)).get<std::string>(),
+        preview_of(figure.number));
   }
+  for (const Json& other : texts.at("other_pictures"))
+    text +=
+        fmt::format("\n## {}\n\n`{}`. {}\n\n![{}]({})\n", other.at("title").get<std::string>(),
+                    other.at("command").get<std::string>(), other.at("text").get<std::string>(),
+                    other.at("seen").get<std::string>(), other.at("picture").get<std::string>());
   expect_approved("figures/paper/README.md", text);
 }
 

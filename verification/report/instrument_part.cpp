@@ -19,7 +19,8 @@ const std::vector<Options> cases = {{},
                                     {{"friction", "0.08"}},
                                     {{"mass-loss-time", "19.1"}},
                                     {{"mass-loss-time", "14.15"}},
-                                    {{"mass-loss-time", "9.4"}}};
+                                    {{"mass-loss-time", "9.4"}},
+                                    {{"mass-loss-time", "2.2"}}};
 
 /// Largest error of curves, relative to their ranges: a pixel or two.
 constexpr double closeness = 8e-3;
@@ -113,7 +114,9 @@ Json maps_json(const std::filesystem::path& csv) {
 }  // namespace
 
 Json instrument_json(const std::filesystem::path& report) {
-  return {{"runs", runs_json()}, {"maps", maps_json(report / "map.csv")}};
+  return {{"runs", runs_json()},
+          {"maps", maps_json(report / "map.csv")},
+          {"lines", read_json(report / "lines.json")}};
 }
 
 }  // namespace rotor

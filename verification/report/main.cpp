@@ -2,11 +2,11 @@
 ///   report-page SOURCES BUILD OUT DATE
 #include <fmt/format.h>
 
-#include <regex>
 #include <set>
 
 #include "figures/data/files.hpp"
 #include "verification/report/page.hpp"
+#include "verification/support/pattern.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
@@ -17,16 +17,18 @@ namespace fs = std::filesystem;
 /// A module and its imports as one script, each a function that is called once and returns its
 /// exports.
 std::string bundled(const fs::path& module, std::set<fs::path>& seen) {
-  static const std::regex import("import (\\{[^}]*\\}) from \"\\./(\\w+)\\.js\";\n"),
-      exported("\nexport ((?:const|function|class) (\\w+))");
-  std::string before, names, text = '\n' + content_of(module);
+  std::string before, names;
   if (!seen.insert(module).second) return "";
-  for (std::sregex_iterator at(text.begin(), text.end(), import), end; at != end; ++at)
-    before += bundled(module.parent_path() / ((*at)[2].str() + ".js"), seen);
-  for (std::sregex_iterator at(text.begin(), text.end(), exported), end; at != end; ++at)
-    names += (*at)[2].str() + ", ";
-  text =
-      std::regex_replace(std::regex_replace(text, import, "const $1 = of_$2;\n"), exported, "\n$1");
+  std::string text =
+      replaced('\n' + content_of(module), "import (\\{[^}]*\\}) from \"\\./(\\w+)\\.js\";\n",
+               [&](const Match& import) {
+                 before += bundled(module.parent_path() / (import[2] + ".js"), seen);
+                 return "const " + import[1] + " = of_" + import[2] + ";\n";
+               });
+  text = replaced(text, "\nexport ((?:const|function|class) (\\w+))", [&](const Match& exported) {
+    names += exported[2] + ", ";
+    return '\n' + exported[1];
+  });
   return fmt::format("{}const of_{} = (() => {{{}return {{ {}}};\n}})();\n", before,
                      module.stem().string(), text, names);
 }

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <kainjow/mustache.hpp>
-#include <regex>
 #include <sstream>
+
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -29,10 +30,12 @@ std::string in_html(const std::string& text) {
         {"\\bpi\\b", "\u03c0"},
         {"\\^2\\b", "\u00b2"},
         {"\\+-", "\u00b1"},
+        {"(^|[ (])-(?=\\d)", "$1\u2212"},
         {"\\bx (?=\\d)", "\u00d7 "},
+        {"\\b(\\d+(?:\\.\\d+)?)e-0?(\\d+)\\b", "$1\u00a0\u00d7\u00a010<sup>\u2212$2</sup>"},
         {"(\\d) (?=(k?N|k?Hz|J|mm|m?s|%)(?![A-Za-z]))", "$1\u00a0"},
         {"(\\b[A-Za-z]|\u0394)_([A-Za-z0-9]{1,4})(?![A-Za-z0-9_])", "$1<sub>$2</sub>"}})
-    html = std::regex_replace(html, std::regex(plain), symbol);
+    html = replaced(html, plain, symbol);
   return html;
 }
 
@@ -44,9 +47,7 @@ std::string in_print(std::string number) {
 
 /// In a form such as f1; empty for one that there is not.
 std::string in_form(const std::string& form, double number) {
-  static const std::regex known("[fkmp]([0-4])");
-  std::smatch found;
-  if (!std::regex_match(form, found, known)) return "";
+  if (matches(form, "^[fkmp][0-4]$").empty()) return "";
   const double factor = form[0] == 'k' ? 1e-3 : form[0] == 'm' ? 1e3 : form[0] == 'p' ? 100 : 1;
   return in_print(fmt::format("{:.{}f}", factor * number, form[1] - '0'));
 }
@@ -65,17 +66,12 @@ std::string text_at(const std::string& place, const Json& values) {
 }
 
 std::string with_numbers(const std::string& text, const Json& values) {
-  static const std::regex place("\\{\\{([^}]*)\\}\\}");
-  std::string all;
-  auto rest = text.cbegin();
-  for (std::sregex_iterator at(text.begin(), text.end(), place), end; at != end; ++at) {
-    const std::string found = text_at((*at)[1], values);
+  return replaced(text, "\\{\\{([^}]*)\\}\\}", [&](const Match& place) {
+    const std::string found = text_at(place[1], values);
     if (found.empty())
-      throw std::invalid_argument(fmt::format("nothing is known of {} in: {}", (*at).str(), text));
-    all.append(rest, (*at)[0].first).append(found);
-    rest = (*at)[0].second;
-  }
-  return all.append(rest, text.cend());
+      throw std::invalid_argument(fmt::format("nothing is known of {} in: {}", place[0], text));
+    return found;
+  });
 }
 
 data for_page(const Json& value) {

@@ -48,23 +48,37 @@ std::string palette_of_gnuplot() {
        {std::pair("words_of", &In::words), {"short_of", &In::short_words}, {"tint_of", &In::light}})
     text += fmt::format("{}(set) = set eq \"{}\" ? \"{}\" : \"{}\"\n", function,
                         sets_in_words[0].name, sets_in_words[0].*of, sets_in_words[1].*of);
+  Json styles;
+  for (const LineInWords& of : lines_in_words)
+    styles.push_back(fmt::format("linewidth {} dashtype {}", of.width,
+                                 of.dashes.empty() ? "solid" : fmt::format("({})", of.dashes)));
+  add("line_words", each(lines_in_words, &LineInWords::words));
+  add("line_style", styles);
+  for (const In& of : others_in_words) text += fmt::format("{}_tint = \"{}\"\n", of.name, of.light);
   return text;
 }
 
 std::string words_of_page() {
-  Json sentences, labels;
+  Json sentences, labels, lines;
   for (const auto& of : outcomes) sentences[std::string(of.name)] = of.sentence;
   for (const auto& of : results_in_words) labels[std::string(of.key)] = of.label;
-  return fmt::format("// {}\nexport const outcomes = {};\nexport const results = {};\n", written,
-                     sentences.dump(1), labels.dump(1));
+  for (const auto& of : lines_in_words)
+    lines.push_back({{"width", of.width},
+                     {"dashes", Json::parse(fmt::format("[{}]", of.dashes))},
+                     {"words", of.words}});
+  return fmt::format(
+      "// {}\nexport const outcomes = {};\nexport const results = {};\nexport const lines = {};\n",
+      written, sentences.dump(1), labels.dump(1), lines.dump());
 }
 
 std::string tints_of_page() {
-  return fmt::format(":root {{{}{} }}\n@media (prefers-color-scheme: dark) {{ :root {{{}{} }} }}\n",
-                     properties(sets_in_words, &EquationsInWords::light),
-                     properties(outcomes, &OutcomeInWords::light),
-                     properties(sets_in_words, &EquationsInWords::dark),
-                     properties(outcomes, &OutcomeInWords::dark));
+  const auto all = [](auto of_set, auto of_outcome) {
+    return properties(sets_in_words, of_set) + properties(outcomes, of_outcome) +
+           properties(others_in_words, of_set);
+  };
+  return fmt::format(":root {{{} }}\n@media (prefers-color-scheme: dark) {{ :root {{{} }} }}\n",
+                     all(&EquationsInWords::light, &OutcomeInWords::light),
+                     all(&EquationsInWords::dark, &OutcomeInWords::dark));
 }
 
 }  // namespace rotor

@@ -11,6 +11,15 @@ sed 's/^points = 400$/points = 60/' figures/maps/speed-friction.toml >"$map/map.
 [ "$map/map.csv" -nt "$build/rotor" ] && [ "$map/map.csv" -nt figures/maps/speed-friction.toml ] ||
   "$build/rotor" sweep "$map/map.toml" --out "$map/map.csv"
 cp "$map/map.csv" "$out"
+"$build/map-theory" figures/maps/speed-friction.toml >"$map/theory.csv"
+# Its lines, as JSON: parts with their set of equations, their number and points.
+gnuplot -e "theory = '$map/theory.csv'; rows = 1; forms = 5; along_x(v) = v; along_y(v) = v" figures/maps/lines.gp \
+  -e "set print '-'; do for [p = 1:2] { do for [i = 1:forms] { \
+    print 'line ', word('published corrected', p), i; eval sprintf('print \$line_%d_%d', p - 1, i) } }" | awk '
+  /^line/ { set = $2; line = $3 - 1; next }
+  NF == 3 && !/#/ { printf "%s[%s,%s]", begun++ ? "," : (parts++ ? ",\n" : "[") "{\"set\":\"" set "\",\"line\":" line ",\"points\":[", $1, $2; next }
+  begun { printf "]}"; begun = 0 }
+  END { print begun ? "]}]" : "]" }' >"$out/lines.json"
 rm -f "$out/engine.wasm.gz.base64"
 [ ! -e "$build/explore/engine.wasm" ] ||
   gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 #include "figures/input/names.hpp"
@@ -14,6 +13,7 @@
 #include "verification/report/page.hpp"
 #include "verification/support/approved.hpp"
 #include "verification/support/onset_speed.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -55,17 +55,17 @@ std::map<std::string, std::string> tables_of(const std::string& templates) {
 /// The same text with the tables as they are. Throws std::out_of_range for an unknown name.
 std::string with_tables(const std::string& markdown,
                         const std::map<std::string, std::string>& tables, const Json& values) {
-  static const std::regex mark("<!-- table: (.*) -->");
   std::string text;
   std::istringstream lines(markdown);
   bool replaces = false;
-  std::smatch found;
   for (std::string line; std::getline(lines, line);) {
     replaces = replaces && line.starts_with('|');
     if (replaces) continue;
     text += line + '\n';
-    replaces = std::regex_match(line, found, mark);
-    if (replaces) text += with_numbers(Json(tables.at(found[1])), values).get<std::string>();
+    for (const Match& mark : matches(line, "^<!-- table: (.*) -->$")) {
+      text += with_numbers(Json(tables.at(mark[1])), values).get<std::string>();
+      replaces = true;
+    }
   }
   return text;
 }

@@ -318,7 +318,7 @@ class Tests:
     def failed(self, name, number, limit_s, reached=''):
         """Whether a test fails, crashes, or is not over in time."""
         with tempfile.TemporaryDirectory(dir=WORK) as folder:
-            environment = {**os.environ, 'LC_ALL': 'C', 'RC_PARAMS': 'seed=1', 'ROTOR_MUTANT': str(number), 'TMPDIR': folder}
+            environment = {**os.environ, 'LC_ALL': 'C', 'ROTOR_MUTANT': str(number), 'TMPDIR': folder}
             if reached:
                 environment['ROTOR_REACHED'] = reached
             command = [BUILD / 'random-rotors', '200', folder] if name == RANDOM_ROTORS else \

@@ -79,7 +79,8 @@ inline bool is_clipped(const std::string& group, const std::string& text,
   const std::string anchor = after("text-anchor=\"");
   const double before = anchor.starts_with("start") ? 0 : anchor.starts_with("end") ? 1 : 0.5;
   const auto [x, y] = corners(after("translate(")).front();
-  if (group.find("rotate(270") != std::string::npos)
+  if (group.find("rotate(270") != std::string::npos ||
+      group.find("rotate(-90") != std::string::npos)
     return y + before * length > canvas.second || y - (1 - before) * length < 0;
   return x - before * length < 0 || x + (1 - before) * length > canvas.first || y < 0 ||
          y > canvas.second;
@@ -96,7 +97,7 @@ struct DrawnPicture {
   explicit DrawnPicture(const std::string& svg) {
     Tics y_axis;
     Points line;  // the last one of the grid; the key may interrupt it
-    bool in_curve = false, in_inset = false, y_is_old = false;
+    bool in_curve = false, in_inset = false, y_is_old = false, has_curves = false;
     std::string group;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
@@ -114,7 +115,7 @@ struct DrawnPicture {
         if (is_first) in_inset = y_is_old && !curves.empty();  // an inset has no grid
         in_curve = !in_inset;
         if (in_curve) curves.push_back({{}, y_axis});
-        y_is_old = true;
+        y_is_old = has_curves = true;
       } else if (tag.starts_with("<path")) {
         const bool is_grid =
             svg.substr(at, svg.find(" d='", at) - at).find("gridline") != std::string::npos;
@@ -123,13 +124,15 @@ struct DrawnPicture {
         const bool is_frame = path.ends_with('Z');
         if (is_grid) {
           line = points;
-          in_curve = false;
+          in_curve = has_curves = false;
         } else if (in_curve && !is_frame && width(points) > width(curves.back().points)) {
           curves.back().points = points;  // the shorter one is the key's sample
         }
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
         if (is_clipped(group, texts.back(), canvas)) clipped.push_back(texts.back());
+        if (has_curves && group.find("paint-order") != std::string::npos)
+          hiding.push_back(texts.back());
         const bool is_level = line.size() >= 2 && line.front().first != line.back().first;
         if (is_level && !texts.back().empty()) {
           if (std::exchange(y_is_old, false)) y_axis.clear();
@@ -144,6 +147,7 @@ struct DrawnPicture {
   std::vector<DrawnCurve> curves;
   std::vector<std::string> texts;
   std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
+  std::vector<std::string> hiding;   ///< texts whose white edge is drawn over curves of their panel
 };
 
 }  // namespace rotor

@@ -6,10 +6,10 @@ set key top left
 set xrange [9:34.4]; set yrange [0:500]
 set xlabel "time after the mass loss, ms" offset 0,0.4
 set ylabel "normal force, kN" offset 0.5,0
-plot folder."/force.csv" using (1e3*column("time_s")):(1e-3*column("normal_force_N")) with lines \
-    linecolor rgb "#e69f00" linewidth 5 title "LIGGGHTS", \
-  folder."/engine.csv" using (1e3*(column("time_s") - 29.1)):(-1e-3*column("normal_force_N")) with lines \
-    linecolor rgb black linewidth 1 title "engine"
+plot folder."/engine.csv" using (1e3*(column("time_s") - 29.1)):(-1e-3*column("normal_force_N")) with lines \
+    linestyle 21 linewidth 5 title "engine", \
+  folder."/force.csv" using (1e3*column("time_s")):(1e-3*column("normal_force_N")) with lines \
+    linecolor rgb event_tint linewidth 1 title "LIGGGHTS"
 unset title
 set key bottom right
 set xrange [0:90]; set yrange [0.5:1]; set xtics 15
@@ -19,7 +19,7 @@ limit = atan(0.092*1.98*3.5)*180/pi    # of sliding throughout: tan = mu (1 + re
 set arrow from limit, graph 0.2 to limit, graph 1 nohead linestyle clearance
 set label "sticks" at limit - 1.5, 0.95 right
 set label "slides throughout" at limit + 1.5, 0.95
-plot folder."/rebounds.csv" using "angle_deg":"tangential_restitution" with lines linecolor rgb black linewidth 1.3 \
+plot folder."/rebounds.csv" using "angle_deg":"tangential_restitution" with lines linecolor rgb event_tint linewidth 1.3 \
     title "engine, no tangential compliance", \
   reference_data."/measured-rebounds.csv" using "angle_deg":"tangential_restitution" with points pointtype 6 \
-    pointsize 1.3 linewidth 2 linecolor rgb vermilion title "measured: Kharaz, Gorham and Salman 2001"
+    pointsize 1.3 linewidth 2 linecolor rgb event_tint title "measured: Kharaz, Gorham and Salman 2001"

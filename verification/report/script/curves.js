@@ -5,28 +5,28 @@ const scaled = (column, factor) => column.map((value) => factor * value);
 
 const force = {
   title: "normal force", unit: "kN", share: 0.4,
-  curves: [{ label: "normal force", colour: "first", of: ({ motion }) => scaled(motion.normal_force_N, -1e-3) }],
+  curves: [{ label: "normal force", of: ({ motion }) => scaled(motion.normal_force_N, -1e-3) }],
 };
 const speed = {
   title: "speed", unit: "Hz", share: 0.25,
-  curves: [{ label: "speed", colour: "second", of: ({ motion }) => motion.speed_Hz }],
+  curves: [{ label: "speed", of: ({ motion }) => motion.speed_Hz }],
 };
 const distance = {
   title: "distance of O from the axis", unit: "mm", share: 0.35,
   level: ({ summary: { inputs } }) => ({ value: 1e3 * (inputs.stator_radius - inputs.rotor_radius), text: "clearance" }),
-  curves: [{ label: "distance", colour: "first", of: ({ motion }) => motion.x_a_m.map((x, row) => 1e3 * Math.hypot(x, motion.y_a_m[row])) }],
+  curves: [{ label: "distance", of: ({ motion }) => motion.x_a_m.map((x, row) => 1e3 * Math.hypot(x, motion.y_a_m[row])) }],
 };
 const velocity = {
   title: "velocity: rim, and O backwards", unit: "m/s",
   curves: [
-    { label: "rim", colour: "second", of: ({ motion, summary: { inputs } }) => scaled(motion.speed_Hz, 2 * Math.PI * inputs.rotor_radius) },
-    { label: "O", colour: "first", of: ({ motion }) => motion.time_s.map((time_s, row) =>
+    { label: "rim", of: ({ motion, summary: { inputs } }) => scaled(motion.speed_Hz, 2 * Math.PI * inputs.rotor_radius) },
+    { label: "O", dashes: [6, 3], of: ({ motion }) => motion.time_s.map((time_s, row) =>
       -2 * Math.PI * whirlAt(motion, time_s) * Math.hypot(motion.x_a_m[row], motion.y_a_m[row])) },
   ],
 };
 
 /// The panels of a run, one below the other, and single ones, each beside a step of the accident.
-export const panels = [force, distance, speed];
+export const panels = [distance, force, speed];
 export const stepPanels = { force, speed, distance, velocity };
 
 /// Round numbers in a range, about so many, with enough decimals to differ.

@@ -1,66 +1,76 @@
 // The interactive part of the page: a run, recorded or computed, as a rotor in its ring, curves and results.
 import { onColoursChanged } from "./colours.js";
 import { Engine, isEmbedded } from "./engine.js";
-import { letters, OutcomeMap } from "./map.js";
+import { OutcomeMap } from "./map.js";
 import { climaxOf, inWords, stateAt } from "./motion.js";
 import { sentence, showNumbers } from "./outcome.js";
 import { Plots } from "./plots.js";
 import { Recorded } from "./recorded.js";
 import { RotorView } from "./rotor.js";
-import { addressOf, commandOf, inSet, setOf, settingsIn } from "./settings.js";
+import { addressOf, commandOf, inSet, setOf, sets, settingsIn } from "./settings.js";
 import { showSteps } from "./steps.js";
 
 const at = (id) => document.getElementById(id);
-const { runs, maps } = JSON.parse(at("instrument-data").textContent);
+const { runs, maps, lines } = JSON.parse(at("instrument-data").textContent);
 const recorded = new Recorded(runs);
 const engine = isEmbedded() ? new Engine() : null;
 document.body.classList.toggle("has-engine", engine !== null);
 
 let options = settingsIn(location.hash);
-let picture = null, playing = false, last_ms = null, time_s = 0;
+let picture = null, others = [], playing = false, last_ms = null, time_s = 0;
 
 // ---- pictures
 
 const rotor = new RotorView(at("rotor"), at("rotor-state"));
 const plots = new Plots(at("plots"), (to_s) => { play(false); goTo(to_s); });
-/// Shows settings; replaces all earlier requests.
+/// Shows settings, then the curves of the other equations beside them; replaces all earlier requests.
 async function refresh() {
   const asked_ms = performance.now(), mine = options;
   at("command").textContent = commandOf(options);
-  for (const set of ["published", "corrected"]) at(set).checked = setOf(options) === set;
+  for (const set of sets) at(set).checked = setOf(options) === set;
   for (const input of at("inputs").elements) if (input.name) {
     input.value = options[input.name] ?? input.defaultValue;
     input.previousElementSibling.textContent = input.value;
   }
-  const answer = recorded.answer(options) ?? (engine ? await engine.ask(options)
+  if (!picture) show(recorded.answer({}), {}); // a refused address leaves the paper's run
+  const answer = recorded.answer(mine) ?? (engine ? await engine.ask(mine)
     : { refusal: "This page has no engine; make deps-explore explore embeds it. Only the pins of the map are recorded." });
   if (answer === null) return;
   say(answer.refusal ?? "");
   if (answer.refusal) return;
   performance.measure("engine run", { start: asked_ms });
-  show(answer);
+  show(answer, mine);
   document.body.dataset.shows = addressOf(mine); // for tests that wait for it
   requestAnimationFrame(() => performance.measure("input to picture", { start: asked_ms }));
+  if (others.length > 0 || !engine) return;
+  const other = await engine.ask(otherOf(mine));
+  if (mine !== options || !other?.motion) return;
+  others = [other];
+  plots.show([picture, other], plots.part, time_s);
 }
 
-function show(answer) {
+/// The same settings in the other equations.
+const otherOf = (of) => inSet(of, sets.find((set) => set !== setOf(of)));
+
+function show(answer, of) {
   const same_part = picture && picture.from_s === answer.from_s && picture.until_s === answer.until_s;
   const part = same_part ? plots.part : null;
   picture = answer;
+  others = [recorded.answer(otherOf(of))].filter(Boolean);
   const { summary } = picture;
   if (!same_part) time_s = climaxOf(picture);
   at("outcome").textContent = sentence(summary);
   at("summary").textContent = JSON.stringify(summary, null, 2);
   showNumbers(at("numbers"), summary);
   rotor.show(picture, time_s);
-  plots.show(picture, part ?? accident(), time_s);
-  map.show({ set: setOf(options), speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction });
+  plots.show([picture, ...others], part ?? accident(), time_s);
+  map.show({ set: setOf(of), speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction });
   goTo(time_s);
 }
 
-/// From just before the loss to some time after the largest force.
+/// From just before the loss to some time after the largest force, in both sets of equations.
 function accident() {
-  const { mass_loss_s: begin } = picture, lasts = Math.max(climaxOf(picture) - begin, 0.01);
+  const begin = picture.mass_loss_s, lasts = Math.max(0.01, ...[picture, ...others].map((run) => climaxOf(run) - begin));
   return [begin - 0.08 * lasts, begin + 1.25 * lasts];
 }
 
@@ -92,7 +102,7 @@ window.addEventListener("hashchange", () => {
   options = settingsIn(location.hash);
   refresh();
 });
-for (const set of ["published", "corrected"]) at(set).addEventListener("change", () => use(inSet(options, set)));
+for (const set of sets) at(set).addEventListener("change", () => use(inSet(options, set)));
 at("inputs").addEventListener("input", ({ target }) => use({ ...options, [target.name]: target.value }));
 at("paper").addEventListener("click", () => use({}));
 
@@ -101,7 +111,7 @@ at("paper").addEventListener("click", () => use({}));
 const pins = runs.filter(({ options: of }) => !of.equations).map(({ options: of, summary }) => ({
   label: summary.inputs.friction === 0.3 ? `${summary.speed_at_mass_loss_Hz.toFixed(0)} Hz` : `μ = ${summary.inputs.friction}`,
   speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction, options: of }));
-const map = new OutcomeMap(at("map"), { maps, pins,
+const map = new OutcomeMap(at("map"), { maps, lines, pins,
   onPick: (of) => {
     use(inSet(of, setOf(options)));
     at("try").scrollIntoView({ behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
@@ -140,13 +150,7 @@ const views = {
 };
 for (const [id, act] of Object.entries(views)) at(id).addEventListener("click", act);
 
-const cells = Object.values(maps).flatMap((of) => of.cells).join("");
-at("map-key").replaceChildren(...Object.entries(letters).filter(([letter]) => cells.includes(letter)).map(([, name]) => {
-  const item = document.createElement("li");
-  item.style.setProperty("--of", `var(--${name})`);
-  item.textContent = name.replace("_", " ") + (name === "stalled" ? ", or no result" : "");
-  return item;
-}));
+map.showKey(at("map-key"));
 
 // A phone shows counts of claims and names of figures first; a link opens whatever its target is in.
 if (matchMedia("(max-width: 48rem)").matches)

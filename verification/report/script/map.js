@@ -1,15 +1,16 @@
 // The map of outcomes over speed and friction, with a pin for each of the paper's cases.
 import { cleared, colour } from "./colours.js";
 import { ticks } from "./curves.js";
-import { outcomes } from "./words.js";
+import { lines, outcomes } from "./words.js";
 
 /// Outcomes by the letters of the map's cells.
-export const letters = Object.fromEntries(Object.keys(outcomes).map((name, n) => [n, name]));
+const letters = Object.fromEntries(Object.keys(outcomes).map((name, n) => [n, name]));
 const left = 44, right = 13, top = 8, bottom = 40;
 
 export class OutcomeMap {
   #canvas;
   #maps;
+  #lines;
   #set = "published";
   #marker;
   #pins = [];
@@ -17,14 +18,16 @@ export class OutcomeMap {
 
   /// `pins`: { label, speed_Hz, friction, options }; onPick(options) and, where a run can be computed,
   /// onDrag(speed_Hz, friction).
-  constructor(canvas, { maps, pins, onPick, onDrag }) {
+  constructor(canvas, { maps, lines: theory, pins, onPick, onDrag }) {
     this.#canvas = canvas;
     this.#maps = maps;
+    this.#lines = theory;
     const holder = canvas.parentElement;
     for (const { label, ...pin } of pins) {
       const button = document.createElement("button");
       button.type = "button";
-      button.className = this.#pins.length % 2 ? "pin" : "pin below"; // neighbours do not cover each other
+      // Neighbours and the axis are not covered.
+      button.className = `pin${this.#pins.length % 2 ? "" : " below"}${pin.speed_Hz < 30 ? " after" : ""}`;
       button.textContent = label;
       button.setAttribute("aria-label", `${label}: ${pin.speed_Hz.toFixed(1)} Hz, friction ${pin.friction}`);
       button.addEventListener("click", () => onPick(pin.options));
@@ -42,6 +45,21 @@ export class OutcomeMap {
     this.#set = set;
     this.#now = { speed_Hz, friction };
     this.paint();
+  }
+
+  /// Fills a list with the outcomes in the maps, and the lines.
+  showKey(list) {
+    const cells = Object.values(this.#maps).flatMap((of) => of.cells).join("");
+    const entry = (sign, words) => {
+      const item = document.createElement("li");
+      item.innerHTML = sign;
+      item.append(words);
+      return item;
+    };
+    list.replaceChildren(...Object.entries(letters).filter(([letter]) => cells.includes(letter))
+      .map(([, name]) => entry(`<i style="background: var(--${name})"></i>`, `${name.replace("_", " ")}: ${outcomes[name]}`)),
+    ...lines.filter((of, n) => this.#lines.some(({ line }) => line === n))
+      .map(({ width, dashes, words }) => entry(`<svg viewBox="0 0 34 4"><path d="M0,2H34" stroke-width="${width}" stroke-dasharray="${dashes}"/></svg>`, words)));
   }
 
   #letDrag(onDrag) {
@@ -83,6 +101,7 @@ export class OutcomeMap {
     if (!this.#now || this.#canvas.clientWidth === 0) return;
     const { ctx, height } = cleared(this.#canvas), box = this.#box;
     this.#paintCells(ctx, box);
+    this.#paintLines(ctx, box);
     ctx.fillStyle = colour("text");
     ctx.textAlign = "center";
     for (const { value, text } of ticks(box.from[0], box.to[0], box.width / 70)) ctx.fillText(text, this.#place([value, 0])[0], height - 24);
@@ -117,6 +136,27 @@ export class OutcomeMap {
         ctx.fillRect(left + edge(n, count, width), next, edge(n + 1, count, width) - edge(n, count, width), y - next);
       }
     });
+    ctx.restore();
+  }
+
+  /// Where closed forms equal what they are compared with, and the frame.
+  #paintLines(ctx, { width, height }) {
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(left, top, width, height);
+    ctx.strokeStyle = colour("quiet");
+    ctx.stroke();
+    ctx.clip();
+    for (const { line, points } of this.#lines.filter(({ set }) => set === this.#set)) {
+      const { width: wide, dashes } = lines[line];
+      ctx.beginPath();
+      for (const point of points) ctx.lineTo(...this.#place(point));
+      for (const [ink, lineWidth, pattern] of [["page", wide + 2, []], ["law", wide, dashes]]) { // an edge sets it off
+        Object.assign(ctx, { strokeStyle: colour(ink), lineWidth });
+        ctx.setLineDash(pattern);
+        ctx.stroke();
+      }
+    }
     ctx.restore();
   }
 }

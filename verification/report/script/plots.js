@@ -1,15 +1,18 @@
-// Force, distance and speed over milliseconds after the loss, below bands of the kinds of motion.
+// Distance, force and speed over milliseconds after the loss, below bands of the kinds of motion. What a run shows
+// has the colour of its equations.
 import { bandsOf } from "./bands.js";
 import { cleared, colour } from "./colours.js";
 import { panels, ticks } from "./curves.js";
 import { inMilliseconds } from "./motion.js";
 
 const left = 50, right = 10, top = 24, bottom = 36;
+const band_colours = { flight: "page", impacts: "bouncing" }; // others have an outcome's name
 
 export class Plots {
   #canvas;
   #picture = null;
-  #columns = [];
+  #runs = []; // the picture's, and that of the other equations
+  #drawn = []; // panels with the columns of each run
   #part = [0, 1];
   #width = 0; // of the panels; the canvas has to lay out the page to know its own
   #time_s = 0;
@@ -36,15 +39,18 @@ export class Plots {
     canvas.addEventListener("keydown", (event) => this.#press(event));
   }
 
-  show(picture, part, time_s) {
+  /// A second run gives the curves of other equations. Of several panels those without any values are left out.
+  show([picture, ...others], part, time_s) {
     this.#picture = picture;
-    this.#columns = this.panels.map(({ curves }) => curves.map((curve) => curve.of(picture)));
+    this.#runs = [picture, ...others];
+    this.#drawn = this.panels.map((panel) => ({ ...panel, columns: this.#runs.map((run) => panel.curves.map((curve) => curve.of(run))) }))
+      .filter(({ columns }, n, { length }) => length === 1 || columns.flat().some((values) => values.some((value) => value)));
     this.#time_s = time_s;
     this.showPart(...part);
   }
   /// Shows a part of the run, at least a tenth of a millisecond.
   showPart(from_s, until_s) {
-    const { from_s: least, until_s: greatest } = this.#picture;
+    const least = this.#picture.from_s, greatest = Math.max(...this.#runs.map((run) => run.until_s));
     const length = Math.min(Math.max(until_s - from_s, 1e-4), greatest - least);
     const begin = Math.min(Math.max(from_s, least), greatest - length);
     this.#part = [begin, begin + length];
@@ -88,15 +94,16 @@ export class Plots {
     const ctx = this.#still.getContext("2d");
     ctx.scale(devicePixelRatio, devicePixelRatio);
     ctx.font = "12px system-ui, sans-serif";
-    const between = 24, room = height - top - bottom - between * this.panels.length;
+    const between = 24, room = height - top - bottom - between * this.#drawn.length;
+    const all = this.#drawn.reduce((sum, { share = 1 }) => sum + share, 0);
     let y = top;
     this.#paintBands(ctx, height);
-    this.panels.forEach((panel, i) => {
+    for (const panel of this.#drawn) {
       y += between;
-      const share = this.panels.length > 1 ? panel.share : 1;
-      this.#paintPanel(ctx, panel, this.#columns[i], y, share * room);
-      y += share * room;
-    });
+      const high = ((panel.share ?? 1) / all) * room;
+      this.#paintPanel(ctx, panel, y, high);
+      y += high;
+    }
     this.#paintAxis(ctx, height - bottom, width);
     this.#paintNow();
   }
@@ -118,8 +125,10 @@ export class Plots {
     bandsOf(this.#picture).forEach(({ name, from_s, until_s }) => {
       const from = Math.max(left, this.#x(from_s)), until = Math.min(left + this.#width, this.#x(until_s));
       if (until <= from) return;
-      ctx.fillStyle = colour(`band-${name}`);
+      ctx.fillStyle = colour(band_colours[name] ?? name);
+      ctx.globalAlpha = 0.25;
       ctx.fillRect(from, 0, until - from, height - bottom);
+      ctx.globalAlpha = 1;
       ctx.fillStyle = colour("text");
       if (ctx.measureText(name).width < until - from - 6) ctx.fillText(name, (from + until) / 2, 15);
       ctx.fillRect(from, 0, 0.5, height - bottom);
@@ -138,15 +147,18 @@ export class Plots {
     ctx.fillText("time after the loss, ms", left + this.#width / 2, y + 31, width);
   }
 
-  #paintPanel(ctx, panel, columns, y, height) {
-    const times = this.#picture.motion.time_s, [from, until] = this.#part;
-    let first = 0, last = times.length - 1;
-    while (first < last && times[first + 1] < from) ++first;
-    while (last > first && times[last - 1] > until) --last;
+  #paintPanel(ctx, panel, y, height) {
+    const [from, until] = this.#part;
+    const curves = this.#runs.flatMap(({ motion: { time_s: times }, summary }, n) => {
+      let first = 0, last = times.length - 1;
+      while (first < last && times[first + 1] < from) ++first;
+      while (last > first && times[last - 1] > until) --last;
+      return panel.curves.map((curve, i) => ({ ...curve, set: summary.equations, times, first, last, values: panel.columns[n][i] }));
+    });
     let greatest = 0, least = 0;
     const meet = (value) => { greatest = Math.max(greatest, value); least = Math.min(least, value); };
     // Of the whole run: a zoom in time does not change the scale.
-    for (const values of columns)
+    for (const { values, first, last } of curves)
       (this.#onTime ? values : values.slice(first, last + 1)).forEach(meet);
     const level = panel.level?.(this.#picture);
     if (level) meet(level.value);
@@ -167,7 +179,7 @@ export class Plots {
     ctx.clip();
     ctx.lineJoin = "round";
     // Points within half a pixel of the last one drawn are left out.
-    const line = (values) => {
+    const line = ({ values, times, first, last }) => {
       let last_x = -Infinity, last_y = 0;
       for (let row = first; row <= last; ++row) {
         const x = this.#x(times[row]), y = place(values[row]);
@@ -176,12 +188,14 @@ export class Plots {
       }
     };
     ctx.lineWidth = 1.75;
-    panel.curves.forEach(({ colour: name }, i) => {
-      ctx.strokeStyle = colour(name);
+    for (const curve of curves.toReversed()) {
+      ctx.strokeStyle = colour(curve.set);
+      ctx.setLineDash(curve.dashes ?? []);
       ctx.beginPath();
-      line(columns[i]);
+      line(curve);
       ctx.stroke();
-    });
+    }
+    ctx.setLineDash([]);
     if (level) {
       ctx.strokeStyle = ctx.fillStyle = colour("text");
       ctx.setLineDash([4, 3]);
@@ -194,10 +208,10 @@ export class Plots {
       ctx.fillText(level.text, left + 5, place(level.value) + 14);
     }
     if (panel.curves.length > 1) // names at the beginnings of curves
-      panel.curves.forEach(({ label, colour: name }, i) => {
-        ctx.fillStyle = colour(name);
+      curves.forEach(({ label, set, values, first }, i) => {
+        ctx.fillStyle = colour(set);
         ctx.textAlign = "left";
-        ctx.fillText(label, left + 5, place(columns[i][first]) + (columns[i][first] > columns[1 - i][first] ? 15 : -6));
+        ctx.fillText(label, left + 5, place(values[first]) + (values[first] > curves[1 - i].values[first] ? 15 : -6));
       });
     ctx.restore();
     ctx.textAlign = "left";

@@ -47,13 +47,14 @@ export class RotorView {
     const behind = [];
     for (let row = rowAt(motion.time_s, this.#time_s - trail_s); row < rowAt(motion.time_s, this.#time_s); ++row)
       behind.push(at({ x_a_m: motion.x_a_m[row], y_a_m: motion.y_a_m[row] }));
-    paintTrail(ctx, [...behind, centre]);
+    const ink = summary.equations; // the colour of what the run does
+    paintTrail(ctx, [...behind, centre], ink);
     paintTurn(ctx, centre, 0.42 * radius, 1, "spin", `spin ${now.speed_Hz.toFixed(0)} Hz`, "text");
     const whirl_Hz = whirlAt(motion, this.#time_s);
     if (touches && Math.abs(whirl_Hz) > 1)
-      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl ${width < 350 ? "" : "now "}${Math.abs(whirl_Hz).toFixed(0)} Hz`, "second",
+      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl ${width < 350 ? "" : "now "}${Math.abs(whirl_Hz).toFixed(0)} Hz`, ink,
         Math.atan2(centre[1], centre[0]));
-    if (touches) paintForce(ctx, now, ring, summary.peak_normal_force_N);
+    if (touches) paintForce(ctx, now, ring, summary.peak_normal_force_N, ink);
     ctx.fillStyle = colour("quiet");
     ctx.textAlign = "center";
     ctx.fillText(`clearance drawn ${((summary.inputs.stator_radius * gap) / clearance_m).toFixed(1)} times as wide`, 0, height / 2 - 6);
@@ -87,15 +88,15 @@ function paintRotor(ctx, [x, y], radius, angle, lost) {
   ctx.fill();
   ctx.stroke();
   if (lost) return;
-  ctx.fillStyle = colour("second");
+  ctx.fillStyle = colour("text");
   ctx.beginPath();
   ctx.moveTo(x + 0.84 * radius * Math.cos(notch), y + 0.84 * radius * Math.sin(notch));
   ctx.arc(x, y, radius, notch - half_piece, notch + half_piece);
   ctx.fill();
 }
 
-function paintTrail(ctx, points) {
-  ctx.strokeStyle = ctx.fillStyle = colour("first");
+function paintTrail(ctx, points, ink) {
+  ctx.strokeStyle = ctx.fillStyle = colour(ink);
   ctx.lineWidth = 2;
   for (let n = 1; n < points.length; ++n) {
     ctx.globalAlpha = (n / points.length) ** 2;
@@ -130,18 +131,18 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
     ctx.fillText(...place);
   }
   else {
-    const [right, down] = points[12], { clientWidth: wide, clientHeight: high } = ctx.canvas; // in the corner beside the arrow
-    ctx.textAlign = right > 0 ? "right" : "left";
-    ctx.fillText(text, (right > 0 ? wide : -wide) / 2, down > 0 ? high / 2 - 24 : 14 - high / 2);
+    const [right, down] = points[12], { clientWidth: wide, clientHeight: high } = ctx.canvas; // in the corner opposite the arrow
+    ctx.textAlign = right > 0 ? "left" : "right";
+    ctx.fillText(text, (right > 0 ? -wide : wide) / 2, down > 0 ? 14 - high / 2 : high / 2 - 24);
   }
   ctx.font = "12px system-ui, sans-serif";
 }
 
 /// The ring's force on the rotor: inwards, and along the rim by friction (positive in the sense of q3).
-function paintForce(ctx, { x_a_m, y_a_m, normal_force_N: normal, friction_force_N: friction }, ring, peak_N) {
+function paintForce(ctx, { x_a_m, y_a_m, normal_force_N: normal, friction_force_N: friction }, ring, peak_N, ink) {
   const rho = Math.hypot(x_a_m, y_a_m), n = [y_a_m / rho, x_a_m / rho];
   const scale = (0.75 * ring) / Math.max(peak_N, 1), contact = n.map((part) => part * ring);
-  ctx.strokeStyle = ctx.fillStyle = colour("event");
+  ctx.strokeStyle = ctx.fillStyle = colour(ink);
   ctx.lineWidth = 4;
   arrow(ctx, [contact, forceTip(contact, n, normal * scale, friction * scale)], Math.min(12, 4 - normal * scale));
 }

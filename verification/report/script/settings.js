@@ -7,13 +7,14 @@ const known = ["friction", "clearance", "unbalance-factor", "mass-loss-time", "m
 /// address is untrusted.
 export function settingsIn(hash) {
   const options = Object.fromEntries([...new URLSearchParams(hash.slice(1))].filter(
-    ([option, text]) => known.includes(option) && /^[\w.+-]+$/.test(text)));
+    ([option, text]) => known.includes(option) && (option === "equations" ? /^[a-z]+$/.test(text) : text !== "" && Number.isFinite(Number(text)))));
   if (options.equations === "consistent") options.equations = "corrected"; // its name before version 5 of the schema
   return options;
 }
 
 export const addressOf = (options) => "#" + new URLSearchParams(options);
 
+export const sets = ["published", "corrected"];
 export const setOf = ({ equations }) => (equations === "corrected" ? "corrected" : "published");
 
 /// The same settings in a set of equations.

@@ -6,24 +6,24 @@ import { inKilonewton } from "./outcome.js";
 import { outcomes } from "./words.js";
 import { Plots } from "./plots.js";
 import { RotorView } from "./rotor.js";
-import { inSet } from "./settings.js";
+import { inSet, sets } from "./settings.js";
 
 const film_ms = 5000;
 const losses = [{ "mass-loss-time": "9.4" }, { "mass-loss-time": "14.15" }, { "mass-loss-time": "19.1" }, {}];
 const ended = ({ events, summary }) => events.find(({ event, time_s }) => event === "release" && time_s > summary.first_contact_s).time_s;
 const indented_um = ({ summary: { inputs } }, { x_a_m, y_a_m }) => Math.max(0, 1e6 * (Math.hypot(x_a_m, y_a_m) - inputs.stator_radius + inputs.rotor_radius));
 const inBothSets = (one, other, words) => `As printed ${words(one)}, corrected ${words(other)}.`;
-const atLoss = ({ summary }) => `${summary.speed_at_mass_loss_Hz.toFixed(0)}\u00a0Hz. `;
-/// From a hundredth to a thousand, on a logarithmic slider.
+const atLoss = ({ summary }) => `${summary.speed_at_mass_loss_Hz.toFixed(0)}\u00a0Hz`;
+/// From one to a thousand, on a logarithmic slider.
 const guessed = (value) => Number((10 ** (3 * value / 100)).toPrecision(2));
 
 /// The panel below the rotor, the cases that the control selects, the time shown, s, and the words beside
 /// the control.
 const steps = {
   swing: {
-    panel: "distance", cases: losses,
-    part: (run) => [run.mass_loss_s - 1e-3, (run.summary.first_contact_s ?? climaxOf(run)) + 1e-3],
-    says: (run, corrected) => atLoss(run) + inBothSets(run, corrected, ({ summary: { first_contact_s: first_s, max_displacement_m }, mass_loss_s }) =>
+    panel: "distance", cases: losses, names: atLoss, compares: true,
+    part: (...both) => [both[0].mass_loss_s - 1e-3, Math.max(...both.map((run) => run.summary.first_contact_s ?? climaxOf(run))) + 1e-3],
+    says: (run, corrected) => `${atLoss(run)}. ` + inBothSets(run, corrected, ({ summary: { first_contact_s: first_s, max_displacement_m }, mass_loss_s }) =>
       (first_s === null ? `no: it swings out to ${(1e3 * max_displacement_m).toFixed(2)}\u00a0mm` : `yes, after ${(1e3 * (first_s - mass_loss_s)).toFixed(1)}\u00a0ms`)),
   },
   touch: {
@@ -32,20 +32,20 @@ const steps = {
     says: (run, corrected, now) => `${inKilonewton(-now.normal_force_N)}; the ring is pressed in by ${indented_um(run, now).toFixed(0)}\u00a0μm.`,
   },
   brake: {
-    panel: "speed", cases: [{ friction: "0.08" }, { friction: "0.2" }, {}],
+    panel: "speed", cases: [{ friction: "0.08" }, { friction: "0.2" }, {}], names: ({ summary }) => summary.inputs.friction,
     part: (run) => [run.summary.first_contact_s - 1e-3, Math.min(run.until_s, (run.summary.rolling_onset_s ?? run.until_s) + 2e-3)],
     says: ({ summary: { inputs, outcome, rolling_onset_s, first_contact_s, touch_downs } }) => `μ = ${inputs.friction}: ${touch_downs} touch-downs; the rotor ${outcomes[outcome]}` +
       (rolling_onset_s === null ? "." : `, ${(1e3 * (rolling_onset_s - first_contact_s)).toFixed(1)}\u00a0ms after the first contact.`),
   },
   roll: {
-    panel: "velocity", guesses: "roll-answer",
+    panel: "velocity", guesses: "roll-answer", stops: [1, 10, 100, 1000],
     part: (run) => [run.summary.rolling_onset_s - 4e-3, run.summary.rolling_onset_s + 4e-3],
     says: (run, corrected, now, value) => `${guessed(value)} times`,
   },
   force: {
-    panel: "force", cases: losses.slice(1),
-    part: (run) => [run.mass_loss_s - 1e-3, run.summary.peak_time_s + 5e-3],
-    says: (run, corrected) => atLoss(run) + inBothSets(run, corrected, ({ summary: { peak_normal_force_N: peak_N } }) => (peak_N === null ? "no contact" : inKilonewton(peak_N))),
+    panel: "force", cases: losses.slice(1), names: atLoss, compares: true,
+    part: (run, corrected) => [run.mass_loss_s - 1e-3, Math.max(run.summary.peak_time_s, corrected.summary.peak_time_s) + 5e-3],
+    says: (run, corrected) => `${atLoss(run)}. ` + inBothSets(run, corrected, ({ summary: { peak_normal_force_N: peak_N } }) => (peak_N === null ? "no contact" : inKilonewton(peak_N))),
   },
 };
 
@@ -53,14 +53,17 @@ const steps = {
 class Stage {
   #rotor;
   #plots;
+  #key;
   constructor(figure) {
     const [rotor, curve] = figure.querySelectorAll("canvas");
+    this.#key = figure.querySelector(".sets");
     this.#rotor = new RotorView(rotor, figure.querySelector(".now"));
     this.#plots = new Plots(curve);
   }
-  show(picture, { panel }, part) {
+  show(picture, corrected, { panel, compares }, part) {
     this.#plots.panels = [stepPanels[panel]];
-    this.#plots.show(picture, part, part[0]);
+    this.#plots.show(compares ? [picture, corrected] : [picture], part, part[0]);
+    this.#key.hidden = !compares;
     this.#rotor.show(picture, part[0]);
   }
   goTo(time_s) {
@@ -71,6 +74,15 @@ class Stage {
     this.#plots.paint();
     this.#rotor.paint();
   }
+}
+
+/// The values of a slider below its stops.
+function showStops(input, names) {
+  const stops = document.createElement("span");
+  stops.className = "stops";
+  stops.setAttribute("aria-hidden", "true"); // the words beside the control have them
+  stops.append(...names.map((name) => Object.assign(document.createElement("span"), { textContent: name })));
+  input.after(stops);
 }
 
 /// One picture stays beside the text; on a phone each step has its own.
@@ -87,6 +99,9 @@ export function showSteps(recorded) {
     const own = new Stage(figure);
     stages.push(own);
     let picture, corrected, part;
+    const stops = step.stops ?? step.cases?.map((of) => step.names(recorded.answer(of)));
+    if (step.cases) input.max = stops.length - 1;
+    if (stops) showStops(input, stops);
     const goTo = (time_s) => {
       for (const stage of [shared, own]) stage.goTo(time_s);
       output.textContent = step.says(picture, corrected, stateAt(picture.motion, time_s), Number(input.value));
@@ -94,9 +109,9 @@ export function showSteps(recorded) {
     };
     const show = () => {
       const of = step.cases?.[Number(input.value)] ?? {};
-      [picture, corrected] = ["published", "corrected"].map((set) => recorded.answer(inSet(of, set)));
-      part = step.part(picture);
-      for (const stage of [shared, own]) stage.show(picture, step, part);
+      [picture, corrected] = sets.map((set) => recorded.answer(inSet(of, set)));
+      part = step.part(picture, corrected);
+      for (const stage of [shared, own]) stage.show(picture, corrected, step, part);
     };
     const film = () => {
       show();
@@ -106,7 +121,7 @@ export function showSteps(recorded) {
         const passed = is_calm.matches ? 1 : Math.min(1, Math.max(0, (now_ms - begun_ms) / film_ms));
         const share = is_calm.matches && step.follows ? 0.5 : passed;
         if (step.follows) input.value = 100 * share;
-        goTo(part[0] + share * (part[1] - part[0]));
+        goTo(part[0] + share * (Math.min(part[1], picture.until_s) - part[0]));
         if (passed < 1) requestAnimationFrame(next);
       };
       next(begun_ms);
@@ -123,7 +138,7 @@ export function showSteps(recorded) {
         film();
       });
     show();
-    goTo(part[0] + (step.follows ? 0.5 : 1) * (part[1] - part[0]));
+    goTo(part[0] + (step.follows ? 0.5 : 1) * (Math.min(part[1], picture.until_s) - part[0]));
     seen.set(article, () => {
       for (const other of seen.keys()) other.classList.toggle("current", other === article);
       film();
