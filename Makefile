@@ -4,7 +4,7 @@ override SHELL := bash
 .SHELLFLAGS    := -eo pipefail -c
 
 # Options are those of the command line. What is exported decides neither what is made nor what is tested.
-OPTIONS := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID TESTS PYTHON CXX
+OPTIONS := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID TESTS PREFIX PYTHON CXX
 $(if $(findstring e,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),$(error make -e: exported variables must not replace those of the Makefile))
 $(foreach name,$(OPTIONS),$(if $(filter environment,$(origin $(name))),$(warning \
   exported $(name)=$(value $(name)) is ignored; write make $(name)=... instead)$(eval unexport $(name))$(eval undefine $(name))))
@@ -22,6 +22,7 @@ CASES     ?=
 RUNS      ?= 1000
 ID        ?=
 TESTS     ?=
+PREFIX    ?= /usr/local
 PYTHON    ?= $(firstword $(wildcard /usr/bin/python3) python3)
 
 # Options are text: neither make nor a shell runs what is in them. Other variables are no options.
@@ -106,7 +107,7 @@ endef
 
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL := help
-.PHONY: help deps need-deps program build figures pictures $(FIGURES) approve reference ensembles reasons verify report \
+.PHONY: help deps need-deps program build install figures pictures $(FIGURES) approve reference ensembles reasons verify report \
         check-report deps-report claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
         laws contact-laws deps-mutants deps-clang deps-portable deps-explore engine explore check-explore stress \
         sanitize portable deps-prove prove deps-validate validate clean force
@@ -125,6 +126,7 @@ help: ## start: list all targets
 	@echo "  POINTS=40 along each axis (default 400)                         for maps"
 	@echo "  CASES=\"mu 0.3\": accidents with this in their names             for validate"
 	@echo "  RUNS=100, drawn with SEED=7, to 3, 6, 9 and 12 digits           for stress"
+	@echo "  PREFIX=/usr/local, the default                                  for install"
 	@echo "  TESTS=\"Contact*\": tests with such names                         for sanitize"
 	@echo "  SEED=7 HAND=50 COUNT=100 UNDER=\"model figures\": which changes  for mutants"
 
@@ -183,6 +185,8 @@ program: need-deps
 build: program ## start: build build/rotor, with --digits, which make figures leaves out
 	$(call build-target,rotor,,,ON)
 $(ROTOR): program
+install: build ## start: install the program and what it needs: make install PREFIX=/opt/rotor
+	@cmake --install $(BUILD) --prefix $(call quote,$(PREFIX)) | sed -n 's/^-- [A-Z][a-z-]*: \(.*bin\/rotor\)$$/\1/p'
 
 figures: pictures ## start: redraw Figs. 2-17 into build/figures
 	@[ "$(FORMAT)$(FIG)$(EQUATIONS)" != svgboth ] || [ ! -e $(BUILD)/report/index.html ] || \

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <regex>
 
 #include "model/digits/digits.hpp"
 #include "model/mechanics/contact_law.hpp"
@@ -26,7 +27,7 @@ constexpr std::array alternatives = {
                   "mass_loss_time"},
     InputQuantity{
         {"mass_loss_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0},
-        "mass_loss_time"},
+        mass_loss_speed},
     InputQuantity{
         {"motor_off_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0, true},
         "motor_off_hz"},
@@ -49,17 +50,17 @@ constexpr std::array numbers_of_start = {
                   "",
                   &Start::velocity_y}};
 
-constexpr std::string_view per_minute = "rpm", per_second = "hz";
 constexpr const char* state_one = "{} and {}: one determines the other; state one of them";
 
 /// With speeds in Hz only. Throws InputError if one is stated in both units.
 ScenarioSpec with_speeds_in_Hz(ScenarioSpec spec) {
   for (const InputQuantity& input : alternatives)
-    if (std::string name(input.quantity.name); name.ends_with(per_minute))
-      if (auto stated = spec.numbers.extract(name)) {
-        stated.key().replace(name.size() - per_minute.size(), per_minute.size(), per_second);
+    if (input.quantity.unit == "rpm")
+      if (auto stated = spec.numbers.extract(std::string(input.quantity.name))) {
+        if (spec.numbers.contains(input.instead_of))
+          throw InputError(state_one, stated.key(), input.instead_of);
+        stated.key() = input.instead_of;
         stated.mapped() /= 60;
-        if (spec.numbers.contains(stated.key())) throw InputError(state_one, name, stated.key());
         spec.numbers.insert(std::move(stated));
       }
   return spec;
@@ -83,14 +84,14 @@ constexpr double default_rub_s = 0.25;
 
 /// The scenario; if the mass loss is stated by its speed, mass is lost at the start.
 Scenario numbers_of(const ScenarioSpec& stated) {
-  for (const InputQuantity& s : input_quantities())
-    if (!s.instead_of.empty() && number(stated, s.quantity.name) && number(stated, s.instead_of))
-      throw InputError(state_one, s.quantity.name, s.instead_of);
-  const ScenarioSpec spec = with_speeds_in_Hz(stated);
   for (const InputQuantity& input : input_quantities())  // the others are checked in the scenario
-    if (const auto value = number(spec, input.quantity.name);
+    if (const auto value = number(stated, input.quantity.name);
         value && !input.quantity.in && !input.quantity.allows(*value))
       throw InputError("{} = {}: must be {}", input.quantity.name, *value, input.quantity.range());
+  const ScenarioSpec spec = with_speeds_in_Hz(stated);
+  for (const InputQuantity& s : input_quantities())
+    if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
+      throw InputError(state_one, s.quantity.name, s.instead_of);
   if (spec.digits && number(spec, "tolerance"))
     throw InputError("digits and tolerance: the first determines the second; state one of them");
   Scenario scenario;
@@ -107,13 +108,15 @@ Scenario numbers_of(const ScenarioSpec& stated) {
     for (const std::string_view name :
          {std::string_view("torque"), std::string_view("motor_off_hz"), mass_loss_speed})
       if (number(spec, name))
-        throw InputError("{}: has no meaning with drive = constant_speed; leave it out", name);
+        throw InputError(
+            "drive = constant_speed and {}: leave out the second, which has no meaning then", name);
   p.loses_mass = spec.loses_mass.value_or(true);
   scenario.equations = equations_of(spec);
   scenario.method = spec.method.value_or(scenario.method);
   if (spec.digits && scenario.method == Method::rk4)
     throw InputError(
-        "digits: only method event can estimate digits; rk4 is of first order at contacts");
+        "digits and method = rk4: only event can estimate digits; rk4 is of first order at "
+        "contacts");
 
   if (const auto clearance = number(spec, "clearance")) {
     p.clearance = *clearance;
@@ -125,8 +128,8 @@ Scenario numbers_of(const ScenarioSpec& stated) {
   const auto until = number(spec, "until");
   if (!p.loses_mass) {
     for (const std::string_view name : {std::string_view("mass_loss_time"), mass_loss_speed})
-      if (number(spec, name)) throw InputError("{}: there is no mass loss in this run", name);
-    if (!until) throw InputError("until: must be stated for a run without mass loss");
+      if (number(spec, name)) throw InputError("{} and no_mass_loss: state one of them", name);
+    if (!until) throw InputError("no_mass_loss: until, the end of the run, must be stated");
   } else if (at_speed || (scenario.start_speed_Hz > 0 && !number(spec, "mass_loss_time"))) {
     p.mass_loss_time = 0;
   }
@@ -139,10 +142,13 @@ Scenario numbers_of(const ScenarioSpec& stated) {
 const std::vector<InputQuantity>& input_quantities() {
   static const std::vector<InputQuantity> all = [] {
     std::vector<InputQuantity> list;
-    for (const Quantity& quantity : quantities()) {
-      list.push_back({quantity, ""});
+    const auto add = [&](const auto& self, const InputQuantity& input) -> void {
+      list.push_back(input);
       for (const InputQuantity& other : alternatives)
-        if (other.instead_of == quantity.name) list.push_back(other);
+        if (other.instead_of == input.quantity.name) self(self, other);
+    };
+    for (const Quantity& quantity : quantities()) {
+      add(add, {quantity, ""});
       if (quantity.name == start_speed)
         list.insert(list.end(), numbers_of_start.begin(), numbers_of_start.end());
     }
@@ -175,7 +181,12 @@ std::string_view name_of_symbol(std::string_view text) {
 
 std::string_view determined_by(std::string_view name) {
   const InputQuantity* const input = find_input_quantity(name);
-  return input && !input->instead_of.empty() ? input->instead_of : name;
+  return input && !input->instead_of.empty() ? determined_by(input->instead_of) : name;
+}
+
+bool ScenarioSpec::states(std::string_view input) const {
+  return numbers.contains(input) || (input == "drive" && drive) || (input == "method" && method) ||
+         (input == "digits" && digits) || (input == "no_mass_loss" && loses_mass);
 }
 
 ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
@@ -214,12 +225,12 @@ Scenario stated_scenario(const ScenarioSpec& spec) {
   check(scenario);
   if (const auto speed = number(with_speeds_in_Hz(spec), mass_loss_speed)) {
     if (*speed < scenario.start_speed_Hz)
-      throw InputError("{} = {:.9g} Hz: the run starts at {:.9g} Hz already", mass_loss_speed,
-                       *speed, scenario.start_speed_Hz);
+      throw InputError("{} = {} Hz: must not be less than {} = {} Hz", mass_loss_speed, *speed,
+                       start_speed, scenario.start_speed_Hz);
     if (spec.digits && *speed == scenario.parameters.motor_off_Hz)
       throw InputError(
-          "digits and {}: at {} Hz, motor_off_hz, the mass loss and the end of the drive coincide; "
-          "state mass_loss_time",
+          "digits and {} = {} Hz: the mass loss and the end of the drive, at motor_off_hz, "
+          "coincide; state mass_loss_time",
           mass_loss_speed, *speed);
     scenario.mass_loss_speed_Hz = *speed;
   }
@@ -227,6 +238,28 @@ Scenario stated_scenario(const ScenarioSpec& spec) {
 }
 
 void check_numbers(const ScenarioSpec& spec) { check_numbers(numbers_of(spec)); }
+
+std::string as_stated(std::string message, const ScenarioSpec& spec) {
+  for (const auto& [name, value] : spec.numbers) {
+    const InputQuantity& input = *find_input_quantity(name);
+    const std::string follows(input.instead_of);
+    if (follows.empty() || follows == "mass_loss_time" || spec.numbers.contains(follows)) continue;
+    const std::string_view unit = find_input_quantity(follows)->quantity.unit;
+    const std::regex named(
+        fmt::format("\\b{}\\b( = [^ ,:;]+{}{})?", follows, unit.empty() ? "" : " ", unit));
+    message = std::regex_replace(message, named,
+                                 fmt::format("{} = {} {}", name, value, input.quantity.unit));
+  }
+  return message;
+}
+
+std::vector<std::string> inputs_named(const std::string& message) {
+  static const std::regex name("([a-z_]+)( =|:| and )");
+  std::vector<std::string> all;
+  for (std::sregex_iterator at(message.begin(), message.end(), name), end; at != end; ++at)
+    all.push_back((*at)[1]);
+  return all;
+}
 
 bool is_own_rotor(const ScenarioSpec& stated) {
   const auto states = [&](const char* name) { return stated.numbers.contains(name); };

@@ -17,7 +17,7 @@ namespace rotor {
 /// start.
 struct InputQuantity {
   Quantity quantity;
-  std::string_view instead_of;  ///< name of the scenario's number that follows; empty if none does
+  std::string_view instead_of;  ///< name of the number that follows; empty if none does
   double Start::*of_start = nullptr;
 };
 
@@ -44,6 +44,7 @@ struct ScenarioSpec {
   std::optional<int> digits;  ///< to be estimated
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
+  bool states(std::string_view input) const;
 
   /// Both together; `other` takes precedence.
   ScenarioSpec overridden_by(const ScenarioSpec& other) const;
@@ -54,8 +55,14 @@ struct ScenarioSpec {
 /// has the time 0: a run-up finds its time, see scenario_of() in figures/runs.
 Scenario stated_scenario(const ScenarioSpec& spec);
 
-/// Throws InputError if stated_scenario() would because of a number.
+/// Throws if stated_scenario() would because of a number.
 void check_numbers(const ScenarioSpec& spec);
+
+/// A message about a scenario in the inputs that are stated: "start_speed_rpm = 9000 rpm" instead
+/// of "start_speed_hz = 150 Hz".
+std::string as_stated(std::string message, const ScenarioSpec& spec);
+/// The inputs that it names, in its order: "mass = 5 kg", or "torque: has no meaning".
+std::vector<std::string> inputs_named(const std::string& message);
 
 /// Whether a rotor is not the paper's: its mass, inertia or radius is stated.
 bool is_own_rotor(const ScenarioSpec& stated);

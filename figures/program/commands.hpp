@@ -58,7 +58,7 @@ struct RunOptions : CaseOptions {
 };
 
 void write_figures(const FigureOptions& options);
-void plot(const PlotOptions& stated);
+void plot(const PlotOptions& options);
 void run_sweep(const SweepOptions& stated);
 void run_rotor(const RunOptions& options);
 void estimate_rotor(const CaseOptions& options);
@@ -77,15 +77,16 @@ struct SceneData {
 /// or digits are requested.
 std::map<int, SceneData> compute(const std::map<int, Scene>& scenes);
 
-/// Each name and value on its own line, or as JSON.
-void print_summary(const Json& run, bool as_json, std::FILE* to);
+/// Names and values; those of a part follow its name. Inputs have fifteen digits.
+void print_all(const Json& object, std::FILE* to, const std::string& indent = "",
+               bool are_inputs = false);
 
 /// What a person asks first: the outcome as a sentence, the remarks, and some results in ms, mm and
-/// kN.
-void print_brief(const Json& run, std::FILE* to);
+/// kN; speeds in revolutions per minute if they are stated so.
+void print_brief(const Json& run, bool in_rpm, std::FILE* to);
 
-/// Several runs: one row each with the most important values, or all values as JSON.
-void print_summaries(const Json& runs, bool as_json, std::FILE* to);
+/// Several runs: one row each, with the most important results in these units.
+void print_table(const Json& runs, bool in_rpm, std::FILE* to);
 
 /// Says on standard error which of the paper's values are in a rotor of one's own.
 void say_what_is_assumed(const std::vector<SceneRun>& runs);

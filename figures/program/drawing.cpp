@@ -8,12 +8,13 @@
 
 #include <chrono>
 #include <csignal>
+#include <memory>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 #include "figures/data/files.hpp"
 #include "figures/data/interruption.hpp"
+#include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
 
 namespace rotor {
@@ -50,15 +51,6 @@ int status_of(const std::vector<std::string>& command, const fs::path& drafts) {
   return status;
 }
 
-/// The picture's file, if it can be written: errors are reported before any work.
-fs::path checked(const fs::path& out, const std::string& source) {
-  const fs::path extension = out.extension();
-  if (extension != ".svg" && extension != ".pdf" && extension != ".png")
-    throw InputError("--out {}: must end in .svg, .pdf or .png", shown(out.string()));
-  FileTransaction(source).open(out);
-  return out;
-}
-
 Draft new_folder() {
   std::error_code error;
   const fs::path parent = fs::temp_directory_path(error);
@@ -73,31 +65,38 @@ Draft new_folder() {
 
 }  // namespace
 
-Drawing::Drawing(const std::string& file, const std::string& out)
-    : out_(checked(out, file)),
-      picture_(fs::path("picture").replace_extension(out_.extension()).string()),
-      folder_(new_folder()) {}
-
-Drawing::~Drawing() {
-  std::error_code ignored;
-  fs::remove_all(folder_.path, ignored);  // while it is locked
-  ::close(folder_.descriptor);
+fs::path figures_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error),
+                 installed = program.parent_path().parent_path() / "share/rotor/figures";
+  return fs::exists(installed, error) ? installed : fs::path(ROTOR_SCENES).parent_path();
 }
 
-void Drawing::write(const std::string& name, std::string_view text) const {
-  FileTransaction draft;
-  draft.write(file(name), text);
-  draft.commit();
+void require_picture(const fs::path& out, const std::string& scene) {
+  const fs::path extension = out.extension();
+  if (extension != ".svg" && extension != ".pdf" && extension != ".png")
+    throw InputError("--out {}: must end in .svg, .pdf or .png", shown(out.string()));
+  FileTransaction(scene).open(out);
 }
 
-void Drawing::finish(const std::string& settings, const std::string& script) const {
-  write("settings.gp", settings);
-  const std::string figures = std::string(ROTOR_SCENES) + "/..";
+void draw(const fs::path& out, const Drafts& drafts) {
+  const Draft folder = new_folder();
+  const auto remove = [](const Draft* its) {
+    std::error_code ignored;
+    fs::remove_all(its->path, ignored);  // while it is locked
+    ::close(its->descriptor);
+  };
+  const std::unique_ptr<const Draft, decltype(remove)> removed_at_the_end(&folder, remove);
+  FileTransaction files;
+  for (const auto& [name, text] : drafts) files.write(folder.path / name, text);
+  files.commit();
+  const fs::path picture = fs::path("picture").replace_extension(out.extension());
+  const std::string figures = figures_folder().string();
   int status = 0;
   try {
-    status = status_of(
-        {figures + "/draw.sh", picture_, "load 'settings.gp'", figures + "/program/" + script},
-        folder_.path);
+    status = status_of({figures + "/draw.sh", picture.string(), "load 'settings.gp'",
+                        figures + "/program/plot.gp"},
+                       folder.path);
   } catch (const std::system_error& error) {
     throw std::runtime_error(
         fmt::format("{}/draw.sh cannot be started: {}", figures, error.what()));
@@ -106,10 +105,10 @@ void Drawing::finish(const std::string& settings, const std::string& script) con
   if (WIFEXITED(status) && WEXITSTATUS(status) == not_found)
     throw std::runtime_error("gnuplot cannot be started");
   if (status != 0) throw std::runtime_error("gnuplot did not draw the picture");
-  FileTransaction files;
-  files.write(out_, read_file(file(picture_), fs::file_size(file(picture_))));
-  files.commit();
-  fmt::print("{}\n", one_line(out_.string()));
+  FileTransaction result;
+  result.write(out, read_file(folder.path / picture, fs::file_size(folder.path / picture)));
+  result.commit();
+  fmt::print("{}\n", one_line(out.string()));
 }
 
 }  // namespace rotor

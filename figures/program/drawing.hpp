@@ -3,34 +3,23 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
-
-#include "figures/data/files.hpp"
-#include "figures/results/provenance.hpp"
+#include <utility>
+#include <vector>
 
 namespace rotor {
 
-/// One picture: svg, pdf or png, by its extension. All throw std::exception; then no picture is
-/// written.
-class Drawing {
- public:
-  /// The picture of a scene.
-  Drawing(const std::string& file, const std::string& out);
-  Drawing(const Drawing&) = delete;
-  Drawing& operator=(const Drawing&) = delete;
-  ~Drawing();
+/// The folder of scenes and scripts: that of an installed program, wherever it is, or of the
+/// sources.
+std::filesystem::path figures_folder();
 
-  /// The path of a draft in gnuplot's folder.
-  std::filesystem::path file(const std::string& name) const { return folder_.path / name; }
-  void write(const std::string& name, std::string_view text) const;
+/// Throws unless a picture of the scene can be written: svg, pdf or png, by its extension.
+void require_picture(const std::filesystem::path& out, const std::string& scene);
 
-  /// Draws with settings and a script from figures/program, and prints the picture's name.
-  void finish(const std::string& settings, const std::string& script) const;
+/// Files by their names.
+using Drafts = std::vector<std::pair<std::string, std::string>>;
 
- private:
-  std::filesystem::path out_;
-  std::string picture_;
-  Draft folder_;
-};
+/// Draws with plot.gp and the drafts, among them settings.gp, and prints the picture's name. Throws
+/// std::exception; then no picture is written.
+void draw(const std::filesystem::path& out, const Drafts& drafts);
 
 }  // namespace rotor

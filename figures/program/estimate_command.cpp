@@ -39,11 +39,10 @@ void estimate_rotor(const CaseOptions& options) {
     for (const Remark& remark : remarks_on_laws(run.scenario))
       print_message("rotor: " + (one_of_many ? run.name + ": " : "") + remark.sentence);
   }
-  if (options.json && runs.size() != 1) {
-    print_summaries(runs, true, stdout);
-  } else {
-    for (const auto& row : runs) print_summary(row, options.json, stdout);
-  }
+  if (options.json)
+    fmt::print("{}\n", (runs.size() == 1 ? runs.front() : Json{{"runs", runs}}).dump(2));
+  for (const Json& row : runs)
+    if (!options.json) print_all(row, stdout);
   say_what_is_assumed(scene.runs);
 }
 

@@ -135,7 +135,7 @@ constexpr const char* precedence =
     "What a [[run]] of a scene states takes precedence over these options.\n";
 
 void add_options(CLI::App& command, FigureOptions& options) {
-  options.scenes = ROTOR_SCENES;
+  options.scenes = (figures_folder() / "paper").string();
   command.add_option("numbers", options.numbers, "figures to write (default: all)")
       ->transform(whole_number());
   add_name(command, "--out", options.out, "folder for figNN.csv, and figNN.var for gnuplot")

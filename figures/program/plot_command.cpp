@@ -64,26 +64,27 @@ std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
 
 }  // namespace
 
-void plot(const PlotOptions& stated) {
-  PlotOptions options = stated;
-  if (options.out.empty())
-    options.out = std::filesystem::path(options.file).stem().string() + ".svg";
+void plot(const PlotOptions& options) {
+  const std::string out = options.out.empty()
+                              ? std::filesystem::path(options.file).stem().string() + ".svg"
+                              : options.out;
   Scene scene = read_scene(options.file, {options.stated, {}});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
-  const Drawing drawing(options.file, options.out);
+  require_picture(out, options.file);
   const SceneData data = std::move(compute({{1, scene}}).at(1));
+  Drafts drafts = {
+      {"settings.gp", fmt::format("heading = {}; conditions = {}\n", numbered(scene.title),
+                                  numbered(conditions_of(scene))) +
+                          variables(scene, data.results)}};
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
   for (std::size_t n = 1; n <= scene.runs.size(); ++n)
     for (const Panel& panel : panels)
-      drawing.write(fmt::format("run{}-{}.csv", n, panel.column),
-                    rows_of(panel.columns, scene, data.curves[n - 1]));
-  drawing.finish(fmt::format("heading = {}; conditions = {}\n", numbered(scene.title),
-                             numbered(conditions_of(scene))) +
-                     variables(scene, data.results),
-                 "plot.gp");
+      drafts.emplace_back(fmt::format("run{}-{}.csv", n, panel.column),
+                          rows_of(panel.columns, scene, data.curves[n - 1]));
+  draw(out, drafts);
   say_what_is_assumed(scene.runs);
 }
 

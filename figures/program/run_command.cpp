@@ -185,7 +185,7 @@ void run_rotor(const RunOptions& options) {
       fmt::print("{}", wrapped(fmt::format("{:<24}", column->name), std::string(column->meaning)));
     return;
   }
-  if (options.json_schema) return print_summary(summary_schema(), true, stdout);
+  if (options.json_schema) return fmt::print("{}\n", summary_schema().dump(2));
   if (!options.columns.empty() && options.trace.empty())
     throw InputError("--columns requires --trace, or is help");
   RunUps run_ups;
@@ -196,6 +196,7 @@ void run_rotor(const RunOptions& options) {
   Files files(options, scene);
   auto runs = Json::array();
   std::vector<std::string> messages, failures;
+  bool in_rpm = false;
   for (const SceneRun& run : scene.runs) {
     const auto of_run = [&](const std::string& sentence) {
       return one_of_many ? run.name + ": " + sentence : sentence;
@@ -209,12 +210,17 @@ void run_rotor(const RunOptions& options) {
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // the other runs are not affected
-      failures.push_back(of_run(error.what()));
+      failures.push_back(of_run(as_stated(error.what(), run.stated)));
       continue;
     }
-    for (const Remark& remark : report.remarks)  // a table does not show them
-      if (!is_brief && (remark.of == Remark::Of::missed_goal || (one_of_many && !options.json)))
-        messages.push_back(of_run(remark.sentence));
+    for (std::size_t n = 0; n < report.remarks.size(); ++n) {
+      const std::string sentence = as_stated(report.remarks[n].sentence, run.stated);
+      if (!options.json) report.summary["remarks"][n] = sentence;
+      if (!is_brief &&  // which shows them, as a table does not
+          (report.remarks[n].of == Remark::Of::missed_goal || (one_of_many && !options.json)))
+        messages.push_back(of_run(sentence));
+    }
+    for (const auto& [name, value] : run.stated.numbers) in_rpm = in_rpm || name.ends_with("_rpm");
     if (!report.short_of_digits.empty()) failures.push_back(of_run(report.short_of_digits));
     Json row;
     if (one_of_many) row["run"] = run.name;
@@ -229,10 +235,12 @@ void run_rotor(const RunOptions& options) {
   const bool standard_output_is_taken =
       is_standard_output(options.trace) || is_standard_output(options.events);
   std::FILE* const to = standard_output_is_taken ? stderr : stdout;
-  if (one_of_many)
-    print_summaries(runs, options.json, to);
+  if (options.json && !runs.empty())
+    fmt::print(to, "{}\n", (one_of_many ? Json{{"runs", runs}} : runs.front()).dump(2));
+  else if (one_of_many && !runs.empty())
+    print_table(runs, in_rpm, to);
   else if (!runs.empty())
-    is_brief ? print_brief(runs.front(), to) : print_summary(runs.front(), options.json, to);
+    is_brief ? print_brief(runs.front(), in_rpm, to) : print_all(runs.front(), to);
   for (const std::string& message : messages) print_message("rotor: " + message);
   if (!runs.empty()) say_what_is_assumed(scene.runs);
   for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);

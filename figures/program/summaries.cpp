@@ -11,81 +11,63 @@
 namespace rotor {
 namespace {
 
-/// Names and values; those of a part follow its name. Inputs have fifteen digits.
-void print_values(const Json& object, int digits, std::FILE* to, const std::string& indent = "",
-                  bool are_inputs = false) {
-  for (const auto& [key, value] : object.items()) {
-    const std::string name = indent + key;
-    const auto print = [&](const std::string& text) { fmt::print(to, "{:<32} {}\n", name, text); };
-    if (value.is_object() && !value.contains("error")) {
-      fmt::print(to, "{}\n", name);
-      print_values(value, digits, to, indent + "  ", key == "inputs");
-    } else if (are_inputs && value.is_number()) {
-      print(fmt::format("{:.15g}", value.get<double>()));
-    } else if (key == "remarks" && !value.empty()) {
-      for (const Json& remark : value) print(remark.get<std::string>());
-    } else if (key != "events") {
-      print(text_of(value, digits));
-    }
-  }
+/// Six digits of a number, or those that are estimated; "-" for nothing.
+std::string text_of(const Json& object, const std::string& key) {
+  const Json& value = object.at(key);
+  if (const auto sure = sure_text(object, key)) return *sure;
+  if (value.is_null() || (value.is_array() && value.empty())) return "-";
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// Several runs, one row each.
-void print_table(const Json& runs, std::FILE* to) {
-  std::vector<std::string> lines(runs.size() + 2);  // heads have two
-  const auto add = [&](std::string_view key, const std::string& label) {
-    const std::size_t last = label.rfind(' ', label.find(',')) + 1;  // word, with its unit
-    std::vector<std::string> cells = {label.substr(0, last), label.substr(last)};
-    for (const Json& run : runs)
-      cells.push_back(text_of(run.at(std::string(key)), asked_digits(run)));
-    std::size_t width = 0;
-    for (const std::string& cell : cells) width = std::max(width, cell.size());
-    for (std::size_t n = 0; n < cells.size(); ++n)
-      lines[n] += fmt::format("{:<{}}", cells[n], width + 2);
-  };
-  add("run", "run");
-  add("outcome", "outcome");
-  for (const auto& [key, label, is_in_table] : results_in_words)
-    if (is_in_table)
-      add(key, fmt::format("{}{}", label,
-                           key.ends_with("_N")    ? ", N"
-                           : key.ends_with("_s")  ? ", s"
-                           : key.ends_with("_Hz") ? ", Hz"
-                                                  : ""));
-  for (const std::string& line : lines)
-    fmt::print(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+std::string four_digits(double number) {
+  return fmt::format("{:.{}g}", number, std::abs(number) < 1e4 ? 4 : 6);
 }
 
-/// A result in the unit of people that follows from its key's, with four digits.
-std::string in_print(std::string_view key, double value) {
-  const auto shown = [](double number, const char* unit) {
-    return fmt::format("{:.4g}{}", number, unit);
-  };
-  const bool is_small = std::abs(value) < 1;
+/// The unit in which people read a result, and its size; from that of its key.
+std::pair<const char*, double> unit_of(std::string_view key, double value, bool in_rpm) {
+  using Unit = std::pair<const char*, double>;
+  const double size = std::abs(value);
   if (key.ends_with("_N"))
-    return std::abs(value) < 1e3   ? shown(value, " N")
-           : std::abs(value) < 1e6 ? shown(value / 1e3, " kN")
-                                   : shown(value / 1e6, " MN");
-  if (key.ends_with("_s")) return is_small ? shown(1e3 * value, " ms") : shown(value, " s");
-  if (key.ends_with("_m")) return shown(1e3 * value, " mm");
-  return shown(value, key.ends_with("_Hz") ? " Hz" : "");
+    return size < 1e3 ? Unit(" N", 1) : size < 1e6 ? Unit(" kN", 1e3) : Unit(" MN", 1e6);
+  if (key.ends_with("_s")) return size < 1 ? Unit(" ms", 1e-3) : Unit(" s", 1);
+  if (key.ends_with("_m")) return {" mm", 1e-3};
+  if (!key.ends_with("_Hz")) return {"", 1};
+  return in_rpm && key.find("speed") != key.npos ? Unit(" rpm", 1 / 60.) : Unit(" Hz", 1);
+}
+
+/// A result in that unit, with four digits or those that are estimated; otherwise times are after
+/// the mass loss.
+std::string in_print(const Json& run, const std::string& key, bool in_rpm, bool in_table = false) {
+  if (!run.at(key).is_number_float()) return text_of(run, key);
+  auto value = run.at(key).get<double>();
+  const double loss_s = run.at("inputs").at("mass_loss_time").get<double>();
+  const bool is_after_loss = key.ends_with("_s") && run.at("mass_loss_reached") == true &&
+                             value >= loss_s && !run.contains("errors");
+  if (is_after_loss) value -= loss_s;
+  const auto [unit, in_si] = unit_of(key, value, in_rpm);
+  const auto sure = sure_text(run, key, in_si);
+  const std::string text = sure ? *sure : four_digits(value / in_si);
+  return (is_after_loss && in_table ? "+" : "") + text + unit +
+         (is_after_loss && !in_table ? " after the mass loss" : "");
 }
 
 /// What becomes of the rotor.
-std::string outcome_of(const Json& run) {
+std::string outcome_of(const Json& run, bool in_rpm) {
   const auto name = run.at("outcome").get<std::string>();
   const auto number = [&](const char* key) { return run.at(key).get<double>(); };
   const auto* const its = std::find_if(outcomes.begin(), outcomes.end(),
                                        [&](const OutcomeInWords& of) { return of.name == name; });
   std::string sentence = fmt::format("The rotor {}", its->sentence);
   if (its->outcome == Outcome::rolling)
-    sentence += fmt::format(" {} after the first contact, at {}",
-                            in_print("_s", number("rolling_onset_s") - number("first_contact_s")),
-                            in_print("_Hz", number("rolling_onset_speed_Hz")));
+    sentence +=
+        fmt::format(" {} ms after the first contact, at {}",
+                    four_digits(1e3 * (number("rolling_onset_s") - number("first_contact_s"))),
+                    in_print(run, "rolling_onset_speed_Hz", in_rpm));
   if (its->outcome == Outcome::no_contact)
-    sentence += fmt::format("; the clearance is {}",
-                            in_print("_m", run.at("inputs").at("stator_radius").get<double>() -
-                                               run.at("inputs").at("rotor_radius").get<double>()));
+    sentence += fmt::format("; the clearance is {} mm",
+                            four_digits(1e3 * (run["inputs"]["stator_radius"].get<double>() -
+                                               run["inputs"]["rotor_radius"].get<double>())));
   return sentence;
 }
 
@@ -96,44 +78,62 @@ void say_what_is_assumed(const std::vector<std::string>& of_paper) {
 
 }  // namespace
 
-void print_summary(const Json& run, bool as_json, std::FILE* to) {
-  if (as_json)
-    fmt::print(to, "{}\n", run.dump(2));
-  else
-    print_values(run, asked_digits(run), to);
+void print_all(const Json& object, std::FILE* to, const std::string& indent, bool are_inputs) {
+  for (const auto& [key, value] : object.items()) {
+    const std::string name = indent + key;
+    const auto print = [&](const std::string& text) { fmt::print(to, "{:<32} {}\n", name, text); };
+    if (key == "errors" || key == "events") continue;  // for JSON
+    if (value.is_object()) {
+      fmt::print(to, "{}\n", name);
+      print_all(value, to, indent + "  ", key == "inputs");
+    } else if (are_inputs && value.is_number()) {
+      print(fmt::format("{:.15g}", value.get<double>()));
+    } else if (key == "remarks" && !value.empty()) {
+      for (const Json& remark : value) print(remark.get<std::string>());
+    } else {
+      print(text_of(object, key));
+    }
+  }
 }
 
-void print_brief(const Json& run, std::FILE* to) {
-  const double loss_s = run.at("inputs").at("mass_loss_time").get<double>();
-  const bool loses = run.at("mass_loss_reached") == true;  // may be open
-  const auto text = [&](std::string_view key, double value) {
-    if (!key.ends_with("_s")) return in_print(key, value);
-    return loses && value >= loss_s ? in_print(key, value - loss_s) + " after the mass loss"
-                                    : fmt::format("{:.4g} s", value);
-  };
-  const Json& whole = run.at("peak_normal_force_N");  // empty in a run that stops early
-  const Json& peak = whole.is_null() ? run.at("peak_force_to_rolling_N") : whole;
-  fmt::print(to, "{}{}.\n", outcome_of(run),
-             peak.is_null()
+void print_brief(const Json& run, bool in_rpm, std::FILE* to) {
+  const bool is_whole = !run.at("peak_normal_force_N").is_null();  // or the run stopped early
+  const char* const peak = is_whole ? "peak_normal_force_N" : "peak_force_to_rolling_N";
+  fmt::print(to, "{}{}.\n", outcome_of(run, in_rpm),
+             run.at(peak).is_null()
                  ? ""
-                 : fmt::format("; largest normal force {}{}", whole.is_null() ? "so far " : "",
-                               in_print("_N", peak.get<double>())));
+                 : fmt::format("; largest normal force {}{}", is_whole ? "" : "so far ",
+                               in_print(run, peak, in_rpm)));
   for (const Json& remark : run.at("remarks"))
     fmt::print(to, "Note: {}.\n", remark.get<std::string>());
   fmt::print(to, "\n");
-  for (const ResultInWords& result : results_in_words)
-    if (const Json& value = run.at(std::string(result.key)); !value.is_null())
-      fmt::print(to, "  {:<31} {}\n", result.label, text(result.key, value.get<double>()));
+  for (const auto& [key, label, is_in_table] : results_in_words)
+    if (const std::string name(key); !run.at(name).is_null())
+      fmt::print(to, "  {:<31} {}\n", label, in_print(run, name, in_rpm));
   fmt::print(to, "  {}\n", equations_in_words(run.at("equations").get<std::string>()));
-  if (run.contains("energy_J")) print_values(Json{{"energy_J", run["energy_J"]}}, 0, to, "  ");
+  if (run.contains("energy_J")) print_all(Json{{"energy_J", run["energy_J"]}}, to, "  ");
   fmt::print(to, "\nAll results: --all, or --json with all digits.\n");
 }
 
-void print_summaries(const Json& runs, bool as_json, std::FILE* to) {
-  if (as_json)
-    fmt::print(to, "{}\n", Json{{"runs", runs}}.dump(2));
-  else if (!runs.empty())
-    print_table(runs, to);
+void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
+  std::vector<std::string> lines(runs.size() + 2);  // heads have two
+  const auto add = [&](const std::string& key, std::string_view label) {
+    const std::size_t last = label.rfind(' ') + 1;
+    std::vector<std::string> cells = {std::string(label.substr(0, last)),
+                                      std::string(label.substr(last))};
+    std::size_t width = 0;
+    for (const Json& run : runs) cells.push_back(in_print(run, key, in_rpm, true));
+    for (const std::string& cell : cells) width = std::max(width, cell.size());
+    for (std::size_t n = 0; n < cells.size(); ++n)
+      lines[n] += fmt::format("{:<{}}", cells[n], width + 2);
+  };
+  add("run", "run");
+  add("outcome", "outcome");
+  for (const auto& [key, label, is_in_table] : results_in_words)
+    if (is_in_table) add(std::string(key), label);
+  for (const std::string& line : lines)
+    fmt::print(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  fmt::print(to, "\n+: after the mass loss\n");
 }
 
 void say_what_is_assumed(const std::vector<SceneRun>& runs) {

@@ -8,9 +8,14 @@
 namespace rotor {
 namespace {
 
-Json to_json(const NamedEstimate& value) {
-  if (!value.value) return nullptr;
-  return {{"value", *value.value}, {"error", value.error}};
+/// Values by their names, and then their errors.
+void add(const std::vector<NamedEstimate>& values, Json& to) {
+  Json errors;
+  for (const NamedEstimate& value : values) {
+    to[value.name] = json_of(value.value);
+    errors[value.name] = value.value ? Json(value.error) : Json();
+  }
+  to["errors"] = errors;
 }
 
 std::string what_is_missing(const Comparison& comparison, int digits) {
@@ -82,7 +87,7 @@ RunResult result_of(const Comparison& comparison, const Scenario& scenario) {
 
 Json to_json(const Comparison& comparison, const Scenario& scenario, int digits) {
   Json json = to_json(result_of(comparison, scenario));
-  for (const NamedEstimate& value : comparison.summary) json[value.name] = to_json(value);
+  add(comparison.summary, json);
   Json short_ones = Json::array();
   for (const auto& [value, has] : short_of_digits(comparison, digits))
     short_ones.push_back({{"value", value}, {"digits", has}});
@@ -93,7 +98,7 @@ Json to_json(const Comparison& comparison, const Scenario& scenario, int digits)
   json["events"] = Json::array();
   for (const EventEstimate& event : comparison.events) {
     Json row = {{"event", event.event == Event::none ? "end" : name_of(event.event)}};
-    for (const NamedEstimate& value : event.values) row[value.name] = to_json(value);
+    add(event.values, row);
     json["events"].push_back(row);
   }
   return json;
@@ -118,18 +123,11 @@ std::string text_within(double value, double error, int digits) {
   return std::string(no_digit);
 }
 
-std::string text_of(const Json& value, int digits) {
-  if (value.is_null()) return "-";
-  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_array())
-    return value.empty() ? "-" : fmt::format("{} values; --json has them", value.size());
-  if (!value.is_object() || !value.contains("error")) return value.dump();
-  return text_within(value["value"].get<double>(), value["error"].get<double>(), digits);
-}
-
-int asked_digits(const Json& summary) {
-  return summary.contains("digits") ? summary["digits"]["asked"].get<int>() : 0;
+std::optional<std::string> sure_text(const Json& summary, const std::string& key, double unit) {
+  const auto errors = summary.find("errors");
+  if (errors == summary.end() || !errors->contains(key) || summary.at(key).is_null()) return {};
+  return text_within(summary.at(key).get<double>() / unit, errors->at(key).get<double>() / unit,
+                     summary.at("digits").at("asked").get<int>());
 }
 
 }  // namespace rotor

@@ -1,6 +1,7 @@
 /// The results of a run whose digits are estimated.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,7 @@ std::string complaint(const Comparison& comparison, int digits, const Interrupti
 /// The result of the finer computation.
 RunResult result_of(const Comparison& comparison, const Scenario& scenario);
 
-/// Like that of a RunResult, but with the error of each number and with the events.
+/// Like that of a RunResult, but with the errors of its numbers, and with the events.
 Json to_json(const Comparison& comparison, const Scenario& scenario, int digits);
 
 /// A number with so many significant digits, including trailing zeros.
@@ -51,11 +52,8 @@ inline constexpr std::string_view no_digit = "?";
 /// At most so many digits of a number, and only those that do not change within its error.
 std::string text_within(double value, double error, int digits);
 
-/// A value of a summary as text: its digits if it has an error, otherwise six digits; "-" if there
-/// is none.
-std::string text_of(const Json& value, int digits);
-
-/// The number of digits that a summary was asked for; 0 if none.
-int asked_digits(const Json& summary);
+/// The digits of a number of a summary, in a unit, that do not change within its error; nothing if
+/// none are estimated.
+std::optional<std::string> sure_text(const Json& summary, const std::string& key, double unit = 1);
 
 }  // namespace rotor

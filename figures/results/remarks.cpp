@@ -18,9 +18,9 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
   const bool is_driven = p.drive == Drive::motor;
   if (is_driven && p.torque > 0 && reached < near * p.motor_off_Hz)
     all.push_back(
-        {fmt::format("by the end of the run, {:.6g} s, the motor reaches about {:.2g} "
-                     "Hz, less than {} of motor_off_hz = {} Hz",
-                     scenario.until, reached, near, p.motor_off_Hz)});
+        {fmt::format("by the end of the run, {:.6g} s, the motor reaches about {:.2g} %, less than "
+                     "{} %, of motor_off_hz = {} Hz",
+                     scenario.until, 100 * reached / p.motor_off_Hz, 100 * near, p.motor_off_Hz)});
   constexpr double slow = 0.1;
   const double critical_Hz = natural_frequency(p.support_stiffness, p.mass) / two_pi;
   if (loss_speed_Hz && *loss_speed_Hz < slow * critical_Hz)

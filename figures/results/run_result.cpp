@@ -93,8 +93,8 @@ const std::vector<Metadata>& metadata() {
       {"version", "Version of rotor, and its commit", type("string"),
        [](const A&) { return Json(version()); }},
       {"schema",
-       "Version of this schema; 4 had cut_short_at_s, equations named consistent and no drive, 3 "
-       "had values of stopped runs "
+       "Version of this schema; 4 had cut_short_at_s, equations named consistent, no drive, and "
+       "with --digits objects instead of numbers; 3 had values of stopped runs "
        "that the rest could change, 2 had the "
        "keys of separation and collisions, 1 no outcome or inputs",
        {{"const", schema}},
@@ -114,14 +114,11 @@ std::string meanings_of_outcomes() {
 template <class T>
 Json allowed(T Summary::* /*of*/, bool may_be_open) {
   if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
-  constexpr bool is_real = !std::is_same_v<T, bool> && !std::is_same_v<T, long>;
-  Json types = Json::array({is_real ? "number" : std::is_same_v<T, bool> ? "boolean" : "integer"});
-  if (is_real) types.push_back("object");  // with --digits
+  Json types = Json::array({std::is_same_v<T, bool>   ? "boolean"
+                            : std::is_same_v<T, long> ? "integer"
+                                                      : "number"});
   if (may_be_open || std::is_same_v<T, std::optional<double>>) types.push_back("null");
-  Json described;
-  described["type"] = types;
-  if (is_real) described["$ref"] = "#/$defs/estimate";
-  return described;
+  return {{"type", types}};
 }
 
 }  // namespace
@@ -203,20 +200,18 @@ Json summary_schema() {
            "nothing is known about values that depend on them); and the precision of the last "
            "computation",
            type("object"));
-  describe("events", "Only with --digits: name, time and state of each event, and of the end",
+  describe("errors",
+           "Only with --digits: the estimated error of each number; null if nothing is known about "
+           "it, or there is no number",
+           {{"type", "object"}, {"additionalProperties", number_or_null()}});
+  describe("events",
+           "Only with --digits: name, time and state of each event, and of the end, with errors",
            type("array"));
   describe("energy_J",
            "Only with --energy, from just before the mass loss on: work of each cause, negative "
            "where the rotor loses energy, and the energies stored at the end of each span; "
            "residual is the error of the balance",
            type("object"));
-  const Json estimate = {
-      {"description",
-       "With --digits, instead of a number: its value and estimated error, null if "
-       "nothing is known about the error"},
-      {"required", {"value", "error"}},
-      {"properties", {{"value", type("number")}, {"error", number_or_null()}}},
-      {"additionalProperties", false}};
   return {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "Summary of a run, as `rotor run --json` prints it"},
@@ -224,8 +219,7 @@ Json summary_schema() {
       {"type", "object"},
       {"properties", properties},
       {"required", required},
-      {"additionalProperties", false},
-      {"$defs", {{"estimate", estimate}}}};
+      {"additionalProperties", false}};
 }
 
 Json to_json(const EnergyObserver& energy) {
@@ -259,9 +253,8 @@ std::vector<Remark> remarks(const RunResult& result) {
   std::vector<Remark> all;
   if (summary.lost_mass_kg == 0.)
     all.push_back(
-        {fmt::format("no mass is lost: unbalance_factor = {} times eccentricity = {} m "
-                     "does not change the unbalance; state an eccentricity above 0 m, and a factor "
-                     "above 1 or a lost mass",
+        {fmt::format("no mass is lost with unbalance_factor = {} and eccentricity = {} m; state "
+                     "an eccentricity above 0 m, and a factor above 1 or a lost mass",
                      p.unbalance_factor, p.eccentricity),
          Of::missed_goal});
   else if (p.loses_mass && !summary.mass_loss_reached)

@@ -148,7 +148,7 @@ Scenario scenario_of(const ScenarioSpec& spec) {
   return scenario_of(spec, none);
 }
 
-Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
+Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) try {
   Scenario scenario = stated_scenario(spec);
   if (!scenario.mass_loss_speed_Hz) return scenario;
   const double speed_Hz = *scenario.mass_loss_speed_Hz;
@@ -158,18 +158,22 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) {
   const SpeedReached reached = run_ups.time_at_speed(
       scenario, speed_Hz, states_end ? std::optional(scenario.until) : std::nullopt, monitor);
   if (is_interrupted()) throw Interrupted();
+  const bool in_rpm = spec.numbers.contains("mass_loss_speed_rpm");
   if (!reached.time_s)
     throw InputError(
-        "mass_loss_speed_hz = {:.9g} Hz: is not reached; up to {:.6g} s{} the rotor reaches at "
-        "most "
-        "{:.6g} Hz{}",
+        "mass_loss_speed_hz = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most "
+        "{:.6g} {}{}",
         speed_Hz, reached.looked_until_s, reached.touches ? ", when it touches the ring," : "",
-        reached.greatest_Hz,
+        reached.greatest_Hz * (in_rpm ? 60 : 1), in_rpm ? "rpm" : "Hz",
         speed_Hz > p.motor_off_Hz ? "; above motor_off_hz the motor is off" : "");
   p.mass_loss_time = *reached.time_s;
   if (p.mass_loss_time == 0) scenario.mass_loss_speed_Hz.reset();
   if (!states_end) scenario.until += p.mass_loss_time;
   return scenario;
+} catch (const Interrupted&) {
+  throw;
+} catch (const std::exception& error) {
+  throw InputError("{}", as_stated(error.what(), spec));
 }
 
 }  // namespace rotor

@@ -50,17 +50,26 @@ class SceneReader : TomlFile {
     return at(*node, "columns", [&] { return parse_columns(names); });
   }
 
-  SceneRun run(const std::string& name, const ScenarioSpec& stated, const toml::node& node,
-               std::string_view key) {
+  /// A refusal blames an option that it names, a key of the [[run]], or a parameter.
+  SceneRun run(const std::string& name, const ScenarioSpec& stated, const toml::table& own) {
     const ScenarioSpec all = stated.overridden_by(overrides_.of_runs);
-    return {name, at(node, key, [&] { return scenario_of(all, run_ups_); }), all,
-            stated.numbers.contains("until")};
+    try {
+      return {name, scenario_of(all, run_ups_), all};
+    } catch (const InputError& error) {
+      const std::vector<std::string> inputs = inputs_named(error.what());
+      for (const std::string& input : inputs)
+        if (overrides_.of_runs.states(input) || overrides_.of_parameters.states(input))
+          throw InputError("{}, with {}: {}", option_of(input), path().string(), error.what());
+      for (const toml::table* in : {&own, &table(root(), "parameters")})
+        for (const std::string& input : inputs)
+          if (in->contains(input)) fail_at(*in, input, "{}", error.what());
+      fail(own.empty() ? root() : own, name, "{}", error.what());
+    }
   }
 
   std::vector<SceneRun> runs(const toml::table& root, const ScenarioSpec& base) {
-    const toml::node* parameters = root.get("parameters");
     const auto tables = this->tables(root, "run");
-    if (tables.empty()) return {run("run", base, parameters ? *parameters : root, "parameters")};
+    if (tables.empty()) return {run("run", base, table(root, "parameters"))};
     std::vector<SceneRun> all;
     for (const toml::table* table : tables) {
       const auto name = text(*table, "name");
@@ -70,7 +79,7 @@ class SceneReader : TomlFile {
         fail(*table, "name", "there is a run \"{}\" already", shown(*name));
       const ScenarioSpec own = stated_in(*this, *table, {"name"});
       overridden_[*name] = overridden_in(own);
-      all.push_back(run(*name, base.overridden_by(own), *table, "run"));
+      all.push_back(run(*name, base.overridden_by(own), *table));
     }
     return all;
   }
@@ -101,8 +110,9 @@ class SceneReader : TomlFile {
   /// Whether options may move the end: --until, or others if the scene does not state the end.
   bool may_end_elsewhere(const SceneRun& run) const {
     const ScenarioSpec& options = overrides_.of_runs;
-    return run.states_end ? options.numbers.contains("until")
-                          : !options.numbers.empty() || options.loses_mass.has_value();
+    return run.stated.numbers.contains("until")
+               ? options.numbers.contains("until")
+               : !options.numbers.empty() || options.loses_mass.has_value();
   }
 
   Window window(const toml::table& root, const Scene& scene) const {

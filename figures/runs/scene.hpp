@@ -17,8 +17,7 @@ namespace rotor {
 struct SceneRun {
   std::string name;
   Scenario scenario;
-  ScenarioSpec stated{};    ///< by the scene and by options
-  bool states_end = false;  ///< whether the scene states `until`
+  ScenarioSpec stated{};  ///< by the scene and by options
 };
 
 struct Scene {

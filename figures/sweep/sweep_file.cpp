@@ -236,13 +236,17 @@ class SweepReader : TomlFile {
            most_points, all * bytes_a_row / 1e9);
   }
 
+  std::vector<const toml::table*> varying() const {
+    std::vector<const toml::table*> all = tables(root(), "axis");
+    for (const toml::table* in : tables(table(root(), "sample"), "over")) all.push_back(in);
+    return all;
+  }
+
   /// A quantity must not be stated or varied twice, or one would be ignored.
   void require_one_statement_each(const Sweep& sweep) const {
-    std::vector<const toml::table*> varying = tables(root(), "axis");
-    for (const toml::table* in : tables(table(root(), "sample"), "over")) varying.push_back(in);
     std::vector<std::string> varied;
     for (const std::string& quantity : sweep.quantities()) {
-      const toml::table& in = *varying[varied.size()];
+      const toml::table& in = *varying()[varied.size()];
       for (const std::string& other : varied)
         if (other == quantity)
           fail_at(in, "quantity", "{} varies twice", quantity);
@@ -289,7 +293,15 @@ class SweepReader : TomlFile {
         std::vector<std::string> where;
         for (std::size_t i = 0; i < quantities.size(); ++i)
           where.push_back(fmt::format("{} = {}", quantities[i], corner.values[i]));
-        fail(root(), "corner", "{}: {}", fmt::join(where, ", "), error.what());
+        const std::string reason = as_stated(error.what(), corner.spec);
+        const toml::node* at = &root();
+        for (const std::string& input : inputs_named(reason)) {
+          if (at == &root() && table(root(), "parameters").contains(input))
+            at = table(root(), "parameters").get(input);
+          for (const toml::table* in : varying())
+            if (quantity(*in) == input) at = in;
+        }
+        fail(*at, "corner", "{}: {}", fmt::join(where, ", "), reason);
       }
     }
   }

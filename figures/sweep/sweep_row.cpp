@@ -23,12 +23,10 @@ std::vector<std::string> keys_of(const Json& summary) {
   return keys;
 }
 
-std::string field(const Json& value, int digits) {
+std::string field(const Json& summary, const std::string& key) {
+  const Json& value = summary.at(key);
   if (value.is_null()) return "";
-  if (value.is_object()) {
-    const std::string sure = text_of(value, digits);
-    return sure == no_digit ? "" : sure;
-  }
+  if (const auto sure = sure_text(summary, key)) return *sure == no_digit ? "" : *sure;
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
@@ -39,9 +37,8 @@ bool has_laws(const std::vector<std::string>& columns) {
 
 std::string cells(Json summary, const Scenario& scenario, const std::vector<std::string>& columns) {
   if (has_laws(columns)) summary.update(laws_or_nulls(scenario));
-  const int digits = asked_digits(summary);
   std::string row;
-  for (const std::string& key : columns) row += field(summary.at(key), digits) + ',';
+  for (const std::string& key : columns) row += field(summary, key) + ',';
   return row;
 }
 

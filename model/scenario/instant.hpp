@@ -73,7 +73,7 @@ BasicInstant<S> start_of(const Scenario& scenario) {
   if (!(centre.norm() < clearance))
     throw std::invalid_argument(fmt::format(
         "start_speed_hz = {:.9g} Hz: the rotor would touch the ring in the steady response at that "
-        "speed: its displacement is {:.4g} m and the clearance {:.4g} m",
+        "speed, {:.4g} m from its axis, with clearance = {:.4g} m",
         scenario.start_speed_Hz, static_cast<double>(centre.norm()),
         static_cast<double>(clearance)));
   start.state = {centre.x(), centre.y(), S(0), S(0), S(0), speed};

@@ -126,41 +126,43 @@ void check_numbers(const Scenario& scenario) {
   }
   const Parameters& p = scenario.parameters;
   require(p.stator_radius > p.rotor_radius,
-          "stator_radius = {} m: must be larger than rotor_radius = {} m", p.stator_radius,
-          p.rotor_radius);
+          "stator_radius = {} m and rotor_radius = {} m: the ring must be larger than the rotor",
+          p.stator_radius, p.rotor_radius);
   require(p.eccentricity < p.rotor_radius,
           "eccentricity = {} m: must be smaller than rotor_radius = {} m", p.eccentricity,
           p.rotor_radius);
-  require(
-      p.contact_exponent == 1 || p.reference_indentation > 0,
-      "contact_exponent = {}: needs reference_indentation, in m, greater than 0: the indentation "
-      "at which contact_stiffness holds",
-      p.contact_exponent);
+  require(p.contact_exponent == 1 || p.reference_indentation > 0,
+          "contact_exponent = {} and reference_indentation = {} m: the indentation at which "
+          "contact_stiffness holds must be greater than 0 m",
+          p.contact_exponent, p.reference_indentation);
   if (scenario.method == Method::rk4) {
     constexpr double most_steps = 1e10;
     const auto require_few = [&](std::string_view name, double step) {
       require(scenario.until / step <= most_steps,
-              "{} = {} s: must be long enough for {} s to take at most {} steps", name, step,
+              "{} = {} s and until = {} s: there must be at most {} steps", name, step,
               scenario.until, most_steps);
     };
     require_few("step_run_up", scenario.step_run_up);
     require_few("step_rub", scenario.step_rub);
     require(scenario.step_run_up <= scenario.until,
-            "step_run_up = {} s: must not be longer than the run, {} s", scenario.step_run_up,
-            scenario.until);
+            "step_run_up = {} s: must not be longer than the run, until = {} s",
+            scenario.step_run_up, scenario.until);
   }
   require(p.drive == Drive::motor || scenario.start_speed_Hz > 0,
-          "drive = constant_speed: needs start_speed_hz greater than 0 Hz");
+          "drive = constant_speed and start_speed_hz = {} Hz: the speed must be greater than 0",
+          scenario.start_speed_Hz);
   if (scenario.start)
     require(std::hypot(scenario.start->x, scenario.start->y) < p.stator_radius,
-            "start_x, start_y: must be less than stator_radius = {} m away", p.stator_radius);
+            "start_x = {} m and start_y = {} m: must be less than stator_radius = {} m away",
+            scenario.start->x, scenario.start->y, p.stator_radius);
   const MassLoss<double> loss(p);
   require(
       !scenario.loses_mass() || loss.after.inertia > 0,
-      "unbalance_factor = {}, lost mass {:.6g} kg: the moment of inertia after the mass loss, "
-      "{:.6g} kg m^2, must be greater than 0; lower the factor or the lost mass, or raise inertia "
-      "(lengths are in metres)",
-      p.unbalance_factor, loss.lost_mass, loss.after.inertia);
+      "inertia = {} kg m^2: would be {:.6g} kg m^2 after the loss of {:.6g} kg at rotor_radius = "
+      "{} m, and must be greater than 0 then; mass = {} kg, eccentricity = {} m, "
+      "unbalance_factor = {}",
+      p.inertia, loss.after.inertia, loss.lost_mass, p.rotor_radius, p.mass, p.eccentricity,
+      p.unbalance_factor);
 }
 
 }  // namespace rotor

@@ -47,15 +47,14 @@ TEST_F(Proven, IntervalsHoldTheSureDigits) {
   EXPECT_GT(rows.size(), 50U);
   for (const CsvRow& row : rows) {
     const Json& run = run_of(row["command"]);
-    const Json& found = run.at(row["quantity"]);
-    const bool is_count = found.is_number();
-    const double value = (is_count ? found : found.at("value")).get<double>();
+    const double value = run.at(row["quantity"]).get<double>();
+    const bool is_count = !run.at("errors").contains(row["quantity"]);
     // What the program's digits leave open, and that the prover's inputs are not the decimals but
     // the doubles next to them: contacts multiply the difference as they do a tolerance.
     const double tolerance = Comparison::finer * run.at("tolerance").get<double>();
     const double allowed =
         is_count ? 0
-                 : found.at("error").get<double>() *
+                 : run.at("errors").at(row["quantity"]).get<double>() *
                        (1 + inputs * std::numeric_limits<double>::epsilon() / tolerance);
     const std::string what = fmt::format("{} of {}", row["quantity"], row["command"]);
     EXPECT_GE(value + allowed, static_cast<double>(row.number("lower"))) << what;

@@ -12,7 +12,6 @@
 #include "figures/data/csv.hpp"
 #include "figures/data/text.hpp"
 #include "verification/paper/readings.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -227,6 +226,12 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
   return numbers;
 }
 
+bool is_arithmetic(const std::vector<Number>& numbers, const std::string& claim) {
+  return std::ranges::all_of(numbers, [&](const Number& number) {
+    return number.claim != claim || number.kind == Kind::arithmetic;
+  });
+}
+
 std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& claim) {
   std::vector<Number> found;
   std::ranges::copy_if(numbers, std::back_inserter(found),
@@ -312,6 +317,24 @@ std::string to_csv(const std::vector<Number>& numbers) {
                            cell(r.in[set].converged), cell(r.in[set].by_rk4), csv_field(n.reason));
     }
   return csv;
+}
+
+std::string claims_list(const std::vector<Number>& numbers, const std::vector<CsvRow>& trends) {
+  std::array<std::vector<std::string>, 3> groups;
+  std::set<std::string> seen;
+  for (const Number& number : numbers)
+    if (seen.insert(number.claim).second)
+      groups[is_arithmetic(numbers, number.claim)].push_back(
+          fmt::format("  {:<22} {} ({})\n", number.claim, number.says, number.place));
+  for (const CsvRow& row : trends)
+    groups[2].push_back(
+        fmt::format("  {:<22} {} ({})\n", row["reason"], row["says"], row["place"]));
+  return fmt::format(
+      "{} claims about runs:\n{}\n{} claims that are arithmetic:\n{}\n{} trends, which make "
+      "reasons "
+      "tries:\n{}",
+      groups[0].size(), fmt::join(groups[0], ""), groups[1].size(), fmt::join(groups[1], ""),
+      groups[2].size(), fmt::join(groups[2], ""));
 }
 
 std::string claims_table(const std::vector<Number>& numbers) {

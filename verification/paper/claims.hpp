@@ -9,6 +9,7 @@
 
 #include "verification/paper/ensembles.hpp"
 #include "verification/paper/rules.hpp"
+#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 
@@ -85,6 +86,9 @@ const std::vector<Number>& judged();
 std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
                                                       std::size_t set, const Judging& judging = {});
 
+/// Whether all numbers of a claim follow without a run.
+bool is_arithmetic(const std::vector<Number>& numbers, const std::string& claim);
+
 /// The verdict that each claim has by every rule; "depends" for those that another rule turns.
 std::map<std::string, std::string> settled_verdicts(const std::vector<Number>& numbers,
                                                     std::size_t set);
@@ -108,6 +112,10 @@ std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
                            const char* population, const Draws& draws);
 
 std::string to_csv(const std::vector<Number>& numbers);
+
+/// The claims: those about runs, then arithmetic; and the trends of reasons.csv, which `make
+/// reasons` tries. Each group has a heading with its count.
+std::string claims_list(const std::vector<Number>& numbers, const std::vector<CsvRow>& trends);
 
 /// All numbers with their verdicts.
 std::string claims_table(const std::vector<Number>& numbers);

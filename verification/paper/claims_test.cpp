@@ -238,6 +238,27 @@ TEST(Policy, TakesHalfAUnitOfTheLastDigit) {
   EXPECT_EQ(half_digit("8.91e-3", true), half_digit("8.91e-3"));
 }
 
+// As many claims of each kind as verdicts are given for, and apart from them every trend.
+TEST(Claims, AreListedByTheirKindWithTheirNumber) {
+  const auto trends = read_csv(ROTOR_REFERENCE_DATA "/reasons.csv");
+  std::istringstream list(claims_list(judged(), trends));
+  std::map<std::string, long> stated, listed;
+  std::string line, kind;
+  while (std::getline(list, line))
+    if (line.starts_with("  "))
+      ++listed[kind];
+    else if (!line.empty())
+      stated[kind = line.substr(line.find(' '))] = std::stol(line);
+  EXPECT_EQ(stated, listed);
+  std::map<bool, long> verdicts;
+  for (const auto& [claim, verdict] : settled_verdicts(judged(), 0))
+    ++verdicts[is_arithmetic(judged(), claim)];
+  std::multiset<long> counts,
+      expected = {verdicts[false], verdicts[true], static_cast<long>(trends.size())};
+  for (const auto& [of, count] : listed) counts.insert(count);
+  EXPECT_EQ(counts, expected);
+}
+
 /// The numbers that policy.md has in the row of a rule.
 std::map<std::string, std::vector<double>> numbers_of_rules() {
   std::ifstream file(ROTOR_REFERENCE_DATA "/policy.md");

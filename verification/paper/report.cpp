@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <sstream>
 
 #include "figures/data/files.hpp"
@@ -48,17 +47,12 @@ void print_reading(const Number& number, const Reading& reading, std::size_t set
         over.spread.draws);
 }
 
-int list_claims(const std::vector<Number>& numbers) {
-  std::set<std::string> seen;
-  for (const Number& number : numbers)
-    if (seen.insert(number.claim).second)
-      fmt::print("{:<22} {} ({})\n", number.claim, number.says, number.place);
-  return 0;
-}
-
 int show_claim(const std::filesystem::path& data, const std::string& id) {
   const std::vector<Number> table = read_numbers(data / "claims.csv");
-  if (id.empty()) return list_claims(table);
+  if (id.empty()) {
+    fmt::print("{}", claims_list(table, read_csv(data / "reasons.csv")));
+    return 0;
+  }
   of_claim(table, id);  // before all are computed
   const std::vector<Number> numbers = judged_numbers(data);
   for (const Number& n : of_claim(numbers, id)) {

@@ -127,6 +127,35 @@ TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
       << printed;
 }
 
+// Moved anywhere, the installed program finds its scenes and scripts: without them it does nothing.
+TEST_F(Make, InstallsAProgramThatCanBeMoved) {
+  fs::create_directory_symlink(fs::path(ROTOR_PROGRAM).parent_path(), folder_ / "build");
+  const auto [status, output] = shell("make -o build install PREFIX=\"$PWD/a folder\"");
+  ASSERT_EQ(output, (folder_ / "a folder/bin/rotor\n").string());
+  fs::rename(folder_ / "a folder", folder_ / "it is here");
+  const std::string share = "'it is here/share/rotor/figures/", mine = "'it is here/bin/rotor' ";
+  write("own.toml", "[parameters]\nmass = 4\nstart_speed_hz = 150\nuntil = 1e-3\n");
+  const std::vector<std::pair<std::string, std::string>> commands = {
+      {mine + "run own.toml --json", "paper/fig08.toml"},
+      {mine + "run " + share + "paper/fig13.toml' --json", "paper/fig08.toml"},
+      {mine + "figure 14 --out . --equations corrected", "paper/fig14.toml"},
+      {mine + "plot own.toml", "program/plot.gp"},
+      {share + "draw.sh' fig14.svg \"data_corrected = 'fig14.csv'\" " + share + "paper/fig14.gp'",
+       "../reference-data/printed-inputs.csv"}};
+  for (const auto& [command, needed] : commands) {
+    const auto [failed, errors] = shell(command + " >out");
+    EXPECT_EQ(failed, 0) << command << content("out");
+    EXPECT_EQ(errors.find("warning"), std::string::npos) << errors;  // as without the paper's data
+  }
+  for (const char* picture : {"own.svg", "fig14.svg"})
+    EXPECT_NE(content(picture).find("</svg>"), std::string::npos) << picture;
+  for (const auto& [command, needed] : commands) {
+    fs::remove(folder_ / "it is here/share/rotor/figures" / needed);
+    EXPECT_EQ(shell(command + " >out").status == 0, command.find(" run ") != std::string::npos)
+        << command;
+  }
+}
+
 // Where a test fails or crashes, or none runs, tests.sh returns an error.
 TEST_F(Make, SaysThatTestsHaveFailed) {
   const std::string run = "'" ROTOR_SOURCES "/verification/tests.sh' fake verification";

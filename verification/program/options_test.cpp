@@ -120,6 +120,69 @@ TEST_F(Options, StateSpeedsInRevolutionsPerMinuteAsWell) {
                    "one determines the other; state one of them");
 }
 
+// A refusal names a number as it was stated: by its own name and value, not by those that follow.
+TEST_F(Options, AreRefusedInTheUnitInWhichTheyAreStated) {
+  for (const auto& [options, number] :
+       {std::pair("--mass-loss-speed-rpm 9600", "mass_loss_speed_rpm = 9600 rpm"),
+        {"--start-speed-rpm 3000 --mass-loss-speed-hz 25", "start_speed_rpm = 3000 rpm"},
+        {"--start-speed-rpm 603.6 --support-damping 0.1", "start_speed_rpm = 603.6 rpm"},
+        {"--mass-loss-speed-rpm 90 --mass-loss-time 1", "mass_loss_speed_rpm = 90 rpm and"},
+        {"--lost-mass 4.9", "lost_mass = 4.9 kg"},
+        {"--clearance 1e-19", "clearance = 1e-19 m"}}) {
+    expect_refusal(std::string("run ") + options, number);
+    const std::string message = rotor(std::string("run ") + options).output;
+    for (const char* other : {"_hz = 50", "_hz = 160", "_hz = 10.06",
+                              "unbalance_factor =", "stator_radius =", "mass_loss_speed_hz and"})
+      EXPECT_EQ(message.find(other), std::string::npos) << message;
+  }
+  EXPECT_NE(rotor("run --motor-off-rpm 900000 --until 1").output.find("motor_off_rpm = 900000 rpm"),
+            std::string::npos);
+}
+
+// Whichever of several inputs a check refuses: an option before the [[run]], and that before
+// [parameters].
+TEST_F(Options, AreBlamedIfTheyAreStatedLast) {
+  const std::string start = "start_speed_hz = 60\nuntil = 1\n";
+  for (const auto& [name, value, good] : {std::tuple("inertia", "1e-7", "9e-3"),
+                                          {"rotor_radius", "0.07", "0.05"},
+                                          {"stator_radius", "0.05", "0.07"},
+                                          {"clearance", "1e-19", "1e-2"},
+                                          {"eccentricity", "0.07", "1e-4"},
+                                          {"lost_mass", "5", "0.01"},
+                                          {"mass_loss_speed_rpm", "3000", "6000"},
+                                          {"start_speed_rpm", "603.6", "6000"},
+                                          {"contact_exponent", "1.5", "1"},
+                                          {"start_x", "1", "0"},
+                                          {"drive", "\"constant_speed\"", "\"motor\""}}) {
+    const std::string bad = std::string(name) + " = " + value + '\n',
+                      fine = std::string(name) + " = " + good + '\n';
+    const std::string others = (name == std::string("start_speed_rpm") ? "until = 1\n" : start) +
+                               "support_damping = 0.1\n" +
+                               (name == std::string("drive") ? "torque = 1\n" : "");
+    const auto refuse = [&](const std::string& scene, const std::string& place) {
+      write("s.toml", scene);
+      std::string plain = value;
+      std::erase(plain, '"');
+      expect_refusal("run s.toml" + (place[0] == '-' ? option(name) + plain : ""), place);
+    };
+    const std::string line = ": " + std::string(name) + ": ";
+    refuse("[parameters]\n" + others + bad,
+           fmt::format("s.toml:{}{}", 2 + std::ranges::count(others, '\n'), line));
+    refuse("[parameters]\n" + others + fine + "[[run]]\nname = \"a\"\n" + bad,
+           fmt::format("s.toml:{}{}", 5 + std::ranges::count(others, '\n'), line));
+    refuse("[parameters]\n" + others + fine + "[[run]]\nname = \"a\"\n" + fine,
+           option(name).substr(1, option(name).size() - 2) + ", with s.toml: ");
+  }
+  write("s.toml",
+        "[parameters]\nrotor_radius = 0.05\n[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n"
+        "[[axis]]\nquantity = \"stator_radius\"\nvalues = [0.04]\n");
+  expect_refusal("sweep s.toml", "s.toml:6: corner: friction = 0.1, stator_radius = 0.04: ");
+  write("s.toml",
+        "[parameters]\nuntil = 30\ninertia = 1e-7\n[[axis]]\nquantity = \"friction\"\n"
+        "values = [0.1]\n");
+  expect_refusal("sweep s.toml", "s.toml:3: corner: friction = 0.1: inertia = 1e-07 kg m^2: ");
+}
+
 // However it is stated, a choice is shown, and changes the run.
 TEST_F(Options, EachStateTheChoiceThatTheyName) {
   const std::string start = " --start-speed-hz 40 --mass-loss-time 0.001 --until 0.05 ",

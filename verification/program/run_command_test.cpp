@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <regex>
+#include <sstream>
 
 #include "figures/input/names.hpp"
 #include "figures/results/json.hpp"
@@ -21,9 +23,9 @@ bool allows(const Json& property, const Json& value) {
   if (property.contains("const")) return property["const"] == value;
   if (property.contains("enum")) return is_in(property["enum"], value);
   const Json types = property["type"].is_array() ? property["type"] : Json{property["type"]};
-  if (value.is_object() && property.contains("$ref") &&
-      !(value.size() == 2 && value.contains("value") && value.contains("error")))
-    return false;
+  if (property.contains("additionalProperties"))
+    for (const Json& part : value)
+      if (!allows(property["additionalProperties"], part)) return false;
   if (value.is_number_integer() && is_in(types, "integer")) return true;
   return is_in(types, value.is_number() ? "number" : value.type_name());
 }
@@ -42,6 +44,30 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
       ASSERT_TRUE(schema["properties"].contains(key)) << key;
       EXPECT_TRUE(allows(schema["properties"][key], value)) << key << ": " << value;
     }
+  }
+}
+
+// The table of several runs has the numbers and units of each run's own text, in whatever unit a
+// speed is stated; there times after the mass loss are marked by words, here by a plus.
+TEST_F(RunCommand, PrintsSeveralRunsInTheUnitsOfOne) {
+  write("s.toml",
+        "[parameters]\nmass_loss_time = 1e-3\nuntil = 0.03\nstart_speed_rpm = 9000\n"
+        "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.1\n[[run]]\nname = \"c\"\n"
+        "clearance = 0.2\nno_mass_loss = true\n");
+  const std::string table = rotor("run s.toml 2>messages").output;
+  EXPECT_NE(table.find(" rpm"), std::string::npos) << table;
+  std::istringstream rows(table);
+  const std::regex cell("([+]?)([0-9.]+ (kN|N|ms|s|rpm))");
+  for (std::string row; std::getline(rows, row);) {
+    if (row.find(' ') != 1 || row[0] < 'a' || row[0] > 'c') continue;
+    const std::string text = rotor("run s.toml 2>messages --run " + row.substr(0, 1)).output;
+    long cells = 0;
+    for (std::sregex_iterator at(row.begin(), row.end(), cell), end; at != end; ++at, ++cells)
+      EXPECT_NE(text.find(' ' + (*at)[2].str() + ((*at)[1] == "+" ? " after the" : "\n")),
+                std::string::npos)
+          << row << '\n'
+          << text;
+    EXPECT_EQ(cells, row[0] == 'a' ? 4 : row[0] == 'b' ? 3 : 1) << row;
   }
 }
 
@@ -65,20 +91,25 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   EXPECT_EQ(turning["mass_loss"], 0);
 }
 
-// In JSON each number of the run has its error; everything else is unchanged.
-TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
+// In JSON all results keep their types, and each number of the run has its error beside it.
+TEST_F(RunCommand, PrintsErrorsBesideTheNumbersIfDigitsAreAskedFor) {
   const std::string rolls = "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 ";
   const Json plain = summary(rolls), sure = summary(rolls + "--digits 6");
+  const Json& errors = sure["errors"];
   EXPECT_TRUE(plain["whirl_frequency_Hz"].is_number());
   for (const auto& [key, value] : plain.items()) {
-    const bool has_error = sure[key].is_object() && key != "inputs";
-    EXPECT_EQ(has_error, value.is_number_float() && key != "tolerance") << key;
-    if (!has_error) continue;
-    EXPECT_NEAR(sure[key]["value"].get<double>(), value.get<double>(),
-                1e-6 * std::abs(value.get<double>()))
+    EXPECT_EQ(sure[key].type(), value.type()) << key;
+    EXPECT_EQ(errors.contains(key) && !errors[key].is_null(),
+              value.is_number_float() && key != "tolerance")
         << key;
-    EXPECT_EQ(sure[key]["error"] == 0, key == "final_time_s" || value == 0) << key;
+    if (!errors.contains(key) || value.is_null()) continue;
+    EXPECT_NEAR(sure[key].get<double>(), value.get<double>(), 1e-6 * std::abs(value.get<double>()))
+        << key;
+    EXPECT_EQ(errors[key] == 0, key == "final_time_s" || value == 0) << key;
   }
+  for (const Json& event : sure["events"])
+    for (const auto& [key, value] : event.items())
+      EXPECT_EQ(value.is_number(), event["errors"].contains(key)) << key;
   const std::string narrow = "--stator-radius 0.0603 --mass-loss-time 2 --until 2.02 ";
   const Json before = summary(narrow + "--digits 3");
   EXPECT_GT(before["touch_downs_before_loss"], 10);
@@ -91,7 +122,7 @@ TEST_F(RunCommand, PrintsEachNumberWithItsErrorIfDigitsAreAskedFor) {
   for (const char* key : {"outcome", "touch_downs", "touch_downs_before_loss", "mass_loss_reached",
                           "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
     EXPECT_EQ(sure[key], plain[key]) << key;
-  EXPECT_EQ(sure.size(), plain.size() + 2);
+  EXPECT_EQ(sure.size(), plain.size() + 3);
 }
 
 }  // namespace

@@ -165,11 +165,6 @@ Json turned_json(const std::vector<Number>& numbers) {
 
 Json settled_json(const std::vector<Number>& numbers) {
   Json all;
-  const auto is_arithmetic = [&](const std::string& claim) {
-    return std::ranges::all_of(numbers, [&](const Number& number) {
-      return number.claim != claim || number.kind == Kind::arithmetic;
-    });
-  };
   for (std::size_t set = 0; set < sets.size(); ++set) {
     Json its;
     for (const char* of : {"runs", "arithmetic"})
@@ -177,7 +172,7 @@ Json settled_json(const std::vector<Number>& numbers) {
         its[of][verdict] = 0;
     for (const auto& [claim, verdict] : settled_verdicts(numbers, set))
       for (const std::string& key : {std::string("claims"), verdict}) {
-        Json& count = its[is_arithmetic(claim) ? "arithmetic" : "runs"][key];
+        Json& count = its[is_arithmetic(numbers, claim) ? "arithmetic" : "runs"][key];
         count = count.get<int>() + 1;
       }
     its["runs"]["within_rounding"] = its["runs"]["within rounding"];
