@@ -187,7 +187,7 @@ const inked = (page, canvas, set) => page.$eval(canvas, (of, name) => {
 async function check_pins(page) {
   const slowest_ms = await page.evaluate(async () => {
     const all = [...document.querySelectorAll(".pin")].map((pin) => ({ pin, ms: Infinity }));
-    for (const one of [...all, ...all, ...all]) { // the least of three, because other programs run, too
+    for (const one of Array(5).fill(all).flat()) { // the least of five, because other programs run, too
       const begun = performance.now();
       delete document.body.dataset.shows;
       one.pin.click();
@@ -206,7 +206,7 @@ async function check_pins(page) {
   await page.check("#corrected");
   await shown(page, "#mass-loss-time=14.15&equations=corrected");
   expect(/does not touch/.test(await outcome()), `at 75 Hz, corrected: ${await outcome()}`);
-  for (const set of ["published", "corrected"]) expect(await inked(page, "#plots", set) > 500, `no curve ${set} at 75 Hz`);
+  for (const set of ["published", "corrected"]) expect(await inked(page, "#plots", set) > 20, `no curve ${set} at 75 Hz`);
   await page.check("#published");
   await page.getByRole("button", { name: /^μ = 0.2/ }).press("Enter");
   await shown(page, "#friction=0.2");

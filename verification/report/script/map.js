@@ -27,7 +27,7 @@ export class OutcomeMap {
       const button = document.createElement("button");
       button.type = "button";
       // Neighbours and the axis are not covered.
-      button.className = `pin${this.#pins.length % 2 ? "" : " below"}${pin.speed_Hz < 30 ? " after" : ""}`;
+      button.className = `pin${this.#pins.length && this.#pins.length % 2 === 0 ? " below" : ""}${pin.speed_Hz < 30 ? " after" : ""}`;
       button.textContent = label;
       button.setAttribute("aria-label", `${label}: ${pin.speed_Hz.toFixed(1)} Hz, friction ${pin.friction}`);
       button.addEventListener("click", () => onPick(pin.options));

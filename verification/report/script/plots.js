@@ -187,8 +187,8 @@ export class Plots {
         ctx.lineTo(last_x = x, last_y = y);
       }
     };
-    ctx.lineWidth = 1.75;
     for (const curve of curves.toReversed()) {
+      ctx.lineWidth = curve.set === this.#picture.summary.equations ? 2.25 : 1.25; // tells sets apart in grey
       ctx.strokeStyle = colour(curve.set);
       ctx.setLineDash(curve.dashes ?? []);
       ctx.beginPath();
