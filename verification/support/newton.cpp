@@ -219,22 +219,25 @@ class Run {
   void lose_mass() {
     show(Event::none);
     at_.mass_lost = true;
-    if (const PlaceOfLoss opposite(scenario_.parameters, 0); opposite.lost_mass() > 0)
+    if (const PlaceOfLoss opposite(scenario_.parameters, 0); opposite.lost_mass() > 0) {
       at_ = opposite.lose_mass(at_, scenario_.equations);
-    x_ = in_stator_axes(at_.state);
-    laws_.body = at_.body;
-    count_whirl_from_here();
-    if (at_.contact != ContactState::free) {
-      const NewtonRim k = laws_.rim(x_);
-      const bool jumps = scenario_.equations.velocity_jump == VelocityJump::twice;
-      if (laws_.pressure(k) < 0) {
-        at_.contact = ContactState::indented;
-      } else if (at_.contact != ContactState::rolling || jumps) {
-        at_.contact = ContactState::sliding;
-        at_.slip_sign = k.slip > 0 ? 1 : -1;
-      }
+      x_ = in_stator_axes(at_.state);
+      laws_.body = at_.body;
+      count_whirl_from_here();
+      if (at_.contact != ContactState::free) resume_contact();
     }
     show(Event::mass_loss);
+  }
+
+  void resume_contact() {
+    const NewtonRim k = laws_.rim(x_);
+    const bool jumps = scenario_.equations.velocity_jump == VelocityJump::twice;
+    if (laws_.pressure(k) < 0) {
+      at_.contact = ContactState::indented;
+    } else if (at_.contact != ContactState::rolling || jumps) {
+      at_.contact = ContactState::sliding;
+      at_.slip_sign = k.slip > 0 ? 1 : -1;
+    }
   }
 
   void show(Event event) {
