@@ -8,7 +8,9 @@
 
 #include "model/mechanics/contact.hpp"
 #include "model/mechanics/rotating_frame.hpp"
+#include "model/run/simulation.hpp"
 #include "verification/support/newton.hpp"
+#include "verification/support/observers.hpp"
 #include "verification/support/random_inputs.hpp"
 
 namespace rotor {
@@ -121,6 +123,21 @@ TEST(NewtonsLaws, GiveTheSameAccelerationsInTheStatorsFrame) {
     EXPECT_NEAR(of_O.x(), rates[3], accuracy + angular * p.eccentricity);
     EXPECT_NEAR(of_O.y(), rates[4], accuracy + angular * p.eccentricity);
     EXPECT_NEAR(a.angular, rates[5], angular);
+  }
+}
+
+// Which the equations as printed would make slip, and roll again.
+TEST(NewtonsLaws, RestartNoRollingAtALossOfNoMass) {
+  const Scenario scenario{.parameters = {.unbalance_factor = 1, .mass_loss_time = 0.04},
+                          .start_speed_Hz = 100,
+                          .start = Start{3.02e-3, 0, 0, -5},
+                          .until = 0.05};
+  EventRecorder ours, newtons;
+  run(scenario, ours);
+  ASSERT_TRUE(run_by_newton(scenario, {1e-12, 12, 100'000}, newtons));
+  for (const EventRecorder* const recorded : {&ours, &newtons}) {
+    EXPECT_EQ(recorded->before_mass_loss().contact, ContactState::rolling);
+    EXPECT_EQ(recorded->events().back().event, Event::mass_loss);
   }
 }
 

@@ -155,6 +155,15 @@ class Run {
         return laws_.parameters.friction * laws_.pressure(k) - std::abs(laws_.holding_friction(x));
     }
   }
+  /// Whether it becomes smaller within a time.
+  bool guard_falls(Guard which, const Newton& x, double within_s) const {
+    if (which == gap) return laws_.rim(x).rate > 0;
+    if (which == indentation) return laws_.rim(x).rate < 0;
+    const Newton a = rates(x);
+    Newton later = x;
+    for (std::size_t i = 0; i < later.size(); ++i) later[i] += within_s * a[i];
+    return guard(which, later) < guard(which, x);
+  }
   std::vector<Guard> guards() const {
     std::vector<Guard> all;
     if (at_.contact == ContactState::free)
@@ -219,22 +228,25 @@ class Run {
   void lose_mass() {
     show(Event::none);
     at_.mass_lost = true;
-    if (const PlaceOfLoss opposite(scenario_.parameters, 0); opposite.lost_mass() > 0)
+    if (const PlaceOfLoss opposite(scenario_.parameters, 0); opposite.lost_mass() > 0) {
       at_ = opposite.lose_mass(at_, scenario_.equations);
-    x_ = in_stator_axes(at_.state);
-    laws_.body = at_.body;
-    count_whirl_from_here();
-    if (at_.contact != ContactState::free) {
-      const NewtonRim k = laws_.rim(x_);
-      const bool jumps = scenario_.equations.velocity_jump == VelocityJump::twice;
-      if (laws_.pressure(k) < 0) {
-        at_.contact = ContactState::indented;
-      } else if (at_.contact != ContactState::rolling || jumps) {
-        at_.contact = ContactState::sliding;
-        at_.slip_sign = k.slip > 0 ? 1 : -1;
-      }
+      x_ = in_stator_axes(at_.state);
+      laws_.body = at_.body;
+      count_whirl_from_here();
+      if (at_.contact != ContactState::free) resume_contact();
     }
     show(Event::mass_loss);
+  }
+
+  void resume_contact() {
+    const NewtonRim k = laws_.rim(x_);
+    const bool jumps = scenario_.equations.velocity_jump == VelocityJump::twice;
+    if (laws_.pressure(k) < 0) {
+      at_.contact = ContactState::indented;
+    } else if (at_.contact != ContactState::rolling || jumps) {
+      at_.contact = ContactState::sliding;
+      at_.slip_sign = k.slip > 0 ? 1 : -1;
+    }
   }
 
   void show(Event event) {
@@ -350,15 +362,18 @@ class Run {
             if (!event || length < first) event = which, first = length;
           }
       };
-      // Between both ends of a step the rim may meet the ring, or leave it, and return.
-      const auto rises = [&](const Newton& x) { return rising(Extreme::displacement, x) > 0; };
-      const bool rises_first = rises(x_), is_near = 1.2 * laws_.rim(to).rho > clearance_;
-      if (is_near && rises_first != rises(to)) {
-        const double turn =
-            bisect(h, 1e-7, [&](const Newton& x) { return rises(x) == rises_first; });
-        look_at(turn, step(turn));
+      // Between both ends of a step a guard may become negative, by more than rounding, and
+      // positive again.
+      const bool is_far = 1.2 * laws_.rim(to).rho < clearance_;
+      for (const Guard which : guards()) {
+        const double least = std::min(guard(which, x_), guard(which, to));
+        const auto falls = [&](const Newton& x) { return guard_falls(which, x, h / 1024); };
+        if ((which == gap && is_far) || !(least > 0) || !falls(x_) || falls(to)) continue;
+        const double turn = bisect(h, 1e-7, falls);
+        if (const Newton there = step(turn); guard(which, there) < -1e-12 * least)
+          look_at(turn, there);
       }
-      if (!event) look_at(h, to);
+      look_at(first, event ? step(first) : to);
       h = first;
       if (event) to = step(h);
       show_maxima(h, to);
