@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "figures/input/words.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/pattern.hpp"
 #include "verification/support/read_csv.hpp"
 #include "verification/support/svg_picture.hpp"
 
@@ -99,10 +99,9 @@ TEST_F(Plot, SaysTheOutcomeAndTheLargestForce) {
     const std::string texts =
                           fmt::format("{}", fmt::join(DrawnPicture(content("s.svg")).texts, "\n")),
                       summary = rotor("run --scene s.toml").output;
-    static const std::regex force("largest normal force (\\d{1,3}\\.\\d+ [kM]N)\\.");
-    std::smatch found;
-    ASSERT_TRUE(std::regex_search(summary, found, force)) << summary;
-    EXPECT_NE(texts.find("rolling, largest force " + found[1].str()), std::string::npos) << texts;
+    const auto force = matches(summary, "largest normal force (\\d{1,3}\\.\\d+ [kM]N)\\.");
+    ASSERT_EQ(force.size(), 1U) << summary;
+    EXPECT_NE(texts.find("rolling, largest force " + force[0][1]), std::string::npos) << texts;
   }
 }
 

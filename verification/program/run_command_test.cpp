@@ -57,17 +57,16 @@ TEST_F(RunCommand, PrintsSeveralRunsInTheUnitsOfOne) {
   const std::string table = rotor("run s.toml 2>messages").output;
   EXPECT_NE(table.find(" rpm"), std::string::npos) << table;
   std::istringstream rows(table);
-  const std::regex cell("([+]?)([0-9.]+ (kN|N|ms|s|rpm))");
   for (std::string row; std::getline(rows, row);) {
     if (row.find(' ') != 1 || row[0] < 'a' || row[0] > 'c') continue;
     const std::string text = rotor("run s.toml 2>messages --run " + row.substr(0, 1)).output;
-    long cells = 0;
-    for (std::sregex_iterator at(row.begin(), row.end(), cell), end; at != end; ++at, ++cells)
-      EXPECT_NE(text.find(' ' + (*at)[2].str() + ((*at)[1] == "+" ? " after the" : "\n")),
+    const auto cells = matches(row, "([+]?)([0-9.]+ (kN|N|ms|s|rpm))");
+    for (const Match& cell : cells)
+      EXPECT_NE(text.find(' ' + cell[2] + (cell[1] == "+" ? " after the" : "\n")),
                 std::string::npos)
           << row << '\n'
           << text;
-    EXPECT_EQ(cells, row[0] == 'a' ? 4 : row[0] == 'b' ? 3 : 1) << row;
+    EXPECT_EQ(cells.size(), row[0] == 'a' ? 4U : row[0] == 'b' ? 3U : 1U) << row;
   }
 }
 
