@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <numbers>
-#include <regex>
 #include <sstream>
 
 #include "figures/input/names.hpp"
 #include "figures/results/json.hpp"
 #include "verification/support/command_line.hpp"
+#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {

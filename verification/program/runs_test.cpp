@@ -13,6 +13,7 @@
 #include "model/run/simulation.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/contradiction.hpp"
+#include "verification/support/random_inputs.hpp"
 #include "verification/support/read_csv.hpp"
 
 namespace rotor {
@@ -34,8 +35,9 @@ TEST(RandomInputs, HaveBothSignsWhereBothAreAllowed) {
     for (const auto& [name, value] : random.rotor().stated.numbers)
       signs[name].insert(std::signbit(value));
   for (const InputQuantity& input : input_quantities())
-    if (input.quantity.allows(-1))
+    if (input.quantity.allows(-1)) {
       EXPECT_EQ(signs[std::string(input.quantity.name)].size(), 2U) << input.quantity.name;
+    }
 }
 
 TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
