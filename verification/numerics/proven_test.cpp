@@ -33,8 +33,11 @@ class Proven : public CommandLine {
     found = Json::parse(output);
     int touch_downs = 0;
     for (const Json events = found.at("events"); const Json& event : events)
-      if (event.at("event") == "touch_down")
-        found[fmt::format("touch_down_{}_s", ++touch_downs)] = event.at("time_s");
+      if (event.at("event") == "touch_down") {
+        const std::string name = fmt::format("touch_down_{}_s", ++touch_downs);
+        found[name] = event.at("time_s");
+        found["errors"][name] = event.at("errors").at("time_s");
+      }
     return found;
   }
 
