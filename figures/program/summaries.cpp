@@ -33,7 +33,8 @@ std::pair<const char*, double> unit_of(std::string_view key, double value, bool 
   if (key.ends_with("_s")) return size < 1 ? Unit(" ms", 1e-3) : Unit(" s", 1);
   if (key.ends_with("_m")) return {" mm", 1e-3};
   if (!key.ends_with("_Hz")) return {"", 1};
-  return in_rpm && key.find("speed") != key.npos ? Unit(" rpm", 1 / 60.) : Unit(" Hz", 1);
+  return in_rpm && key.find("speed") != std::string_view::npos ? Unit(" rpm", 1 / 60.)
+                                                               : Unit(" Hz", 1);
 }
 
 /// A result in that unit, with four digits or those that are estimated; otherwise times are after

@@ -18,7 +18,7 @@ namespace {
 }
 
 /// A remainder within this share of a step is a whole step, or none.
-constexpr double rounding = 1e-6;
+constexpr double whole_step = 1e-6;
 
 }  // namespace
 
@@ -50,18 +50,18 @@ void PublishedMethod::set_step(double step) {
 
 void PublishedMethod::run_up(double until_s, Observer& observer) {
   set_step(scenario_.step_run_up);
-  while (!stopped_ && step_end_s() <= until_s + rounding * step_)
+  while (!stopped_ && step_end_s() <= until_s + whole_step * step_)
     if (!take_step(step_, step_end_s(), false, observer)) break;
 }
 
 void PublishedMethod::advance(double until_s, Observer& observer) {
   set_step(scenario_.step_rub);
-  while (!stopped_ && step_end_s() < until_s - rounding * step_)
+  while (!stopped_ && step_end_s() < until_s - whole_step * step_)
     take_step(step_, step_end_s(), true, observer);
   if (stopped_) return;
   const double left = (until_s - at_.time_s) / step_;
-  if (left > rounding)
-    take_step(left > 1 - rounding ? step_ : left * step_, until_s, true, observer);
+  if (left > whole_step)
+    take_step(left > 1 - whole_step ? step_ : left * step_, until_s, true, observer);
   at_.time_s = until_s;
   check_run(at_.touches());
 }

@@ -18,7 +18,10 @@ class Simulation {
   Simulation(const Scenario& scenario, const Instant& from);
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
-  Simulation& operator=(Simulation other) noexcept { return state_.swap(other.state_), *this; }
+  Simulation& operator=(Simulation other) noexcept {
+    state_.swap(other.state_);
+    return *this;
+  }
   ~Simulation();
 
   /// Takes whole steps of the method that end by `until_s`, as long as the rotor stays clear of the
