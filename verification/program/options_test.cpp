@@ -159,7 +159,8 @@ TEST_F(Options, AreBlamedIfTheyAreStatedLast) {
     const std::string others = (name == std::string("start_speed_rpm") ? "until = 1\n" : start) +
                                "support_damping = 0.1\n" +
                                (name == std::string("drive") ? "torque = 1\n" : "");
-    const auto refuse = [&](const std::string& scene, const std::string& place) {
+    const auto refuse = [&, name = name, value = value](const std::string& scene,
+                                                        const std::string& place) {
       write("s.toml", scene);
       std::string plain = value;
       std::erase(plain, '"');
