@@ -38,11 +38,9 @@ std::vector<Frame> frames_of(const Picture& picture) {
 /// Coordinates in the picture: y_a to the right, x_a down. The rotor turns from x_a to y_a.
 Json drawn(const Frame& frame, const Parameters& p) {
   const double per_m = 100 / p.stator_radius;
-  const double clearance_m = Ring<double>(p).clearance;
-  const double radius = 100 - enlarged * clearance_m * per_m;
+  const double radius = 100 - enlarged * Ring<double>(p).clearance * per_m;
   const double x = enlarged * frame.y_a_m * per_m, y = enlarged * frame.x_a_m * per_m;
   const double distance = std::max(std::hypot(x, y), 1e-9), nx = x / distance, ny = y / distance;
-  const double mark_x = std::sin(frame.q3_rad), mark_y = std::cos(frame.q3_rad);
   const double kx = x + radius * nx, ky = y + radius * ny;
   // On the rotor: F_n is negative along n; F_tau is positive in the sense of q3, (ny, -nx) here.
   const double fx = (frame.normal_N * nx + frame.friction_N * ny) * arrow_per_N,
@@ -51,8 +49,8 @@ Json drawn(const Frame& frame, const Parameters& p) {
   return {{"x", place(x)},
           {"y", place(y)},
           {"radius", place(radius)},
-          {"mark_x", place(x + 0.86 * radius * mark_x)},
-          {"mark_y", place(y + 0.86 * radius * mark_y)},
+          {"mark_x", place(x + 0.86 * radius * std::sin(frame.q3_rad))},
+          {"mark_y", place(y + 0.86 * radius * std::cos(frame.q3_rad))},
           {"k_x", place(kx)},
           {"k_y", place(ky)},
           {"force_x", place(kx + fx)},
@@ -83,27 +81,23 @@ std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& fra
           {"Largest force", strongest(rolling, end)}};
 }
 
-Json stills_json(const std::vector<Frame>& frames, const Parameters& p) {
+}  // namespace
+
+Json accident_json() {
+  const Parameters p;
+  const auto frames = frames_of(Explorer().run({{"until", "29.14"}}, 1e-6));
   Json all = Json::array();
   for (const auto& [title, frame] : moments(frames, p.mass_loss_time)) {
     Json still = drawn(frame, p);
     still["title"] = title;
-    still["left"] = 244 * all.size();  // in a row
-    still["after_loss_ms"] =
-        std::round(1e6 * (frame.time_s - p.mass_loss_time)) / 1e3 + 0;  // no -0
-    still["after_loss"] = fmt::format("{:.2f}", still["after_loss_ms"].get<double>());
+    still["left"] = 244 * all.size();                                                 // in a row
+    const double after_us = std::round(1e6 * (frame.time_s - p.mass_loss_time)) + 0;  // no -0
+    still["after_loss"] = fmt::format("{:.2f}", after_us / 1e3);
     still["force_kN"] = fmt::format("{:.0f}", -frame.normal_N / 1e3);
     still["speed_Hz"] = fmt::format("{:.1f}", frame.speed_Hz);
     all.push_back(still);
   }
-  return all;
-}
-
-}  // namespace
-
-Json accident_json() {
-  const Picture picture = Explorer().run({{"until", "29.14"}}, 1e-6);
-  return {{"stills", stills_json(frames_of(picture), Parameters{})},
+  return {{"stills", all},
           {"tint", sets_in_words[0].light},
           {"enlarged", fmt::format("{:g}", enlarged)}};
 }

@@ -2,7 +2,6 @@
 import { execFileSync } from "node:child_process";
 
 let page, rotor, expect;
-const say = (text) => console.log(text);
 const text = (id) => page.textContent(`#${id}`);
 /// Waits until the pictures match the settings in the address.
 const shown = () => page.waitForFunction(
@@ -18,10 +17,9 @@ async function set(options) {
   await page.waitForFunction((to) => document.body.dataset.shows === to, hash, { timeout: 60_000 });
 }
 
-const argumentsOf = (options) =>
-  Object.entries(options).flatMap(([option, value]) => [`--${option}`, value]);
 const native = (options) => JSON.parse(execFileSync(rotor,
-  ["run", "--json", ...argumentsOf(options)], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
+  ["run", "--json", ...Object.entries(options).flatMap(([option, value]) => [`--${option}`, value])],
+  { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
 
 // ---- the numbers
 
@@ -36,26 +34,20 @@ function leaves(json, name = "") {
 /// Two programs with sines that differ in the last digit differ by the rounding of one, multiplied by the
 /// run. That is less than the effect of a tolerance ten times as large; values that do not depend on the
 /// tolerance must agree to ten digits.
-function compare(options) {
-  const stated = native(options);
-  const looser = Object.fromEntries(leaves(native({ ...options, tolerance: "1e-10" })));
+function compare(options, seen) {
+  const [stated, looser, ours] = [native(options), native({ ...options, tolerance: "1e-10" }), seen]
+    .map((json) => Object.fromEntries(leaves(json)));
   let worst = 0;
-  return (seen) => {
-    const ours = Object.fromEntries(leaves(seen));
-    for (const [name, value] of leaves(stated)) {
-      if (name === "/tolerance" || name.startsWith("/inputs/")) continue;
-      if (typeof value !== "number") {
-        expect(ours[name] === value, `${JSON.stringify(options)}: ${name} is ${ours[name]}, not ${value}`);
-        continue;
-      }
-      const error = Math.abs(looser[name] - value) + 1e-10 * Math.abs(value);
-      const off = Math.abs(ours[name] - value);
-      worst = Math.max(worst, error > 0 ? off / error : 0);
-      expect(off <= error, `${JSON.stringify(options)}: ${name} is ${ours[name]}, not ${value} within ${error}`);
-    }
-    for (const name of Object.keys(ours)) expect(name in Object.fromEntries(leaves(stated)), `${name} is new`);
-    return worst;
-  };
+  for (const [name, value] of Object.entries(stated)) {
+    if (name === "/tolerance" || name.startsWith("/inputs/")) continue;
+    const is_number = typeof value === "number", off = Math.abs(ours[name] - value);
+    const error = is_number ? Math.abs(looser[name] - value) + 1e-10 * Math.abs(value) : 0;
+    if (error > 0) worst = Math.max(worst, off / error);
+    expect(is_number ? off <= error : ours[name] === value,
+      `${JSON.stringify(options)}: ${name} is ${ours[name]}, not ${value} within ${error}`);
+  }
+  for (const name of Object.keys(ours)) expect(name in stated, `${name} is new`);
+  return worst;
 }
 
 const settings = [
@@ -71,9 +63,9 @@ async function checkNumbers() {
   let worst = 0;
   for (const options of settings) {
     await set(options);
-    worst = Math.max(worst, compare(options)(await summary()));
+    worst = Math.max(worst, compare(options, await summary()));
   }
-  say(`${settings.length} settings: every number as rotor run --json has it, within the error of the run; ` +
+  console.log(`${settings.length} settings: every number as rotor run --json has it, within the error of the run; ` +
     `the largest difference is ${(100 * worst).toFixed(0)} % of it`);
 }
 
@@ -103,7 +95,7 @@ async function checkInputs() {
   expect(dragged > 40 && dragged < 100, `a drag on the map shows ${dragged} Hz`);
   const [engine_ms, picture_ms] = await page.evaluate(() => ["engine run", "input to picture"].map((name) =>
     performance.getEntriesByName(name).slice(-15).map(({ duration }) => duration).sort((one, other) => one - other)[7]));
-  say(`from a drag to the picture: ${picture_ms.toFixed(0)} ms at the median, ${(picture_ms / engine_ms).toFixed(1)} runs of the engine`);
+  console.log(`from a drag to the picture: ${picture_ms.toFixed(0)} ms at the median, ${(picture_ms / engine_ms).toFixed(1)} runs of the engine`);
   await page.locator(".marker").press("ArrowRight");
   await shown();
   expect((await summary()).speed_at_mass_loss_Hz > dragged + 0.5, "an arrow key does not move the marker");

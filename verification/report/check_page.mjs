@@ -7,31 +7,59 @@ import path from "node:path";
 import { checkEngine } from "./check_engine.mjs";
 
 const [page_file, chromium_path, rotor] = process.argv.slice(2);
+const address = "file://" + path.resolve(page_file);
 const installed = createRequire(path.resolve(path.dirname(page_file), "../check-report/package.json"));
 const { chromium } = installed("playwright-core");
 const axe = fs.readFileSync(installed.resolve("axe-core/axe.min.js"), "utf8");
 
-const most_bytes = 2e6, most_ms = 100, least_target_px = 24, most_px = { 1440: 14e3, 360: 14e3 };
+const most_bytes = 2e6, most_ms = 100;
 const pictures = fs.readdirSync("figures/paper").filter((file) => /^fig\d+\.toml$/.test(file)).length;
 const faults = [];
 const expect = (holds, fault) => { if (!holds) faults.push(fault); };
 
-// Links within the page, and to files next to it.
-async function check_links(page) {
-  const links = await page.$$eval("a[href]", (all) => all.map((a) => a.getAttribute("href")));
-  const ids = new Set(await page.$$eval("[id]", (all) => all.map((e) => e.id)));
-  for (const link of new Set(links)) {
-    const is_there = link.startsWith("#") ? ids.has(link.slice(1))
-      : fs.existsSync(path.join(path.dirname(page_file), decodeURIComponent(link)));
-    expect(is_there, `the link ${link} leads nowhere`);
+// What is at fault in the page, by what is wrong with it; `all` finds elements there.
+const in_contents = {
+  "links lead nowhere": () => all("a[href^='#']").filter(({ hash }) => !document.getElementById(hash.slice(1))),
+  "figures have no size": () => all("#figures article > details > figure > svg")
+    .filter(({ clientWidth, clientHeight }) => clientWidth <= 200 || clientHeight <= 100),
+  // With a mathematical font and without.
+  "subscripts are not lower than their letters": () => ["", "DejaVu Serif"].flatMap((font) => all("math msub, math msubsup").filter((sub) => {
+    const { style } = sub.closest("math"), [letter, index] = sub.children;
+    style.fontFamily = font;
+    const [above, below] = [letter, index].map((element) => element.getBoundingClientRect().bottom), padding = parseFloat(getComputedStyle(letter).paddingBottom);
+    style.removeProperty("font-family");
+    return below < above - padding + 2;
+  })),
+  // They are as people write them, outside commands and scenes.
+  "numbers are raw": () => {
+    const copy = document.querySelector("main").cloneNode(true);
+    for (const part of copy.querySelectorAll("pre, code, svg, style, math")) part.remove();
+    return copy.innerHTML.replace(/<[^>]*>/g, " ").match(/\d[eE][-+]?\d+|(?<=^|[\s(])-\d[\d.]*/gm) ?? [];
+  },
+  "sliders with few values do not show them": () => all("input[type=range]").filter(({ min, max, step, nextElementSibling: next }) =>
+    (max - min) / (step || 1) < 5 && next.children.length !== (max - min) / (step || 1) + 1),
+};
+const in_look = {
+  // WCAG 2.2, 2.5.8; a radio button has its label's size.
+  "controls are below 24 px": () => all("button:enabled, input, summary, nav a, [tabindex='0']").filter((element) => {
+    const { width, height } = (element.type === "radio" ? element.parentElement : element).getBoundingClientRect();
+    return element.checkVisibility() && Math.min(width, height) < 24;
+  }),
+  "verdicts of figures are hidden": () => all("#figures article .sign").filter((sign) => !sign.checkVisibility()),
+  "heights are above 14000 px": () => [document.documentElement.scrollHeight].filter((height) => innerWidth !== 768 && height > 14e3),
+  "widths, with all details open, make the page scroll sideways": () => {
+    const closed = all("details:not([open])");
+    for (const details of closed) details.open = true;
+    const { scrollWidth } = document.documentElement;
+    for (const details of closed) details.open = false;
+    return [scrollWidth].filter((width) => width > innerWidth);
+  },
+};
+async function check(page, name, checks) {
+  for (const [fault, find] of Object.entries(checks)) {
+    const found = await page.evaluate(`(${find})().map((at) => at.outerHTML?.slice(0, 80) ?? at)`);
+    expect(found.length === 0, `${name}: ${found.length} ${fault}: ${found.slice(0, 4).join("; ")}`);
   }
-  return links.length;
-}
-
-async function check_pictures(page) {
-  const seen = await page.$$eval("#figures article > details > figure > svg", (all) => all.map((svg) => svg.getBoundingClientRect())
-    .filter(({ width, height }) => width > 200 && height > 100).length);
-  expect(seen === pictures, `${seen} figures with a size instead of ${pictures}`);
 }
 
 // The contents of pictures are hidden meanwhile, because they take most of the time.
@@ -43,50 +71,12 @@ async function check_axe(page, name) {
     faults.push(`${name}: ${found.help} (${found.id}): ${found.nodes.map((n) => n.target).slice(0, 3).join("; ")}`);
 }
 
-// Controls can be hit (WCAG 2.2, 2.5.8); a radio button has its label's size.
-async function check_targets(page, name) {
-  const small = await page.$$eval("button:enabled, input, summary, nav a, [tabindex='0']", (all, least) => all.filter((element) => element.checkVisibility())
-    .map((element) => [element, (element.type === "radio" ? element.parentElement : element).getBoundingClientRect()])
-    .filter(([, { width, height }]) => Math.min(width, height) < least).map(([element, { width, height }]) => `${element.outerHTML.slice(0, 60)} ${width} x ${height}`), least_target_px);
-  expect(small.length === 0, `${name}: ${small.length} controls below ${least_target_px} px: ${small.slice(0, 3).join("; ")}`);
-}
-
-// A subscript is lower than its letter, with a mathematical font and without.
-async function check_subscripts(page) {
-  for (const font of ["", "DejaVu Serif"]) {
-    const level = await page.$$eval("math msub, math msubsup", (all, name) => all.filter((sub) => {
-      sub.closest("math").style.fontFamily = name;
-      const [letter, index] = sub.children, bottom = (element) => element.getBoundingClientRect().bottom;
-      return bottom(index) < bottom(letter) - parseFloat(getComputedStyle(letter).paddingBottom) + 2;
-    }).map((sub) => sub.textContent), font);
-    expect(level.length === 0, `${level.join(", ")} on the base line in ${font || "the page's font"}`);
-  }
-  await page.$$eval("math", (all) => all.forEach((math) => math.style.removeProperty("font-family")));
-}
-
-// Numbers are as people write them, outside commands and scenes.
-async function check_numbers(page) {
-  const raw = await page.$eval("main", (main) => {
-    const copy = main.cloneNode(true);
-    for (const part of copy.querySelectorAll("pre, code, svg, style, math")) part.remove();
-    return copy.innerHTML.replace(/<[^>]*>/g, " ").match(/\d[eE][-+]?\d+|(?<=^|[\s(])-\d[\d.]*/gm) ?? [];
-  });
-  expect(raw.length === 0, `${raw.length} raw numbers: ${raw.slice(0, 4).join(", ")}`);
-}
-
-// A slider with few values shows them.
-async function check_stops(page) {
-  const bare = await page.$$eval("input[type=range]", (all) => all.filter(({ min, max, step, nextElementSibling: next }) =>
-    (max - min) / (step || 1) < 5 && next.children.length !== (max - min) / (step || 1) + 1).map(({ id }) => id));
-  expect(bare.length === 0, `no values at the stops of ${bare.join(", ")}`);
-}
-
 // Whatever an address says, there is a run, which plays and can be zoomed.
 async function check_addresses(browser) {
   for (const hash of ["friction=1e999", "friction=0.123", "mass-loss-time=-1", "clearance=x", "equations=neither", "%00=&friction"]) {
     const page = await browser.newPage({ viewport: desktop });
     page.on("pageerror", (error) => faults.push(`#${hash}: ${error.message}`));
-    await page.goto(`file://${path.resolve(page_file)}#${hash}`);
+    await page.goto(`${address}#${hash}`);
     for (const id of ["play", "zoom-in", "zoom-out", "show-accident", "play"]) await page.click(`#${id}`);
     await page.press("#plots", "ArrowRight");
     expect(/^The rotor/.test(await page.textContent("#outcome")), `#${hash}: no run is shown`);
@@ -102,7 +92,6 @@ const shown = (page, hash) => page.waitForFunction((to) => document.body.dataset
 // Five steps, each with its formula and one control, which changes the words beside it; the picture stays
 // beside the text, and on a phone each step has its own above its text.
 async function check_steps(page, is_phone) {
-  await page.emulateMedia({ reducedMotion: "reduce" }); // a film is at its end at once
   const steps = await page.$$(".step");
   expect(steps.length === 5, `${steps.length} steps instead of 5`);
   for (const step of steps) {
@@ -110,23 +99,23 @@ async function check_steps(page, is_phone) {
     const id = await step.getAttribute("id"), control = await step.$("input"), says = () => step.$eval("output", (output) => output.textContent);
     expect(await (await step.$("math")).isVisible() && (await step.$$("input")).length === 1, `${id} has no formula, or not one control`);
     await control.press("Home");
-    const first = await says(), shows = await (is_phone ? step : page).$eval(is_phone ? ".now" : "#stage .now", (now) => now.textContent);
+    const stage = await (is_phone ? step.$(".stage") : page.$("#stage")), first = await says();
+    const shows = await stage.$eval(".now", (now) => now.textContent);
     expect(!shows.startsWith("−"), `the picture of ${id} ends ${shows}`);
     await control.fill(await control.evaluate(({ max }) => String(Math.round(max / 2))));
     expect((await says()) !== first && (await control.getAttribute("aria-valuetext")) === (await says()), `the control of ${id} changes nothing`);
-    const [picture, text] = await Promise.all([(await (is_phone ? step : page).$(is_phone ? ".stage" : "#stage")).boundingBox(), (await step.$("p")).boundingBox()]);
+    const [picture, text] = await Promise.all([stage.boundingBox(), (await step.$("p")).boundingBox()]);
     const is_placed = is_phone ? picture?.y + picture?.height <= text.y : picture?.y >= 0 && picture.y + picture.height <= page.viewportSize().height && picture.x + picture.width <= text.x;
     expect(is_placed, `the picture is not ${is_phone ? "above" : "beside"} the text of ${id}: ${JSON.stringify([picture, text])}`);
   }
   expect(await page.isVisible("#roll-answer p"), "a guess does not show the answer");
-  await page.emulateMedia({ reducedMotion: "no-preference" });
 }
 
 // Without scripts, and on paper: the strip of the accident, text and formulas, and no control.
 async function check_unscripted(browser) {
   for (const javaScriptEnabled of [false, true]) {
     const context = await browser.newContext({ viewport: desktop, javaScriptEnabled }), page = await context.newPage();
-    await page.goto("file://" + path.resolve(page_file));
+    await page.goto(address);
     if (javaScriptEnabled) await page.emulateMedia({ media: "print" });
     expect(await page.isVisible(".stills svg") && !(await page.isVisible(".control, .stage, #try")), `scripts ${javaScriptEnabled}: the strip is not shown alone`);
     for (const part of await page.$$(".step math, .step p.note")) expect(await part.isVisible(), "a formula or note is hidden without scripts");
@@ -186,15 +175,15 @@ const inked = (page, canvas, set) => page.$eval(canvas, (of, name) => {
 // and a run has the colour of its equations.
 async function check_pins(page) {
   const slowest_ms = await page.evaluate(async () => {
-    const all = [...document.querySelectorAll(".pin")].map((pin) => ({ pin, ms: Infinity }));
-    for (const one of Array(5).fill(all).flat()) { // the least of five, because other programs run, too
+    const pins = all(".pin").map((pin) => ({ pin, ms: Infinity }));
+    for (const one of Array(5).fill(pins).flat()) { // the least of five, because other programs run, too
       const begun = performance.now();
       delete document.body.dataset.shows;
       one.pin.click();
       while (!document.body.dataset.shows) await new Promise(requestAnimationFrame);
       one.ms = Math.min(one.ms, performance.now() - begun);
     }
-    return Math.max(...all.map(({ ms }) => ms));
+    return Math.max(...pins.map(({ ms }) => ms));
   });
   expect(slowest_ms < most_ms, `a pin takes ${slowest_ms} ms`);
   await page.getByRole("button", { name: /^150 Hz/ }).click();
@@ -210,12 +199,14 @@ async function check_pins(page) {
   await page.check("#published");
   await page.getByRole("button", { name: /^μ = 0.2/ }).press("Enter");
   await shown(page, "#friction=0.2");
+  await page.reload(); // the address keeps the settings
+  await shown(page, "#friction=0.2");
 }
 
 // The tabulator reaches whatever a mouse can use; of a group of radio buttons, the one that is chosen.
 async function check_keyboard(page) {
   const count = await page.evaluate(() => {
-    window.unreached = new Set([...document.querySelectorAll("a[href], button:enabled, select, summary, input, [tabindex='0']")]
+    window.unreached = new Set(all("a[href], button:enabled, select, summary, input, [tabindex='0']")
       .filter((element) => element.checkVisibility() && !(element.type === "radio" && !element.checked)));
     document.addEventListener("focusin", ({ target }) => window.unreached.delete(target));
     return window.unreached.size;
@@ -225,72 +216,43 @@ async function check_keyboard(page) {
   expect(count > 50 && unreached.length === 0, `the tabulator does not reach ${unreached.join("; ")}`);
 }
 
-// The address keeps the settings.
-async function check_address(page) {
-  await page.getByRole("button", { name: /^μ = 0.2/ }).press("Enter");
-  await page.reload();
-  await shown(page, "#friction=0.2");
-}
-
 const desktop = { width: 1440, height: 900 };
-const looks = [
-  { name: "desktop", viewport: desktop, media: {} },
-  { name: "dark", viewport: desktop, media: { colorScheme: "dark" } },
-  { name: "tablet", viewport: { width: 768, height: 1024 }, media: {} },
-  { name: "phone", viewport: { width: 360, height: 740 }, media: {} },
-];
+const looks = { desktop, dark: desktop, tablet: { width: 768, height: 1024 }, phone: { width: 360, height: 740 } };
 
 (async () => {
   const bytes = fs.statSync(page_file).size;
   // Chromium has no sandbox when run as root.
   const browser = await chromium.launch({ executablePath: chromium_path, args: process.getuid() ? [] : ["--no-sandbox"] });
-  const page = await browser.newPage({ viewport: desktop });
+  const page = await browser.newPage({ viewport: desktop, reducedMotion: "reduce" }); // a film of a step is at its end at once
   page.setDefaultTimeout(300e3);
+  await page.addInitScript(() => { window.all = (selector) => [...document.querySelectorAll(selector)]; });
   page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
   page.on("pageerror", (error) => faults.push(error.message));
-  page.on("request", (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) faults.push(`asks the network for ${request.url()}`);
-  });
-  await page.goto("file://" + path.resolve(page_file));
+  page.on("request", (request) => expect(/^(file|data|blob):/.test(request.url()), `asks the network for ${request.url()}`));
+  await page.goto(address);
   await shown(page, "#");
   const without_engine = bytes - await page.$$eval("#engine-wasm, #engine-worker", (all) => all.reduce((sum, { textContent }) => sum + textContent.length, 0));
   expect(without_engine <= most_bytes, `${without_engine} bytes without the engine, more than ${most_bytes}`);
-  const links = await check_links(page);
-  await check_pictures(page);
-  await check_subscripts(page);
-  await check_numbers(page);
-  await check_stops(page);
+  for (const file of await page.$$eval("a:not([href^='#'])", (links) => links.map((link) => link.getAttribute("href"))))
+    expect(fs.existsSync(path.join(path.dirname(page_file), decodeURIComponent(file))), `there is no ${file}`);
+  const seen = await page.locator("#figures article > details > figure > svg").count();
+  expect(seen === pictures, `${seen} figures instead of ${pictures}`);
+  await check(page, "page", in_contents);
   await check_addresses(browser);
   await check_steps(page, false);
   await check_unscripted(browser);
   const scrubs_ms = await check_time(page);
   await check_pins(page);
-  await check_address(page);
   await check_keyboard(page);
-  if (await page.$("body.has-engine")) {
-    await page.emulateMedia({ reducedMotion: "reduce" });
-    await checkEngine({ page, rotor, expect });
-    await page.emulateMedia({ reducedMotion: "no-preference" });
-  }
-  for (const { name, viewport, media } of looks) {
+  if (await page.$("body.has-engine")) await checkEngine({ page, rotor, expect });
+  for (const [name, viewport] of Object.entries(looks)) {
     await page.setViewportSize(viewport);
-    await page.emulateMedia({ colorScheme: "light", ...media });
+    await page.emulateMedia({ colorScheme: name === "dark" ? "dark" : "light" });
     await page.reload();
     await page.waitForTimeout(300);
     await page.evaluate(axe);
-    const [height, width] = await page.evaluate(() => {
-      const { scrollHeight } = document.documentElement, closed = [...document.querySelectorAll("details:not([open])")];
-      for (const details of closed) details.open = true;
-      const { scrollWidth } = document.documentElement;
-      for (const details of closed) details.open = false;
-      return [scrollHeight, scrollWidth];
-    });
-    expect(width <= viewport.width, `${name}: scrolls sideways, ${width} px wide, with all details open`);
-    expect(!(height > most_px[viewport.width]), `${name}: ${height} px high`);
     await check_axe(page, name);
-    await check_targets(page, name);
-    const hidden = await page.$$eval("#figures article .sign", (all) => all.filter((sign) => !sign.checkVisibility()).length);
-    expect(hidden === 0, `${name}: the verdicts of ${hidden} figures are hidden`);
+    await check(page, name, in_look);
     if (name !== "phone") continue;
     await check_steps(page, true);
     await page.click("#fig05 summary");
@@ -298,8 +260,7 @@ const looks = [
   }
   await browser.close();
   for (const fault of faults) console.error("check-report: " + fault);
-  console.log(`${page_file}: ${(bytes / 1e6).toFixed(2)} MB, ${links} links, ${looks.length} looks, ` +
-    `a key redraws in ${scrubs_ms.toFixed(0)} ms, ${faults.length} faults`);
+  console.log(`${page_file}: ${(bytes / 1e6).toFixed(2)} MB, a key redraws in ${scrubs_ms.toFixed(0)} ms, ${faults.length} faults`);
   process.exit(faults.length ? 1 : 0);
 })().catch((error) => {
   console.error("check-report: " + error.message);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include "verification/report/document.hpp"
 #include "verification/support/pattern.hpp"
@@ -79,8 +80,7 @@ Json number_json(const Number& number) {
   const Reading::InSet &reading = number.readings[number.decides[0]].in[0],
                        &corrected = number.readings[number.decides[1]].in[1];
   const auto here = number.kind == Kind::method ? reading.by_rk4 : reading.converged;
-  Json all = {{"id", number.id},
-              {"says", words_of(number)},
+  Json all = {{"says", words_of(number)},
               {"place", number.place},
               {"printed", printed(number)},
               {"rule", rule_of(number)},
@@ -100,16 +100,17 @@ Json number_json(const Number& number) {
   return all;
 }
 
-/// Severity: refuted, within rounding, reproduced; then by how far off.
-std::pair<int, double> severity(const Json& judged) {
-  const auto verdict = judged.at("as_printed").at("verdict").get<std::string>();
-  const double off = judged.at("as_printed").value("off", 0.);
-  return {verdict == "refuted"           ? 2
-          : verdict == "within rounding" ? 1
-                                         : 0,
-          std::isfinite(off) ? off : 0};
+/// Refuted, within rounding, reproduced; then by how far off.
+bool is_worse(const Json& one, const Json& other) {
+  const auto severity = [](const Json& judged) {
+    const Json& as_printed = judged.at("as_printed");
+    const double off = as_printed.at("off");
+    const bool is_refuted = as_printed.at("verdict") == "refuted";
+    return std::tuple(is_refuted, as_printed.at("verdict") == "within rounding",
+                      std::isfinite(off) ? off : 0);
+  };
+  return severity(one) > severity(other);
 }
-bool is_worse(const Json& one, const Json& other) { return severity(one) > severity(other); }
 
 }  // namespace
 

@@ -64,15 +64,12 @@ Json read_json(const std::filesystem::path& file) {
 Json document(const Sources& sources) {
   const std::vector<Number> judged = judged_numbers(sources.reference_data);
   const Json claims = claims_json(judged);
-  const Json values = values_json(judged);
-  const Json words = with_numbers(read_json(sources.texts), values);
-  Json all = {{"title", words.at("title")},
-              {"paper", words.at("paper")},
-              {"verdict", verdicts_json(claims)},
+  Json words = with_numbers(read_json(sources.texts), values_json(judged));
+  for (Json& step : words.at("steps")) step[step.at("id").get<std::string>()] = true;
+  Json all = {{"verdict", verdicts_json(claims)},
               {"settled", settled_json(judged)},
               {"turned", turned_json(judged)},
               {"words", words},
-              {"values", values},
               {"figures", figures_json(sources, claims)},
               {"groups", groups_json(claims, words.at("causes"))},
               {"assumptions", register_json(sources.reference_data / "assumptions.csv")},
@@ -81,7 +78,6 @@ Json document(const Sources& sources) {
   for (Json& figure : all["figures"])
     figure["caption"] =
         words.at("captions").value(figure.at("number").get<std::string>(), figure.at("title"));
-  all["words"].erase("captions");
   return all;
 }
 

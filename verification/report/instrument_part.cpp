@@ -1,5 +1,6 @@
 /// The accident for the interactive part of the page: the paper's cases in the form of the engine's
 /// answers, and the map of outcomes.
+#include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
@@ -50,21 +51,17 @@ std::string base64(std::string bytes) {
 }
 
 /// Columns by their names, each in steps of a 65535th of its range: [least, greatest, steps].
-Json quantised(const Table& all, const Json& names, double until_s) {
-  Table table(all.columns());
-  for (std::size_t row = 0; row < all.rows() && all.row(row)[0] <= until_s; ++row)
-    table.add(all.row(row));
+Json quantised(const Table& table, const Json& names, double until_s) {
   Json columns;
   for (std::size_t i = 0; i < table.columns(); ++i) {
-    double least = INFINITY, greatest = -INFINITY;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      least = std::min(least, table.row(row)[i]);
-      greatest = std::max(greatest, table.row(row)[i]);
-    }
+    std::vector<double> values;
+    for (std::size_t row = 0; row < table.rows() && table.row(row)[0] <= until_s; ++row)
+      values.push_back(table.row(row)[i]);
+    const auto [least, greatest] = std::ranges::minmax(values);
     const double step = greatest > least ? (greatest - least) / 65535 : 1;
     std::string bytes;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      const auto steps = static_cast<unsigned>(std::lround((table.row(row)[i] - least) / step));
+    for (const double value : values) {
+      const auto steps = static_cast<unsigned>(std::lround((value - least) / step));
       bytes += static_cast<char>(steps);
       bytes += static_cast<char>(steps >> 8U);
     }

@@ -33,13 +33,6 @@ std::string bundled(const fs::path& module, std::set<fs::path>& seen) {
                      module.stem().string(), text, names);
 }
 
-/// The engine for the browser, if it is built: emscripten's script with the worker, and base64.
-Json engine_json(const fs::path& build, const fs::path& scripts, const fs::path& packed) {
-  if (!fs::exists(packed)) return {};
-  return {{"worker", content_of(build / "explore/engine.js") + content_of(scripts / "worker.js")},
-          {"wasm", content_of(packed)}};
-}
-
 int main(const Arguments& arguments) {
   if (arguments.size() != 4)
     throw std::runtime_error(
@@ -55,7 +48,11 @@ int main(const Arguments& arguments) {
   std::set<fs::path> seen;
   shown["style"] = tints_of_page() + content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
-  shown["engine"] = engine_json(build, room / "script", out / "engine.wasm.gz.base64");
+  // If it is built: emscripten's script with the worker, and base64.
+  if (const fs::path packed = out / "engine.wasm.gz.base64"; fs::exists(packed))
+    shown["engine"] = {
+        {"worker", content_of(build / "explore/engine.js") + content_of(room / "script/worker.js")},
+        {"wasm", content_of(packed)}};
   shown["instrument"] = instrument_json(out).dump();
   shown["model"] = content_of(root / "figures/paper/preview/model.svg");
   shown["stills"] = render(content_of(room / "accident.mustache.svg"), {}, accident_json());

@@ -15,8 +15,6 @@ using kainjow::mustache::list;
 using kainjow::mustache::mustache;
 using kainjow::mustache::object;
 
-constexpr const char* minus = "\u2212";
-
 /// Symbols as printed: F_n with an index, mu and rho in Greek, a number beside its unit.
 /// Texts of several lines are sources, and do not change.
 std::string in_html(const std::string& text) {
@@ -41,7 +39,7 @@ std::string in_html(const std::string& text) {
 
 /// A number in text, with a typographic minus sign.
 std::string in_print(std::string number) {
-  if (number.starts_with('-')) number.replace(0, 1, minus);
+  if (number.starts_with('-')) number.replace(0, 1, "\u2212");
   return number;
 }
 

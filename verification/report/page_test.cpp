@@ -12,17 +12,7 @@ namespace {
 
 const std::filesystem::path room = ROTOR_SOURCES "/verification/report";
 
-const Json& texts() {
-  static const Json all = Json::parse(content_of(room / "texts.json"));
-  return all;
-}
-
-/// All texts of a document, at any depth.
-void gather(const Json& of, std::vector<std::string>& all) {
-  if (of.is_string()) all.push_back(of.get<std::string>());
-  if (of.is_structured())
-    for (const Json& item : of) gather(item, all);
-}
+Json texts() { return read_json(room / "texts.json"); }
 
 TEST(ReportTexts, StateNoResultThemselves) {
   // A text may contain inputs of the scenarios, places in the paper, names and units; results need
@@ -31,9 +21,8 @@ TEST(ReportTexts, StateNoResultThemselves) {
       "\\{\\{[^}]*\\}\\}|Eqs?\\. \\([0-9]+\\)|mu = 0\\.[0-9]+|(29\\.1|14\\.15|2\\.2|2|6) s\\b|"
       "(first|over) 5 ms|clearance (is|of) 3 mm|radius of 60 mm|mass of 5 kg|is 800 kN|1e-11|2 "
       "pi|\\^2|/2|[A-Za-z_]+[0-9]'?|[A-Za-z/]+\\.[A-Z]\\w+");
-  std::vector<std::string> all;
-  gather(texts(), all);
-  for (const std::string& text : all) {
+  const Json all = texts().flatten();
+  for (const Json& text : all) {
     const std::string rest = replaced(text, may_be_typed, "");
     EXPECT_EQ(rest.find_first_of("0123456789"), std::string::npos) << text;
   }

@@ -1,12 +1,14 @@
 // Colours and canvases. The style sheet knows light and dark.
 export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
-export const onColoursChanged = (act) =>
+/// Calls act when a canvas has another size, or colours are others.
+export function onChanged(canvas, act) {
+  new ResizeObserver(act).observe(canvas);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", act);
+}
 
-/// An emptied canvas, as large as it is shown: its context in pixels of the page.
-export function cleared(canvas) {
-  const { clientWidth: width, clientHeight: height } = canvas;
+/// An emptied canvas, as large as one is shown: its context in pixels of the page.
+export function cleared(canvas, { clientWidth: width, clientHeight: height } = canvas) {
   canvas.width = width * devicePixelRatio;
   canvas.height = height * devicePixelRatio;
   const ctx = canvas.getContext("2d");
@@ -27,4 +29,13 @@ export function arrow(ctx, points, head = 9) {
   for (const turn of [0, 2.5, -2.5])
     ctx.lineTo(x + head * Math.cos(angle + turn), y + head * Math.sin(angle + turn));
   ctx.fill();
+}
+
+/// Calls act with the event when an element is pressed, and while it is dragged.
+export function onDragged(element, act) {
+  element.addEventListener("pointerdown", (event) => {
+    element.setPointerCapture(event.pointerId);
+    act(event);
+  });
+  element.addEventListener("pointermove", (event) => element.hasPointerCapture(event.pointerId) && act(event));
 }

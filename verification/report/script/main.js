@@ -1,9 +1,8 @@
 // The interactive part of the page: a run, recorded or computed, as a rotor in its ring, curves and results.
-import { onColoursChanged } from "./colours.js";
 import { Engine, isEmbedded } from "./engine.js";
 import { OutcomeMap } from "./map.js";
 import { climaxOf, inWords, stateAt } from "./motion.js";
-import { sentence, showNumbers } from "./outcome.js";
+import { numbersOf, sentence } from "./outcome.js";
 import { Plots } from "./plots.js";
 import { Recorded } from "./recorded.js";
 import { RotorView } from "./rotor.js";
@@ -36,7 +35,8 @@ async function refresh() {
   const answer = recorded.answer(mine) ?? (engine ? await engine.ask(mine)
     : { refusal: "This page has no engine; make deps-explore explore embeds it. Only the pins of the map are recorded." });
   if (answer === null) return;
-  say(answer.refusal ?? "");
+  at("status").textContent = answer.refusal ?? ""; // why the pictures do not match the settings
+  document.body.classList.toggle("stale", Boolean(answer.refusal));
   if (answer.refusal) return;
   performance.measure("engine run", { start: asked_ms });
   show(answer, mine);
@@ -61,8 +61,8 @@ function show(answer, of) {
   if (!same_part) time_s = climaxOf(picture);
   at("outcome").textContent = sentence(summary);
   at("summary").textContent = JSON.stringify(summary, null, 2);
-  showNumbers(at("numbers"), summary);
-  rotor.show(picture, time_s);
+  at("numbers").innerHTML = numbersOf(summary).map(([name, text]) => `<tr><th scope="row">${name}</th><td>${text}</td></tr>`).join("");
+  rotor.picture = picture;
   plots.show([picture, ...others], part ?? accident(), time_s);
   map.show({ set: setOf(of), speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction });
   goTo(time_s);
@@ -81,12 +81,6 @@ function goTo(to_s) {
   const slider = at("plots");
   slider.setAttribute("aria-valuenow", (1e3 * (time_s - picture.mass_loss_s)).toFixed(2));
   slider.setAttribute("aria-valuetext", inWords(stateAt(picture.motion, time_s), picture.mass_loss_s));
-}
-
-/// The reason why the pictures do not match the settings, or nothing.
-function say(refusal) {
-  at("status").textContent = refusal;
-  document.body.classList.toggle("stale", refusal !== "");
 }
 
 // ---- settings and the address
@@ -145,10 +139,9 @@ at("play").addEventListener("click", () => {
   play(!playing);
 });
 
-const views = {
-  "zoom-in": () => plots.stretch(0.5), "zoom-out": () => plots.stretch(2), "show-accident": () => plots.showPart(...accident()),
-};
-for (const [id, act] of Object.entries(views)) at(id).addEventListener("click", act);
+at("zoom-in").addEventListener("click", () => plots.stretch(0.5));
+at("zoom-out").addEventListener("click", () => plots.stretch(2));
+at("show-accident").addEventListener("click", () => plots.showPart(...accident()));
 
 map.showKey(at("map-key"));
 
@@ -164,8 +157,5 @@ function openTarget() {
 }
 openTarget();
 
-onColoursChanged(() => {
-  for (const seen of [plots, rotor, map]) seen.paint();
-});
 showSteps(recorded);
 refresh();

@@ -1,5 +1,5 @@
 // The map of outcomes over speed and friction, with a pin for each of the paper's cases.
-import { cleared, colour } from "./colours.js";
+import { cleared, colour, onChanged, onDragged } from "./colours.js";
 import { ticks } from "./curves.js";
 import { lines, outcomes } from "./words.js";
 
@@ -24,21 +24,18 @@ export class OutcomeMap {
     this.#lines = theory;
     const holder = canvas.parentElement;
     for (const { label, ...pin } of pins) {
-      const button = document.createElement("button");
-      button.type = "button";
       // Neighbours and the axis are not covered.
-      button.className = `pin${this.#pins.length && this.#pins.length % 2 === 0 ? " below" : ""}${pin.speed_Hz < 30 ? " after" : ""}`;
-      button.textContent = label;
-      button.setAttribute("aria-label", `${label}: ${pin.speed_Hz.toFixed(1)} Hz, friction ${pin.friction}`);
+      const className = `pin${this.#pins.length && this.#pins.length % 2 === 0 ? " below" : ""}${pin.speed_Hz < 30 ? " after" : ""}`;
+      const ariaLabel = `${label}: ${pin.speed_Hz.toFixed(1)} Hz, friction ${pin.friction}`;
+      const button = Object.assign(document.createElement("button"), { type: "button", className, textContent: label, ariaLabel });
       button.addEventListener("click", () => onPick(pin.options));
       holder.append(button);
       this.#pins.push({ button, ...pin });
     }
-    this.#marker = document.createElement("button");
-    Object.assign(this.#marker, { type: "button", className: "marker", disabled: !onDrag });
+    this.#marker = Object.assign(document.createElement("button"), { type: "button", className: "marker", disabled: !onDrag });
     holder.append(this.#marker);
     if (onDrag) this.#letDrag(onDrag);
-    new ResizeObserver(() => this.paint()).observe(canvas);
+    onChanged(canvas, () => this.paint());
   }
 
   show({ set, speed_Hz, friction }) {
@@ -50,16 +47,10 @@ export class OutcomeMap {
   /// Fills a list with the outcomes in the maps, and the lines.
   showKey(list) {
     const cells = Object.values(this.#maps).flatMap((of) => of.cells).join("");
-    const entry = (sign, words) => {
-      const item = document.createElement("li");
-      item.innerHTML = sign;
-      item.append(words);
-      return item;
-    };
-    list.replaceChildren(...Object.entries(letters).filter(([letter]) => cells.includes(letter))
-      .map(([, name]) => entry(`<i style="background: var(--${name})"></i>`, `${name.replace("_", " ")}: ${outcomes[name]}`)),
-    ...lines.filter((of, n) => this.#lines.some(({ line }) => line === n))
-      .map(({ width, dashes, words }) => entry(`<svg viewBox="0 0 34 4"><path d="M0,2H34" stroke-width="${width}" stroke-dasharray="${dashes}"/></svg>`, words)));
+    list.innerHTML = Object.entries(letters).filter(([letter]) => cells.includes(letter))
+      .map(([, name]) => `<li><i style="background: var(--${name})"></i>${name.replace("_", " ")}: ${outcomes[name]}</li>`)
+      .concat(lines.filter((of, n) => this.#lines.some(({ line }) => line === n)).map(({ width, dashes, words }) =>
+        `<li><svg viewBox="0 0 34 4"><path d="M0,2H34" stroke-width="${width}" stroke-dasharray="${dashes}"/></svg>${words}</li>`)).join("");
   }
 
   #letDrag(onDrag) {
@@ -69,13 +60,8 @@ export class OutcomeMap {
       const box = this.#canvas.getBoundingClientRect();
       to(...this.#valuesAt(event.clientX - box.left, event.clientY - box.top));
     };
-    for (const element of [this.#marker, this.#canvas]) {
-      element.addEventListener("pointerdown", (event) => {
-        element.setPointerCapture(event.pointerId);
-        if (element === this.#canvas) pick(event);
-      });
-      element.addEventListener("pointermove", (event) => element.hasPointerCapture(event.pointerId) && pick(event));
-    }
+    onDragged(this.#canvas, pick);
+    onDragged(this.#marker, (event) => event.type === "pointermove" && pick(event));
     this.#marker.addEventListener("keydown", (event) => {
       const [df, dmu] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 0.01], ArrowDown: [0, -0.01] }[event.key] ?? [];
       if (df === undefined) return;
@@ -100,8 +86,15 @@ export class OutcomeMap {
   paint() {
     if (!this.#now || this.#canvas.clientWidth === 0) return;
     const { ctx, height } = cleared(this.#canvas), box = this.#box;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(left, top, box.width, box.height);
+    ctx.clip();
     this.#paintCells(ctx, box);
-    this.#paintLines(ctx, box);
+    ctx.strokeStyle = colour("quiet");
+    ctx.stroke(); // the frame
+    this.#paintLines(ctx);
+    ctx.restore();
     ctx.fillStyle = colour("text");
     ctx.textAlign = "center";
     for (const { value, text } of ticks(box.from[0], box.to[0], box.width / 70)) ctx.fillText(text, this.#place([value, 0])[0], height - 24);
@@ -125,10 +118,6 @@ export class OutcomeMap {
     const rows = this.#maps[this.#set].cells, count = rows[0].length;
     const inks = Object.fromEntries(Object.entries(letters).map(([letter, name]) => [letter, colour(name)]));
     const edge = (n, of, length) => Math.round((length * (n - 0.5)) / (of - 1));
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(left, top, width, height);
-    ctx.clip();
     rows.forEach((cells, row) => {
       const y = top + height - edge(row, rows.length, height), next = top + height - edge(row + 1, rows.length, height);
       for (let n = 0, end; n < count; n = end) { // like neighbours at once
@@ -137,17 +126,10 @@ export class OutcomeMap {
         ctx.fillRect(left + edge(n, count, width), next, edge(end, count, width) - edge(n, count, width), y - next);
       }
     });
-    ctx.restore();
   }
 
-  /// Where closed forms equal what they are compared with, and the frame.
-  #paintLines(ctx, { width, height }) {
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(left, top, width, height);
-    ctx.strokeStyle = colour("quiet");
-    ctx.stroke();
-    ctx.clip();
+  /// Where closed forms equal what they are compared with.
+  #paintLines(ctx) {
     for (const { line, points } of this.#lines.filter(({ set }) => set === this.#set)) {
       const { width: wide, dashes } = lines[line];
       ctx.beginPath();
@@ -158,7 +140,6 @@ export class OutcomeMap {
         ctx.stroke();
       }
     }
-    ctx.restore();
   }
 }
 

@@ -1,8 +1,6 @@
 // The outcome of a run, in words and numbers.
 import { outcomes, results } from "./words.js";
 
-/// With a number of significant digits.
-export const digits = (value, count) => Number(value.toPrecision(count)).toString();
 export const inKilonewton = (force_N) => `${(force_N / 1e3).toFixed(1)} kN`;
 const inSeconds = (time_s) => `${time_s.toFixed(4)} s`;
 
@@ -15,7 +13,7 @@ export function sentence(summary) {
       (peak_normal_force_N === null ? "." : `, and presses on the ring with up to ${inKilonewton(peak_normal_force_N)}.`));
   if (rolling_onset_s !== null)
     parts.push(`Rolling sets in at ${inSeconds(rolling_onset_s)}, ` +
-      `${digits(1e3 * (rolling_onset_s - first_contact_s), 3)} ms after the first contact.`);
+      `${Number((1e3 * (rolling_onset_s - first_contact_s)).toPrecision(3))} ms after the first contact.`);
   return parts.concat(summary.remarks.map((remark) => `Remark: ${remark}.`)).join(" ");
 }
 
@@ -26,14 +24,3 @@ const inText = (key, value = null) => value === null ? "–" : (inUnit[key.split
 /// Each number's name and text.
 export const numbersOf = (summary) => [["outcome", summary.outcome.replace("_", " ")]].concat(
   Object.entries(results).map(([key, label]) => [label, inText(key, summary[key])]));
-
-/// Fills a table's body, one row per number.
-export function showNumbers(body, summary) {
-  body.replaceChildren(...numbersOf(summary).map(([name, text]) => {
-    const row = document.createElement("tr"), head = document.createElement("th"), cell = document.createElement("td");
-    head.scope = "row";
-    [head.textContent, cell.textContent] = [name, text];
-    row.append(head, cell);
-    return row;
-  }));
-}

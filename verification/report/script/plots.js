@@ -1,7 +1,7 @@
 // Distance, force and speed over milliseconds after the loss, below bands of the kinds of motion. What a run shows
 // has the colour of its equations.
 import { bandsOf } from "./bands.js";
-import { cleared, colour } from "./colours.js";
+import { cleared, colour, onChanged, onDragged } from "./colours.js";
 import { panels, ticks } from "./curves.js";
 import { inMilliseconds } from "./motion.js";
 
@@ -13,7 +13,7 @@ export class Plots {
   #picture = null;
   #runs = []; // the picture's, and that of the other equations
   #drawn = []; // panels with the columns of each run
-  #part = [0, 1];
+  part = [0, 1];
   #width = 0; // of the panels; the canvas has to lay out the page to know its own
   #time_s = 0;
   #still = document.createElement("canvas"); // everything except the time marker
@@ -26,16 +26,10 @@ export class Plots {
   constructor(canvas, onTime) {
     this.#canvas = canvas;
     this.#onTime = onTime;
-    new ResizeObserver(() => this.paint()).observe(canvas);
+    onChanged(canvas, () => this.paint());
     if (!onTime) return;
-    const timeAt = ({ offsetX }) => this.#part[0] + ((offsetX - left) / this.#width) * (this.#part[1] - this.#part[0]);
-    canvas.addEventListener("pointerdown", (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      onTime(timeAt(event));
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      if (canvas.hasPointerCapture(event.pointerId)) onTime(timeAt(event));
-    });
+    const timeAt = ({ offsetX }) => this.part[0] + ((offsetX - left) / this.#width) * (this.part[1] - this.part[0]);
+    onDragged(canvas, (event) => onTime(timeAt(event)));
     canvas.addEventListener("keydown", (event) => this.#press(event));
   }
 
@@ -53,29 +47,26 @@ export class Plots {
     const least = this.#picture.from_s, greatest = Math.max(...this.#runs.map((run) => run.until_s));
     const length = Math.min(Math.max(until_s - from_s, 1e-4), greatest - least);
     const begin = Math.min(Math.max(from_s, least), greatest - length);
-    this.#part = [begin, begin + length];
+    this.part = [begin, begin + length];
     this.paint();
   }
   stretch(factor) {
-    const [from, until] = this.#part, about_s = this.#time_s;
+    const [from, until] = this.part, about_s = this.#time_s;
     this.showPart(about_s + factor * (from - about_s), about_s + factor * (until - about_s));
   }
-  get part() {
-    return this.#part;
-  }
   markNow(time_s) {
-    const is_new = time_s !== this.#time_s, [from, until] = this.#part;
+    const is_new = time_s !== this.#time_s, [from, until] = this.part;
     this.#time_s = time_s;
     if (time_s < from || time_s > until) this.showPart(time_s - (until - from) / 2, time_s + (until - from) / 2);
     else if (is_new) this.#paintNow();
   }
 
   #x(time_s) {
-    return left + ((time_s - this.#part[0]) / (this.#part[1] - this.#part[0])) * this.#width;
+    return left + ((time_s - this.part[0]) / (this.part[1] - this.part[0])) * this.#width;
   }
 
   #press(event) {
-    const [from, until] = this.#part, step = (until - from) / 200;
+    const [from, until] = this.part, step = (until - from) / 200;
     const to = { ArrowLeft: this.#time_s - step, ArrowRight: this.#time_s + step, PageDown: this.#time_s - 20 * step,
       PageUp: this.#time_s + 20 * step, Home: from, End: until }[event.key];
     const factor = { "+": 0.5, "-": 2 }[event.key];
@@ -87,13 +78,8 @@ export class Plots {
 
   paint() {
     if (!this.#picture || this.#canvas.clientWidth === 0) return;
-    const { width, height } = cleared(this.#canvas);
+    const { ctx, width, height } = cleared(this.#still, this.#canvas);
     this.#width = width - left - right;
-    this.#still.width = this.#canvas.width;
-    this.#still.height = this.#canvas.height;
-    const ctx = this.#still.getContext("2d");
-    ctx.scale(devicePixelRatio, devicePixelRatio);
-    ctx.font = "12px system-ui, sans-serif";
     const between = 24, room = height - top - bottom - between * this.#drawn.length;
     const all = this.#drawn.reduce((sum, { share = 1 }) => sum + share, 0);
     let y = top;
@@ -136,7 +122,7 @@ export class Plots {
   }
 
   #paintAxis(ctx, y, width) {
-    const loss_s = this.#picture.mass_loss_s, [from, until] = this.#part;
+    const loss_s = this.#picture.mass_loss_s, [from, until] = this.part;
     ctx.fillStyle = colour("text");
     ctx.textAlign = "center";
     for (const { value, text } of ticks(inMilliseconds(from, loss_s), inMilliseconds(until, loss_s), this.#width / 80)) {
@@ -148,7 +134,7 @@ export class Plots {
   }
 
   #paintPanel(ctx, panel, y, height) {
-    const [from, until] = this.#part;
+    const [from, until] = this.part;
     const curves = this.#runs.flatMap(({ motion: { time_s: times }, summary }, n) => {
       let first = 0, last = times.length - 1;
       while (first < last && times[first + 1] < from) ++first;
@@ -178,24 +164,19 @@ export class Plots {
     ctx.rect(left, y - 2, this.#width, height + 3);
     ctx.clip();
     ctx.lineJoin = "round";
-    // Points within half a pixel of the last one drawn are left out.
-    const line = ({ values, times, first, last }) => {
+    for (const { set, dashes, values, times, first, last } of curves.toReversed()) {
+      ctx.lineWidth = set === this.#picture.summary.equations ? 2.25 : 1.25; // tells sets apart in grey
+      ctx.strokeStyle = colour(set);
+      ctx.setLineDash(dashes ?? []);
+      ctx.beginPath();
       let last_x = -Infinity, last_y = 0;
-      for (let row = first; row <= last; ++row) {
+      for (let row = first; row <= last; ++row) { // points within half a pixel of the last one drawn are left out
         const x = this.#x(times[row]), y = place(values[row]);
         if (Math.abs(x - last_x) < 0.5 && Math.abs(y - last_y) < 0.5 && row < last) continue;
         ctx.lineTo(last_x = x, last_y = y);
       }
-    };
-    for (const curve of curves.toReversed()) {
-      ctx.lineWidth = curve.set === this.#picture.summary.equations ? 2.25 : 1.25; // tells sets apart in grey
-      ctx.strokeStyle = colour(curve.set);
-      ctx.setLineDash(curve.dashes ?? []);
-      ctx.beginPath();
-      line(curve);
       ctx.stroke();
     }
-    ctx.setLineDash([]);
     if (level) {
       ctx.strokeStyle = ctx.fillStyle = colour("text");
       ctx.setLineDash([4, 3]);
@@ -203,7 +184,6 @@ export class Plots {
       ctx.moveTo(left, place(level.value));
       ctx.lineTo(left + this.#width, place(level.value));
       ctx.stroke();
-      ctx.setLineDash([]);
       ctx.textAlign = "left";
       ctx.fillText(level.text, left + 5, place(level.value) + 14);
     }

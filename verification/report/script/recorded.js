@@ -7,8 +7,6 @@ export function column([least, greatest, text]) {
   return Float64Array.from(steps, (step) => least + (step * (greatest - least)) / 65535);
 }
 
-const columns = (all) => Object.fromEntries(Object.entries(all).map(([name, packed]) => [name, column(packed)]));
-
 /// A canonical form of settings: numbers as numbers, without the paper's values.
 const keyOf = (options) => JSON.stringify(Object.entries(options)
   .filter(([name, text]) => !(name === "equations" && text === "published"))
@@ -23,7 +21,7 @@ export class Recorded {
   answer(options) {
     const run = this.#runs.get(keyOf(options));
     if (!run) return null;
-    run.answer ??= { ...run, motion: columns(run.motion) };
+    run.answer ??= { ...run, motion: Object.fromEntries(Object.entries(run.motion).map(([name, packed]) => [name, column(packed)])) };
     return run.answer;
   }
 }

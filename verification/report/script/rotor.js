@@ -1,6 +1,6 @@
 // The rotor in its ring at a time of a run: as on paper x_a points down and y_a to the right, and angles
 // turn from x_a to y_a.
-import { arrow, cleared, colour } from "./colours.js";
+import { arrow, cleared, colour, onChanged } from "./colours.js";
 import { inWords, rowAt, stateAt, whirlAt } from "./motion.js";
 
 const gap = 0.22; // drawn width of the clearance, relative to the ring's radius
@@ -9,19 +9,14 @@ const trail_s = 0.004; // length of the trail of O
 export class RotorView {
   #canvas;
   #words;
-  #picture = null;
+  picture = null; // goTo paints it
   #time_s = 0;
 
   /// Draws on a canvas, and describes state and time in words.
   constructor(canvas, words) {
     this.#canvas = canvas;
     this.#words = words;
-    new ResizeObserver(() => this.paint()).observe(canvas);
-  }
-  /// goTo paints it.
-  show(picture, time_s) {
-    this.#picture = picture;
-    this.#time_s = time_s;
+    onChanged(canvas, () => this.paint());
   }
   goTo(time_s) {
     this.#time_s = time_s;
@@ -29,8 +24,8 @@ export class RotorView {
   }
 
   paint() {
-    if (!this.#picture) return;
-    const { motion, mass_loss_s: loss_s, summary } = this.#picture;
+    if (!this.picture) return;
+    const { motion, mass_loss_s: loss_s, summary } = this.picture;
     const now = stateAt(motion, this.#time_s);
     this.#words.textContent = inWords(now, loss_s);
     if (this.#canvas.clientWidth === 0) return;

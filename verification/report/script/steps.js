@@ -1,6 +1,5 @@
 // The accident in five steps: a picture beside the text, and one control for each step. Runs are recorded.
 import { stepPanels } from "./curves.js";
-import { onColoursChanged } from "./colours.js";
 import { climaxOf, stateAt } from "./motion.js";
 import { inKilonewton } from "./outcome.js";
 import { outcomes } from "./words.js";
@@ -64,30 +63,17 @@ class Stage {
     this.#plots.panels = [stepPanels[panel]];
     this.#plots.show(compares ? [picture, corrected] : [picture], part, part[0]);
     this.#key.hidden = !compares;
-    this.#rotor.show(picture, part[0]);
+    this.#rotor.picture = picture;
   }
   goTo(time_s) {
     this.#plots.markNow(time_s);
     this.#rotor.goTo(time_s);
   }
-  paint() {
-    this.#plots.paint();
-    this.#rotor.paint();
-  }
-}
-
-/// The values of a slider below its stops.
-function showStops(input, names) {
-  const stops = document.createElement("span");
-  stops.className = "stops";
-  stops.setAttribute("aria-hidden", "true"); // the words beside the control have them
-  stops.append(...names.map((name) => Object.assign(document.createElement("span"), { textContent: name })));
-  input.after(stops);
 }
 
 /// One picture stays beside the text; on a phone each step has its own.
 export function showSteps(recorded) {
-  const beside = document.getElementById("stage"), shared = new Stage(beside), stages = [shared];
+  const beside = document.getElementById("stage"), shared = new Stage(beside);
   const is_calm = matchMedia("(prefers-reduced-motion: reduce)");
   const seen = new Map(); // what to do when a step comes into view
   let playing = 0;
@@ -97,11 +83,14 @@ export function showSteps(recorded) {
     figure.removeAttribute("id");
     article.firstElementChild.after(figure);
     const own = new Stage(figure);
-    stages.push(own);
     let picture, corrected, part;
     const stops = step.stops ?? step.cases?.map((of) => step.names(recorded.answer(of)));
-    if (step.cases) input.max = stops.length - 1;
-    if (stops) showStops(input, stops);
+    if (step.cases) input.max = input.value = stops.length - 1;
+    if (stops) { // below the slider; the words beside the control have them
+      const all = stops.map((name) => Object.assign(document.createElement("span"), { textContent: name }));
+      input.after(Object.assign(document.createElement("span"), { className: "stops", ariaHidden: "true" }));
+      input.nextElementSibling.append(...all);
+    }
     const goTo = (time_s) => {
       for (const stage of [shared, own]) stage.goTo(time_s);
       output.textContent = step.says(picture, corrected, stateAt(picture.motion, time_s), Number(input.value));
@@ -150,5 +139,4 @@ export function showSteps(recorded) {
   }, { rootMargin: "-45% 0px -54% 0px" });
   for (const article of seen.keys()) observer.observe(article);
   seen.values().next().value();
-  onColoursChanged(() => stages.forEach((stage) => stage.paint()));
 }

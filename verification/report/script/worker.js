@@ -26,12 +26,6 @@ async function startEngine({ wasm }) {
   return new module.Engine();
 }
 
-/// Converts rows, one after the other, to arrays by the columns' names.
-function columns(names, rows) {
-  const count = rows.length / names.length;
-  return Object.fromEntries(names.map((name, i) => {
-    const column = new Float64Array(count);
-    for (let row = 0; row < count; ++row) column[row] = rows[row * names.length + i];
-    return [name, column];
-  }));
-}
+/// Rows, one after the other, as arrays by the columns' names.
+const columns = (names, rows) => Object.fromEntries(names.map((name, i) =>
+  [name, Float64Array.from({ length: rows.length / names.length }, (_, row) => rows[row * names.length + i])]));
