@@ -130,7 +130,8 @@ TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
 // Moved anywhere, the installed program finds its scenes and scripts: without them it does nothing.
 TEST_F(Make, InstallsAProgramThatCanBeMoved) {
   fs::create_directory_symlink(fs::path(ROTOR_PROGRAM).parent_path(), folder_ / "build");
-  const auto [status, output] = shell("make -o build install PREFIX=\"$PWD/a folder\"");
+  const auto [status, output] =
+      shell("make --no-print-directory -o build install PREFIX=\"$PWD/a folder\"");
   ASSERT_EQ(output, (folder_ / "a folder/bin/rotor\n").string());
   fs::rename(folder_ / "a folder", folder_ / "it is here");
   const std::string share = "'it is here/share/rotor/figures/", mine = "'it is here/bin/rotor' ";
