@@ -9,7 +9,6 @@
 #include <limits>
 #include <map>
 
-#include "figures/data/files.hpp"
 #include "model/integration/fehlberg.hpp"
 #include "model/methods/event_method.hpp"
 #include "model/methods/published_method.hpp"
@@ -243,9 +242,7 @@ int main(const Arguments& arguments) {
     print_ratios(all);
     std::fflush(stdout);
   }
-  FileTransaction files;
-  files.write(folder / "work-precision.csv", csv);
-  files.commit();
+  write_file(folder / "work-precision.csv", csv);
   return 0;
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <functional>
 #include <memory>
 #include <stdexcept>
 
@@ -170,19 +169,15 @@ class PeerMethod {
 
   /// Throws std::runtime_error if the solver fails.
   RunEnd run(double until_s) {
-    while (at_.time_s < until_s) switch (at_.contact) {
-        case ContactState::free:
-          pass<FreeFlight<double, ForFlight>, ForFlight>(until_s);
-          break;
-        case ContactState::indented:
-          pass<IndentedFlight<double, ForContact>, ForContact>(until_s);
-          break;
-        case ContactState::sliding:
-          pass<Sliding<double, ForContact>, ForContact>(until_s, at_.slip_sign);
-          break;
-        case ContactState::rolling:
-          pass<Rolling<double, ForContact>, ForContact>(until_s);
-      }
+    while (at_.time_s < until_s)
+      if (at_.contact == ContactState::free)
+        pass<FreeFlight<double, ForFlight>, ForFlight>(until_s);
+      else if (at_.contact == ContactState::indented)
+        pass<IndentedFlight<double, ForContact>, ForContact>(until_s);
+      else if (at_.contact == ContactState::sliding)
+        pass<Sliding<double, ForContact>, ForContact>(until_s, at_.slip_sign);
+      else
+        pass<Rolling<double, ForContact>, ForContact>(until_s);
     return {at_, counters_};
   }
 

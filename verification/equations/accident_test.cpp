@@ -16,8 +16,7 @@ Accident law_of(const Scenario& scenario) {
 }
 
 Summary until_decided(const Scenario& scenario) {
-  Observer null_observer;
-  return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, null_observer).summary;
+  return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, nobody).summary;
 }
 
 // The rotation is so fast that at the end of the swing O is on the far side of C.

@@ -24,9 +24,7 @@ TEST_P(Impact, OfSpringAndDashpotHasTheDurationReboundAndForceOfTheClosedForm) {
   p.contact_damping = 2 * zeta * std::sqrt(p.contact_stiffness * p.mass);
   EventRecorder run;
   SummaryObserver summary(scenario);
-  ObserverGroup both;
-  both.add(run);
-  both.add(summary);
+  ObserverGroup both{&run, &summary};
   Instant from = at_rest(p);
   from.state = {0, 0, 0, v_0, 0, 0};
   from.motor_on = false;

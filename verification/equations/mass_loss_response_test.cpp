@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
 #include "verification/support/observers.hpp"
 #include "verification/support/summary_of.hpp"
 

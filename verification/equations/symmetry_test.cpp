@@ -27,8 +27,7 @@ class Symmetry : public testing::Test {
   }
 
   Instant after(double duration_s, const Instant& from) const {
-    Observer null_observer;
-    return follow(scenario_, from, from.time_s + duration_s, null_observer).last;
+    return follow(scenario_, from, from.time_s + duration_s, nobody).last;
   }
 
   static void expect_equal(const State<double>& a, const State<double>& b, Law&& law) {

@@ -30,8 +30,7 @@ TEST(RollingInTheRing, SlowsDownWithTheSupportsDampingAtTheClosedFormsRate) {
   at.contact = ContactState::rolling;
   at.state = whirling(p, indentation, speed, 0);
   const double duration = 0.2;
-  Observer null_observer;
-  const Instant last = follow(scenario, at, duration, null_observer).last;
+  const Instant last = follow(scenario, at, duration, nobody).last;
   ASSERT_EQ(last.contact, ContactState::rolling);
   const double rate = p.support_damping / (p.mass + p.inertia / (p.rotor_radius * p.rotor_radius));
   // Exact for constant rho; it changes by Delta / rho = 1e-3 over the run, and its rate is 5e-3 /

@@ -4,6 +4,7 @@
 #include "model/methods/published_method.hpp"
 #include "model/results/summary.hpp"
 #include "verification/support/follow_with.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -17,15 +18,13 @@ Instant after_loss() { return after_mass_loss_with<double>(Scenario{}, 1e-13); }
 
 State<double> by_fixed_steps(const Instant& from, double until_s, double step) {
   const Scenario scenario{.method = Method::rk4, .step_rub = step};
-  Observer null_observer;
   PublishedMethod method(scenario, from);
-  method.advance(until_s, null_observer);
+  method.advance(until_s, nobody);
   return method.instant().state;
 }
 
 RunEnd by_events(const Instant& from, double until_s, double tolerance) {
-  Observer null_observer;
-  return follow_with<double>(Scenario{}, tolerance, from, until_s, null_observer);
+  return follow_with<double>(Scenario{}, tolerance, from, until_s, nobody);
 }
 
 State<double> exact(const Instant& from, double until_s) {

@@ -6,6 +6,7 @@
 #include "model/results/summary.hpp"
 #include "model/run/simulation.hpp"
 #include "model/scenario/instant.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -26,12 +27,10 @@ TEST_P(Costs, AreNoHigherThanTheyWere) {
   const Scenario scenario{
       .parameters = {.friction = cost.friction, .mass_loss_time = cost.mass_loss_s},
       .until = cost.until_s};
-  Observer null_observer;
   Simulation simulation(scenario);
-  if (scenario.loses_mass())
-    simulation.run_up(cost.mass_loss_s, null_observer);  // counted from there
+  if (scenario.loses_mass()) simulation.run_up(cost.mass_loss_s, nobody);  // counted from there
   const Counters before = simulation.counters();
-  simulation.finish(null_observer);
+  simulation.finish(nobody);
   const Counters& now = simulation.counters();
   constexpr double compilers = 1.01;
   EXPECT_LE(now.right_hand_sides - before.right_hand_sides,
@@ -55,8 +54,7 @@ TEST(Costs, OfARunUpFollowItsSlowMotionAlone) {
     for (const auto& [tolerance, most] : {std::pair(1e-8, 20'000), std::pair(1e-11, 40'000)}) {
       Scenario scenario{.equations = equations, .until = 29.1, .tolerance = tolerance};
       scenario.parameters.loses_mass = false;
-      Observer null_observer;
-      EXPECT_LT(run(scenario, null_observer).counters.right_hand_sides, most);
+      EXPECT_LT(run(scenario, nobody).counters.right_hand_sides, most);
     }
 }
 
@@ -69,17 +67,16 @@ TEST(Costs, DoNotFollowTheClockWhereNothingMoves) {
 
 TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
   const Scenario scenario{.until = 29.2, .tolerance = 1e-8};
-  Observer null_observer;
   SummaryObserver summary(scenario);
   Simulation run_up(scenario);
-  run_up.run_up(29.1, null_observer);
+  run_up.run_up(29.1, nobody);
   const auto right_hand_sides = [&](Observer& observer) {
     Simulation simulation = run_up;
     simulation.finish(observer);
     return simulation.counters().right_hand_sides - run_up.counters().right_hand_sides;
   };
   EXPECT_LT(static_cast<double>(right_hand_sides(summary)),
-            1.1 * static_cast<double>(right_hand_sides(null_observer)));
+            1.1 * static_cast<double>(right_hand_sides(nobody)));
 }
 
 }  // namespace

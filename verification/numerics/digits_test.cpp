@@ -1,5 +1,4 @@
 /// Estimated digits: none may be false.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cctype>

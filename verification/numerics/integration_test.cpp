@@ -170,6 +170,16 @@ struct StepBy : testing::Test {};
 using Steppers = testing::Types<Stepper2, Fehlberg78<State2, double>>;
 TYPED_TEST_SUITE(StepBy, Steppers);
 
+/// A step of a toy system to the time of its end.
+template <class Stepper, class System>
+Step<double, Stepper, System> step_of(ErrorControl<double, Stepper>& control, const System& system,
+                                      Point2& start, Point2& end) {
+  system(start.x, start.rates, 0);
+  control.step(system, start, end);
+  system(end.x, end.rates, 0);
+  return {control, system, start, end};
+}
+
 /// Times and states of the events of a toy system. Each step has a given length or ends at its
 /// first event, which the caller resets.
 template <class Stepper = Stepper2, class System, class Reset>
@@ -179,10 +189,7 @@ std::vector<Point2> events_of(System system, Point2::Unknowns x, double length, 
   std::vector<Point2> all;
   for (double time = 0; all.size() < number && time < 100;) {
     Point2 start{.x = x}, end{.time = length};
-    system(start.x, start.rates, 0);
-    control.step(system, start, end);
-    system(end.x, end.rates, 0);
-    Step<double, Stepper, System> step(control, system, start, end);
+    auto step = step_of(control, system, start, end);
     const auto event = first_event(step);
     Point2 stop = step.stop();
     time += stop.time;
@@ -239,10 +246,7 @@ TEST(Step, FindsTheBeginningOfAShallowDip) {
     Control2 control(1e-14);
     const Ball ball;
     Point2 start{.x = {depth - gravity * apex_s * apex_s / 2, gravity * apex_s}}, end{.time = 0.5};
-    ball(start.x, start.rates, 0);
-    control.step(ball, start, end);
-    ball(end.x, end.rates, 0);
-    Step<double, Stepper2, Ball> step(control, ball, start, end);
+    auto step = step_of(control, ball, start, end);
     const auto room = [](const Ball::Unknowns& x) { return -x[0]; };
     const auto dip = step.crossing(room, step.observe(room, start),
                                    step.observe(room, step.dense_output(), apex_s + 0.1), gravity);
@@ -261,10 +265,7 @@ TEST(Step, KeepsTheEnergyWhereADipBegins) {
   constexpr double greatest = 1, limit = 0.999, first = 0.9958;
   Point2 start{.x = {first, std::sqrt(2 * (std::cos(first) - std::cos(greatest)))}},
       end{.time = 0.2};
-  pendulum(start.x, start.rates, 0);
-  control.step(pendulum, start, end);
-  pendulum(end.x, end.rates, 0);
-  Step<double, Stepper2, Pendulum> step(control, pendulum, start, end);
+  auto step = step_of(control, pendulum, start, end);
   const auto room = [](const Pendulum::Unknowns& x) { return limit - x[0]; };
   const auto dip = step.crossing(room, step.observe(room, start), step.observe(room, end));
   ASSERT_TRUE(dip);
@@ -277,10 +278,7 @@ TYPED_TEST(StepBy, HasADenseOutputOfItsOwnOrder) {
   ErrorControl<double, TypeParam> control(1e-10);
   const auto largest_error = [&](double length) {
     Point2 start{.x = {1, 0.5}}, end{.time = length};
-    system(start.x, start.rates, 0);
-    control.step(system, start, end);
-    system(end.x, end.rates, 0);
-    Step<double, TypeParam, Pendulum> step(control, system, start, end);
+    auto step = step_of(control, system, start, end);
     double largest = 0;
     for (int i = 1; i < 10; ++i) {
       Point2 exact = start;  // by ten short steps to there

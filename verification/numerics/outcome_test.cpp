@@ -16,18 +16,11 @@
 namespace rotor {
 namespace {
 
-/// A rotor stalls if its motor does not get it through the critical speed, 10 Hz.
-struct NearCriticalSpeed {
-  const char* what;
-  double start_Hz, torque, motor_off_Hz, mass_loss_s, until_s;
-  bool stalls;
-};
-
-// By either method, and also if runs share their run-up.
+// The critical speed is 10 Hz. By either method, and also if runs share their run-up.
 TEST(Outcome, IsAStallWhereTheMotorDoesNotGetTheRotorThroughItsCriticalSpeed) {
   constexpr double never_s = 99;
   for (const auto& [what, start_Hz, torque, motor_off_Hz, mass_loss_s, until_s, stalls] :
-       {NearCriticalSpeed{"hangs after an early loss", 0, 0.3, 150, 1, 8, true},
+       {std::tuple("hangs after an early loss", 0., 0.3, 150., 1., 8., true),
         {"gets through and away", 0, 0.3, 150, 29.1, 29.35, false},
         {"is on its way through", 0, 0.3, 150, never_s, 1.9, false},
         {"rises slowly and is far below", 0, 0.03, 150, never_s, 20, false},
@@ -43,9 +36,7 @@ TEST(Outcome, IsAStallWhereTheMotorDoesNotGetTheRotorThroughItsCriticalSpeed) {
       const Outcome outcome = summary_of(scenario).outcome;
       EXPECT_EQ(outcome == Outcome::stalled, stalls) << what << ' ' << name_of(method);
       RunUps run_ups;
-      Observer null_observer;
-      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, null_observer), scenario, std::nullopt,
-                       null_observer)
+      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, nobody)
                     .summary.outcome,
                 outcome)
           << what;
@@ -171,9 +162,7 @@ TEST(TimeAtSpeed, IsTheFirstOneWhereTheSpeedRipples) {
                                     {from_rest, 20.84116},
                                     {from_rest, 24.37898},
                                     {slow, 30.16081}}) {
-    Observer null_observer;
-    const SpeedReached found =
-        RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
+    const SpeedReached found = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, nobody);
     ASSERT_TRUE(found.time_s) << speed_Hz;
     scenario.parameters.loses_mass = false;
     scenario.until = *found.time_s;

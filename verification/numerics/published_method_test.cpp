@@ -2,8 +2,6 @@
 /// results are tested by convergence_test.cpp and by the paper's claims.
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "model/results/summary.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/observers.hpp"

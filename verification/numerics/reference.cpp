@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "figures/data/csv.hpp"
-#include "figures/data/files.hpp"
 #include "figures/runs/scene.hpp"
 #include "model/digits/quad.hpp"
 #include "model/integration/fehlberg.hpp"
@@ -115,17 +114,15 @@ int main(const Arguments& arguments) {
   const auto best = landmarks<Verner>(runs, fine, "Verner 8(7), tolerance 1e-20");
   const auto coarser = landmarks<Verner>(runs, coarse, "Verner 8(7), tolerance 1e-18");
   const auto other = landmarks<Fehlberg>(runs, fine, "Fehlberg 7(8), tolerance 1e-20");
-  FileTransaction files;
-  files.write(arguments[0],
-              "# High-precision results of our own, from `make reference`; not from the paper.\n"
-              "# rotor " ROTOR_VERSION
-              ", method event in quadruple precision (113 bits), published equations\n"
-              "# Verner 8(7) at tolerance 1e-20; the errors are the largest deviations from Verner "
-              "8(7) at 1e-18 and Fehlberg 7(8) at 1e-20.\n"
-              "# state_error: lengths relative to the clearance, velocities to that times the "
-              "speed and 1 rad/s, the speed to itself and 1 rad/s, the angle in rad.\n" +
-                  table(best, {coarser, other}));
-  files.commit();
+  write_file(arguments[0],
+             "# High-precision results of our own, from `make reference`; not from the paper.\n"
+             "# rotor " ROTOR_VERSION
+             ", method event in quadruple precision (113 bits), published equations\n"
+             "# Verner 8(7) at tolerance 1e-20; the errors are the largest deviations from Verner "
+             "8(7) at 1e-18 and Fehlberg 7(8) at 1e-20.\n"
+             "# state_error: lengths relative to the clearance, velocities to that times the "
+             "speed and 1 rad/s, the speed to itself and 1 rad/s, the angle in rad.\n" +
+                 table(best, {coarser, other}));
   return 0;
 }
 

@@ -69,14 +69,12 @@ INSTANTIATE_TEST_SUITE_P(Frictions, ReferenceRub,
 
 TEST(EventMethod, GainsADigitForEveryDigitOfTheToleranceDownToRounding) {
   const State<long double> exact = reference("fig03: mu = 0.3").back().state;
-  Observer null_observer;
   // Seven contacts and 1,000 rad of whirl in rolling multiply the errors of steps: 360 is the worst
   // seen, and five times that allowed. Rounding, multiplied by the contacts, stays below 1e-9.
   const double multiplied = 5 * 360, rounding = 1e-9;
   for (int digits = 4; digits <= 13; ++digits) {
     const double tolerance = std::pow(10, -digits);
-    const double error =
-        relative_error(run({.tolerance = tolerance}, null_observer).last.state, exact);
+    const double error = relative_error(run({.tolerance = tolerance}, nobody).last.state, exact);
     EXPECT_LT(error, multiplied * tolerance + rounding) << tolerance;
   }
 }

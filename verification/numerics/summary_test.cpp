@@ -46,9 +46,7 @@ TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
     const double rho = m.displacement.norm();
     gaps += rho <= Ring<double>(p).clearance;
     const double impact = p.contact_damping * m.displacement.dot(m.velocity) / rho;
-    SummaryObserver observer(scenario);
-    run(scenario, observer);
-    const Summary& summary = observer.summary();
+    const Summary summary = summary_of(scenario);
     EXPECT_NEAR(summary.peak_normal_force_N.value_or(0) / impact, 1, 1e-9);
     EXPECT_EQ(summary.peak_time_s, at.time_s);
   }

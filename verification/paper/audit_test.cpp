@@ -29,8 +29,7 @@ TEST(Audit, TheGravityMomentAsPrintedDoesNotConserveTheEnergyOfAnUndampedUndrive
     };
     Instant first = at_rest(p);
     first.state = {1e-3, 0, 0, 0, 0.02, 20};
-    Observer null_observer;
-    const Instant last = run(scenario, first, null_observer).last;
+    const Instant last = run(scenario, first, nobody).last;
     return std::abs(energy(last) - energy(first)) / energy(first);
   };
   EXPECT_LT(drift(Equations::corrected, false), 1e-11);  // the integrator's accuracy

@@ -96,20 +96,13 @@ Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging
     return verdict_of(
         number, number.readings[std::min(reading, number.readings.size() - 1)].in[set], judging);
   };
-  switch (judging.by) {
-    case Judging::By::first:
-      return by(0);
-    case Judging::By::second:
-      return by(1);
-    case Judging::By::every: {
-      Verdict worst = by(0);
-      for (std::size_t n = 1; n < number.readings.size(); ++n)
-        if (const Verdict one = by(n); is_worse(one.verdict, worst.verdict)) worst = one;
-      return worst;
-    }
-    default:
-      return by(number.decides[set]);
-  }
+  if (judging.by == Judging::By::first) return by(0);
+  if (judging.by == Judging::By::second) return by(1);
+  if (judging.by != Judging::By::every) return by(number.decides[set]);
+  Verdict worst = by(0);
+  for (std::size_t n = 1; n < number.readings.size(); ++n)
+    if (const Verdict one = by(n); is_worse(one.verdict, worst.verdict)) worst = one;
+  return worst;
 }
 
 void choose_readings(std::vector<Number>& numbers) {
@@ -331,8 +324,7 @@ std::string claims_list(const std::vector<Number>& numbers, const std::vector<Cs
         fmt::format("  {:<22} {} ({})\n", row["reason"], row["says"], row["place"]));
   return fmt::format(
       "{} claims about runs:\n{}\n{} claims that are arithmetic:\n{}\n{} trends, which make "
-      "reasons "
-      "tries:\n{}",
+      "reasons tries:\n{}",
       groups[0].size(), fmt::join(groups[0], ""), groups[1].size(), fmt::join(groups[1], ""),
       groups[2].size(), fmt::join(groups[2], ""));
 }

@@ -5,7 +5,6 @@
 #include <mutex>
 #include <thread>
 
-#include "figures/data/files.hpp"
 #include "verification/paper/contact_laws.hpp"
 #include "verification/paper/ensembles.hpp"
 #include "verification/support/program.hpp"
@@ -113,9 +112,7 @@ int main(const Arguments& arguments) {
     });
     for (const Row& row : rows) csv += to_csv(row);
   }
-  FileTransaction files;
-  files.write(folder / "contact-laws.csv", csv);
-  files.commit();
+  write_file(folder / "contact-laws.csv", csv);
   return 0;
 }
 

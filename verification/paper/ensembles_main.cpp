@@ -9,7 +9,6 @@
 #include <sstream>
 #include <thread>
 
-#include "figures/data/files.hpp"
 #include "verification/paper/claims.hpp"
 #include "verification/support/program.hpp"
 
@@ -97,9 +96,7 @@ int main(const Arguments& arguments) {
                   rows.find(fmt::format("{},{},{},{}", set.name, name, number.id, reading.name));
               row != rows.end())
             csv += row->second + '\n';
-  FileTransaction files;
-  files.write(table, csv);
-  files.commit();
+  write_file(table, csv);
   return has_seed && print_turned(folder, table) > 0 ? 1 : 0;
 }
 

@@ -143,7 +143,7 @@ TEST_F(LawsOfTheAccident, AreNotTrustedOutsideTheirRegion) {
             "--mass-loss-time 200",
             "displacement in the run-up"}}) {
     EXPECT_FALSE(json("estimate " + options)["law_trusted"]) << options;
-    EXPECT_NE(rotor("estimate " + options).output.find(doubt), std::string::npos)
+    EXPECT_TRUE(has(rotor("estimate " + options).output, doubt))
         << options << "\n"
         << rotor("estimate " + options).output;
   }
@@ -166,8 +166,7 @@ TEST_F(LawsOfTheAccident, QuestionInputsInOtherUnits) {
             "inertia = 0.009 kg m^2 is 0.005 times"},
            {"--start-speed-hz 0.9 --torque 0 --until 0.1", "less than 0.1 of the critical speed"}})
     for (const char* command : {"estimate ", "run --stop-on outcome "})
-      EXPECT_NE(rotor(command + options).output.find(remark), std::string::npos)
-          << command << options;
+      EXPECT_TRUE(has(rotor(command + options).output, remark)) << command << options;
 }
 
 // With a clearance less than e_x1, (1) is negative, and whether the rotor rolls is not predicted.

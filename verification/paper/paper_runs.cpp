@@ -7,32 +7,30 @@
 #include "figures/results/run_result.hpp"
 #include "model/results/energy.hpp"
 #include "model/results/stop_on.hpp"
+#include "verification/support/observers.hpp"
 #include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
-namespace {
-
 constexpr double early_s = 5e-3;  ///< of rolling that is measured
-
-}  // namespace
 
 void PaperInputs::set(const std::string& input, double value) {
   using In = PaperInputs;
-  static const std::map<std::string, double In::*> own = {{"mu_high", &In::mu_high},
-                                                          {"mu_intermediate", &In::mu_intermediate},
-                                                          {"mu_low", &In::mu_low},
-                                                          {"t_operating", &In::t_operating},
-                                                          {"t_100", &In::t_100},
-                                                          {"t_75", &In::t_75},
-                                                          {"t_50", &In::t_50},
-                                                          {"t_critical", &In::t_critical},
-                                                          {"rolling_Hz", &In::rolling_Hz},
-                                                          {"rolling_rho", &In::rolling_rho},
-                                                          {"onset_Hz", &In::onset_Hz},
-                                                          {"energy_left", &In::energy_left},
-                                                          {"energy_before", &In::energy_before},
-                                                          {"shortest_s", &In::shortest_s},
-                                                          {"longest_s", &In::longest_s}};
+  using Own = std::map<std::string, double In::*>;
+  static const Own own = {{"mu_high", &In::mu_high},
+                          {"mu_intermediate", &In::mu_intermediate},
+                          {"mu_low", &In::mu_low},
+                          {"t_operating", &In::t_operating},
+                          {"t_100", &In::t_100},
+                          {"t_75", &In::t_75},
+                          {"t_50", &In::t_50},
+                          {"t_critical", &In::t_critical},
+                          {"rolling_Hz", &In::rolling_Hz},
+                          {"rolling_rho", &In::rolling_rho},
+                          {"onset_Hz", &In::onset_Hz},
+                          {"energy_left", &In::energy_left},
+                          {"energy_before", &In::energy_before},
+                          {"shortest_s", &In::shortest_s},
+                          {"longest_s", &In::longest_s}};
   const auto found = own.find(input);
   if (found != own.end())
     this->*(found->second) = value;
@@ -101,9 +99,8 @@ class PaperWatch : public Observer {
 
 PaperRun::PaperRun(const Scenario& scenario, RunUps& run_ups) : scenario_(scenario) {
   PaperWatch watch(*this);
-  Observer null_observer;
   const RunResult result =
-      finish(run_ups.checkpoint_before(scenario, null_observer), scenario, std::nullopt, watch);
+      finish(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, watch);
   summary_ = result.summary;
   last_ = result.end.last;
 }
@@ -236,9 +233,7 @@ const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
     Scenario until_rolling = run.scenario();
     until_rolling.until = run.onset()->time_s;
     FrictionWatch watch(until_rolling);
-    Observer null_observer;
-    finish(run_ups_.checkpoint_before(until_rolling, null_observer), until_rolling, std::nullopt,
-           watch);
+    finish(run_ups_.checkpoint_before(until_rolling, nobody), until_rolling, std::nullopt, watch);
     *friction_work_ =
         FrictionWork{watch.until_touch_downs, -watch.balance().friction, watch.first_impact_damped};
   }
@@ -255,19 +250,16 @@ const Summary& PaperRuns::lost_at(double angle) {
       PlaceOfLoss(scenario.parameters, angle).lose_mass(opposite.before_loss(), scenario.equations);
   SummaryObserver observer(scenario);
   StopObserver stop(StopOn::outcome, scenario);
-  ObserverGroup both;
-  both.add(observer);
-  both.add(stop);
+  ObserverGroup both{&observer, &stop};
   run(scenario, from, both);
   return lost_at_.emplace(angle, observer.summary()).first->second;
 }
 
 std::optional<double> PaperRuns::time_at_critical_speed() {
   const Parameters p = parameters();
-  Observer null_observer;
   return run_ups_
       .time_at_speed(high().scenario(), in_Hz(std::sqrt(p.support_stiffness / p.mass)),
-                     inputs_.t_operating, null_observer)
+                     inputs_.t_operating, nobody)
       .time_s;
 }
 

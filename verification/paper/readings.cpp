@@ -50,6 +50,11 @@ double since_first_contact(PaperRuns& r, const Instant& at) {
   return at.time_s - r.high().summary().first_contact_s.value_or(at.time_s);
 }
 
+/// %; nothing if one of the results is missing.
+Value difference(const Value& one, const Value& other) {
+  return one && other ? Value(100 * std::abs(*one / *other - 1)) : std::nullopt;
+}
+
 /// Largest change of a result when a contact parameter is doubled and halved, %.
 Formula change(double PaperInputs::*friction, const char* quantity,
                const std::function<Value(const PaperRun&)>& result) {
@@ -58,18 +63,15 @@ Formula change(double PaperInputs::*friction, const char* quantity,
     const Value as_it_is = result(r.changed(mu, quantity, 1));
     double largest = 0;
     for (const double factor : {0.5, 2.}) {
-      const Value changed = result(r.changed(mu, quantity, factor));
-      if (!as_it_is || !changed) return std::nullopt;
-      largest = std::max(largest, std::abs(*changed / *as_it_is - 1));
+      const Value off = difference(result(r.changed(mu, quantity, factor)), as_it_is);
+      if (!off) return std::nullopt;
+      largest = std::max(largest, *off);
     }
-    return 100 * largest;
+    return largest;
   };
 }
 Value peak(const PaperRun& run) { return run.summary().peak_normal_force_N; }
-Value peak_kN(const PaperRun& run) {
-  const Value value = peak(run);
-  return value ? Value(*value / 1e3) : std::nullopt;
-}
+Value peak_kN(const PaperRun& run) { return peak(run) ? Value(*peak(run) / 1e3) : std::nullopt; }
 Value time_to_rolling(const PaperRun& run) {
   if (!run.onset()) return std::nullopt;
   return run.onset()->time_s - *run.summary().first_contact_s;
@@ -80,11 +82,9 @@ Formula change_by_law(double PaperInputs::*friction, SameIndentation same,
                       const std::function<Value(const PaperRun&)>& result) {
   return [=](PaperRuns& r) -> Value {
     const double mu = r.inputs().*friction;
-    const Value linear = result(r.with(mu, {}));
     const auto numbers = numbers_of(1.5, same, r);
-    const Value changed = numbers ? result(r.with(mu, *numbers)) : std::nullopt;
-    if (!linear || !changed) return std::nullopt;
-    return 100 * std::abs(*changed / *linear - 1);
+    if (!numbers) return std::nullopt;
+    return difference(result(r.with(mu, *numbers)), result(r.with(mu, {})));
   };
 }
 Value rolls(const PaperRun& run) { return run.onset() ? 1. : 0.; }
@@ -136,10 +136,8 @@ Formula elsewhere(const std::function<double(const Summary& opposite, const Summ
 
 /// By the paper's method and steps, relative to the converged value, %.
 Formula off_by_own_method(const std::function<Value(const PaperRun&)>& result) {
-  return [=](PaperRuns& r) -> Value {
-    const Value own = result(r.high_by(Method::rk4)), converged = result(r.high_by(Method::event));
-    if (!own || !converged) return std::nullopt;
-    return 100 * std::abs(*own / *converged - 1);
+  return [=](PaperRuns& r) {
+    return difference(result(r.high_by(Method::rk4)), result(r.high_by(Method::event)));
   };
 }
 
@@ -291,8 +289,7 @@ void add_rolling(Table& table) {
   });
   // Of C_1 relative to that of O.
   table.onset("velocity_off", [](Runs, At at) {
-    const auto m = at.motion();
-    return 100 * std::abs(m.mass_centre_velocity().norm() / m.velocity.norm() - 1);
+    return *difference(at.motion().mass_centre_velocity().norm(), at.motion().velocity.norm());
   });
   table.onset("force_rises", [](Runs r, At at) {
     const Instant from = *r.high().touch_down_before_rolling(0);
@@ -337,8 +334,7 @@ void add_rolling(Table& table) {
     return cross(m.displacement, m.velocity) * m.speed > 0 ? 1. : -1.;
   });
   table.add("whirl_off", off_by_own_method([](const PaperRun& run) -> Value {
-              const auto m = run.first_5_ms();
-              return m ? Value(m->whirl_Hz) : std::nullopt;
+              return run.first_5_ms() ? Value(run.first_5_ms()->whirl_Hz) : std::nullopt;
             }));
   table.add("final_speed_off",
             off_by_own_method([](const PaperRun& run) { return Value(speed_Hz(run.last())); }));
@@ -381,11 +377,10 @@ void add_collisions(Table& table) {
     return std::ranges::any_of(all, [&](At at) { return indentation(r, at) > 0; }) ? 1. : 0.;
   });
   table.add("impacts_that_do_not_slow", [](Runs r) -> Value {
-    long all = 0;
+    double all = 0;
     for (const PaperRun* run : at_all_frictions(r))
-      all +=
-          std::ranges::count_if(run->collisions(), [](const auto& c) { return c.speed_gain >= 0; });
-    return static_cast<double>(all);
+      for (const auto& collision : run->collisions()) all += collision.speed_gain >= 0;
+    return all;
   });
   table.add("speed_in_flight", [](Runs r) -> Value {
     double greatest = 0;
@@ -427,11 +422,9 @@ void add_other_losses_and_contacts(Table& table) {
     const auto count = r.at_100_Hz().touch_downs_before_rolling();
     return count > 0 ? Value(count) : std::nullopt;
   });
-  table.add("rises_with_speed", [](Runs r) -> Value {
-    const double at_75 = peak_kN(r.at_75_Hz()).value_or(0),
-                 at_100 = peak_kN(r.at_100_Hz()).value_or(0),
-                 at_150 = peak_kN(r.high()).value_or(0);
-    return at_75 < at_100 && at_100 < at_150 ? 1. : 0.;
+  table.add("rises_with_speed", [](Runs r) {
+    const Value at_100 = peak(r.at_100_Hz());  // less than any, if there is none
+    return peak(r.at_75_Hz()) < at_100 && at_100 < peak(r.high()) ? 1. : 0.;
   });
   table.add("Hz_100", [](Runs r) -> Value { return speed_Hz(r.at_100_Hz().before_loss()); });
   table.add("Hz_75", [](Runs r) -> Value { return speed_Hz(r.at_75_Hz().before_loss()); });
@@ -448,21 +441,17 @@ void add_other_losses_and_contacts(Table& table) {
     const Instant& at = r.at_50_Hz().last();
     return 100 * std::abs(rho(at) / at.body.eccentricity - 1);
   });
-  table.add("force_by_ratio", [](Runs r) -> Value {
-    const Value as_it_is = peak(r.from_steady(1)), slower = peak(r.from_steady(0.5));
-    if (!as_it_is || !slower) return std::nullopt;
-    return 100 * std::abs(*slower / *as_it_is - 1);
-  });
+  table.add("force_by_ratio",
+            [](Runs r) { return difference(peak(r.from_steady(0.5)), peak(r.from_steady(1))); });
   // A tenth larger radii with the same clearance change the largest force by more than 1 %.
   table.add("by_dimensions", [](Runs r) -> Value {
     const Parameters p = r.parameters();
-    const Value as_it_is = peak(r.high());
     const double wider = p.rotor_radius / 10;
-    const Value changed =
-        peak(r.with(r.inputs().mu_high, {{"rotor_radius", p.rotor_radius + wider},
-                                         {"stator_radius", p.stator_radius + wider}}));
-    if (!as_it_is || !changed) return std::nullopt;
-    return std::abs(*changed / *as_it_is - 1) > 0.01 ? 1. : 0.;
+    const Value off =
+        difference(peak(r.with(r.inputs().mu_high, {{"rotor_radius", p.rotor_radius + wider},
+                                                    {"stator_radius", p.stator_radius + wider}})),
+                   peak(r.high()));
+    return off ? Value(*off > 1) : std::nullopt;
   });
   table.add("k_t_peak", change(&PaperInputs::mu_high, "contact_stiffness", peak));
   table.add("k_t_time", change(&PaperInputs::mu_high, "contact_stiffness", time_to_rolling));

@@ -65,7 +65,7 @@ TEST_F(CommandLine, MakesTheNumbersOfTheExamples) {
              run["peak_normal_force_N"]),
         said("closed forms: {:.1f} Hz, {:.1f} kN", law["law_rolling_speed_Hz"],
              law["law_peak_force_N"])})
-    EXPECT_NE(all.find(sentence), std::string::npos) << sentence;
+    EXPECT_TRUE(has(all, sentence)) << sentence;
   const auto rows = matches(all, "\\| `(--[^`]*)` \\| (\\w+ \\| \\d+ \\| [\\d.-]+) \\|");
   for (const Match& row : rows) {
     const Json of_row = summary(row[1]), &peak_N = of_row["peak_normal_force_N"];
@@ -100,8 +100,7 @@ TEST_F(CommandLine, ReadsItsResultsInPandasAsTheReadmeSays) {
 INSTANTIATE_TEST_SUITE_P(All, Readme, testing::Values("README.md", "figures/program/README.md"));
 
 TEST(Citation, HasTheVersionOfTheProgram) {
-  EXPECT_NE(content_of(ROTOR_SOURCES "/CITATION.cff").find("\nversion: " ROTOR_VERSION "\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(content_of(ROTOR_SOURCES "/CITATION.cff"), "\nversion: " ROTOR_VERSION "\n"));
 }
 
 }  // namespace

@@ -45,16 +45,10 @@ class RollingForce : public Observer {
 
 Trial trial_of(Criterion judged, const RubEnd& a, const RubEnd& b) {
   const bool both = a.rolls && b.rolls;
-  switch (judged) {
-    case Criterion::rolls:
-      return {1, a.rolls, both};
-    case Criterion::touches:
-      return {1, a.touches, a.touches && b.touches};
-    case Criterion::force:
-      return {1, both, both && b.in_rolling_N >= a.in_rolling_N};
-    default:
-      return {1, a.touches, a.touches && !a.rolls};
-  }
+  if (judged == Criterion::rolls) return {1, a.rolls, both};
+  if (judged == Criterion::touches) return {1, a.touches, a.touches && b.touches};
+  if (judged == Criterion::force) return {1, both, both && b.in_rolling_N >= a.in_rolling_N};
+  return {1, a.touches, a.touches && !a.rolls};
 }
 
 Trial& Trial::operator+=(const Trial& other) {

@@ -3,7 +3,6 @@
 
 #include <thread>
 
-#include "figures/data/files.hpp"
 #include "verification/paper/ensembles.hpp"
 #include "verification/paper/reasons.hpp"
 #include "verification/support/program.hpp"
@@ -36,9 +35,7 @@ int main(const Arguments& arguments) {
       csv += fmt::format("{},{},{},{},{:.4f}\n", reasons[r].id, set.name, pooled[r].pairs,
                          pooled[r].apply, pooled[r].share());
   }
-  FileTransaction files;
-  files.write(folder / "reasons-tried.csv", csv);
-  files.commit();
+  write_file(folder / "reasons-tried.csv", csv);
   return 0;
 }
 

@@ -53,10 +53,6 @@ double distance(const Rows& rows, std::size_t column, double time_s, double valu
   return least;
 }
 
-std::string name_of_figure(const testing::TestParamInfo<Figure>& of) {
-  return fmt::format("Fig{:02}", of.param.number);
-}
-
 /// The motion within a window, as its steps describe it.
 class Samples : public Observer {
  public:
@@ -118,7 +114,8 @@ TEST_P(FigureData, IsTheMotionOfItsRuns) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, FigureData, testing::ValuesIn(paper_figures()), name_of_figure);
+INSTANTIATE_TEST_SUITE_P(Every, FigureData, testing::ValuesIn(paper_figures()),
+                         [](const auto& of) { return fmt::format("Fig{:02}", of.param.number); });
 
 }  // namespace
 }  // namespace rotor

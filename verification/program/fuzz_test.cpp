@@ -146,7 +146,7 @@ TEST_F(Fuzz, ScenesAreReadOrRefusedByFileAndLine) {
     } catch (const InputError& error) {
       const std::string message = error.what();
       EXPECT_TRUE(message.starts_with(file.string() + ':')) << message;
-      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+      EXPECT_FALSE(has(message, "\n"));
       EXPECT_LT(message.size(), 800U) << message;
       ++refused;
     }
@@ -225,7 +225,7 @@ TEST_F(Fuzz, TextsAreNeverCommands) {
     EXPECT_NO_THROW(boost::property_tree::read_xml(stream, tree)) << scene;
     names.push_back(title);
     for (const std::string& text : names)
-      EXPECT_NE(svg.find('>' + in_xml(text) + '<'), std::string::npos) << text << '\n' << scene;
+      EXPECT_TRUE(has(svg, '>' + in_xml(text) + '<')) << text << '\n' << scene;
     fs::remove_all(folder_ / folder);
   }
 }

@@ -3,10 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <sstream>
 
 #include "figures/data/csv.hpp"
 #include "model/mechanics/parameters.hpp"
@@ -41,7 +37,7 @@ TEST_F(Gnuplot, EndsWithGnuplotWhenItIsInterrupted) {
                           "kill -{} $!; wait $!",
                           signal));
     EXPECT_EQ(status, expected) << output;
-    EXPECT_NE(output.find("rotor: interrupted"), std::string::npos) << output;
+    EXPECT_TRUE(has(output, "rotor: interrupted"));
     EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
     EXPECT_TRUE(fs::is_empty(folder_ / "drafts"));
   }
@@ -66,8 +62,8 @@ TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
                                        "torque = 0\nno_mass_loss = true\nuntil = 0.01\n"}) {
     write("s.toml", "[parameters]\nequations = \"corrected\"\n" + parameters);
     EXPECT_EQ(rotor("plot s.toml 2>messages").output, "s.svg\n") << parameters;
-    EXPECT_EQ(content("messages").find("gnuplot"), std::string::npos) << content("messages");
-    EXPECT_EQ(content("messages").find("arning"), std::string::npos) << content("messages");
+    EXPECT_FALSE(has(content("messages"), "gnuplot"));
+    EXPECT_FALSE(has(content("messages"), "arning"));
   }
 }
 
@@ -80,7 +76,7 @@ TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
     write(name, "old");
     const auto [status, output] = shell("PATH=$PWD:$PATH $rotor plot \"it's.toml\" --out " + name);
     EXPECT_NE(status, 0);
-    EXPECT_NE(output.find("gnuplot did not draw the whole picture\n"), std::string::npos) << output;
+    EXPECT_TRUE(has(output, "gnuplot did not draw the whole picture\n"));
     EXPECT_EQ(content(name), "old");
   }
 }
@@ -115,7 +111,7 @@ TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {
                  "no/a.svg: cannot be written: there is no folder no");
   const auto [status, output] = shell("PATH= $rotor plot \"it's.toml\" --out a.svg");
   EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("gnuplot cannot be started"), std::string::npos) << output;
+  EXPECT_TRUE(has(output, "gnuplot cannot be started"));
   EXPECT_EQ(content("a.svg"), "old");
   EXPECT_EQ(files(), 2);
 }

@@ -68,8 +68,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   fs::remove(folder_ / "build/figures/fig18.svg");
   const auto [status, output] = make_figure("");
   EXPECT_NE(status, 0);
-  EXPECT_NE(output.find("fig18.svg: gnuplot did not draw the whole picture"), std::string::npos)
-      << output;
+  EXPECT_TRUE(has(output, "fig18.svg: gnuplot did not draw the whole picture"));
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg"));
   EXPECT_FALSE(fs::exists(folder_ / "build/figures/fig18.svg.part"));
 }
@@ -98,7 +97,7 @@ TEST_F(Make, RefusesFlagsThatChangeTheArithmetic) {
     const auto [status, output] = shell(std::string("CXXFLAGS='-g ") + flag +
                                         "' cmake -S '" ROTOR_SOURCES "' -B made -G Ninja");
     EXPECT_NE(status, 0);
-    EXPECT_NE(output.find(std::string("CXXFLAGS with ") + flag), std::string::npos) << output;
+    EXPECT_TRUE(has(output, std::string("CXXFLAGS with ") + flag));
     fs::remove_all(folder_ / "made");
   }
 }
@@ -123,8 +122,7 @@ TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
         << standard << status << content("log");
   }
   const std::string printed = shell("'" ROTOR_EXAMPLE "'").output;
-  EXPECT_NE(readme.find('`' + printed.substr(0, printed.size() - 1) + '`'), std::string::npos)
-      << printed;
+  EXPECT_TRUE(has(readme, '`' + printed.substr(0, printed.size() - 1) + '`')) << printed;
 }
 
 // Moved anywhere, the installed program finds its scenes and scripts: without them it does nothing.
@@ -146,10 +144,10 @@ TEST_F(Make, InstallsAProgramThatCanBeMoved) {
   for (const auto& [command, needed] : commands) {
     const auto [failed, errors] = shell(command + " >out");
     EXPECT_EQ(failed, 0) << command << content("out");
-    EXPECT_EQ(errors.find("warning"), std::string::npos) << errors;  // as without the paper's data
+    EXPECT_FALSE(has(errors, "warning"));  // as without the paper's data
   }
   for (const char* picture : {"own.svg", "fig14.svg"})
-    EXPECT_NE(content(picture).find("</svg>"), std::string::npos) << picture;
+    EXPECT_TRUE(has(content(picture), "</svg>")) << picture;
   for (const auto& [command, needed] : commands) {
     fs::remove(folder_ / "it is here/share/rotor/figures" / needed);
     EXPECT_EQ(shell(command + " >out").status == 0, command.find(" run ") != std::string::npos)

@@ -15,10 +15,7 @@
 namespace rotor {
 namespace {
 
-class Options : public CommandLine {
- protected:
-  Json inputs(const std::string& arguments) const { return summary(arguments)["inputs"]; }
-};
+using Options = CommandLine;
 
 std::string option(std::string name) {
   std::ranges::replace(name, '_', '-');
@@ -44,7 +41,7 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
       {"mass_loss_speed_hz", 34}, {"contact_exponent", 1.1},  // not below 1
       {"start_x", 1e-3},          {"start_y", 2e-3},
       {"start_velocity_x", -0.1}, {"start_velocity_y", 0.2}};
-  const Json standard = inputs(stated(short_run, true));
+  const Json standard = summary(stated(short_run, true))["inputs"];
   for (const InputQuantity& input_quantity : input_quantities()) {
     const std::string name(input_quantity.quantity.name);
     if (name.ends_with("_rpm")) continue;  // see the next test
@@ -64,8 +61,8 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
     write("b.toml", "[parameters]\n" + stated(others, false) + "[[run]]\nname = \"b\"\n" +
                         stated({{name, value}}, false));
     write("c.toml", "[parameters]\n" + stated(others, false));
-    for (const std::string& scene : std::vector<std::string>{
-             "a.toml", "b.toml", "c.toml" + option(name) + fmt::format("{}", value)})
+    for (const std::string& scene :
+         {std::string("a.toml"), std::string("b.toml"), "c.toml" + stated({{name, value}}, true)})
       EXPECT_EQ(summary("--scene " + scene), by_option) << scene << ' ' << name;
     Json expected = standard;
     expected["until"] = numbers["until"];
@@ -96,15 +93,15 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
 // As an option, in a scene, for an estimate and over an axis, 60 revolutions per minute are 1 Hz.
 TEST_F(Options, StateSpeedsInRevolutionsPerMinuteAsWell) {
   const std::string in_Hz =
-                        " --start-speed-hz 34 --motor-off-hz 40 --mass-loss-speed-hz 35 --until 1",
-                    in_rpm =
-                        " --start-speed-rpm 2040 --motor-off-rpm 2400 --mass-loss-speed-rpm 2100 "
-                        "--until 1";
+      " --start-speed-hz 34 --motor-off-hz 40 --mass-loss-speed-hz 35 --until 1";
+  const std::map<std::string, double> numbers = {{"start_speed_rpm", 2040},
+                                                 {"until", 1},
+                                                 {"motor_off_rpm", 2400},
+                                                 {"mass_loss_speed_rpm", 2100}};
+  const std::string in_rpm = stated(numbers, true);
   const Json run = summary(in_Hz);
   EXPECT_EQ(summary(in_rpm), run);
-  write("s.toml",
-        "[parameters]\nstart_speed_rpm = 2040\nmotor_off_rpm = 2400\nmass_loss_speed_rpm = 2100\n"
-        "until = 1\n");
+  write("s.toml", "[parameters]\n" + stated(numbers, false));
   EXPECT_EQ(summary("s.toml"), run);
   EXPECT_EQ(rotor("estimate" + in_rpm).output, rotor("estimate" + in_Hz).output);
   write("axis.toml",
@@ -133,10 +130,10 @@ TEST_F(Options, AreRefusedInTheUnitInWhichTheyAreStated) {
     const std::string message = rotor(std::string("run ") + options).output;
     for (const char* other : {"_hz = 50", "_hz = 160", "_hz = 10.06",
                               "unbalance_factor =", "stator_radius =", "mass_loss_speed_hz and"})
-      EXPECT_EQ(message.find(other), std::string::npos) << message;
+      EXPECT_FALSE(has(message, other));
   }
-  EXPECT_NE(rotor("run --motor-off-rpm 900000 --until 1").output.find("motor_off_rpm = 900000 rpm"),
-            std::string::npos);
+  EXPECT_TRUE(
+      has(rotor("run --motor-off-rpm 900000 --until 1").output, "motor_off_rpm = 900000 rpm"));
 }
 
 // Whichever of several inputs a check refuses: an option before the [[run]], and that before
@@ -218,7 +215,7 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
     write("c.toml", fmt::format("[parameters]\nstart_speed_hz = 30\nuntil = 0.02\n"
                                 "no_mass_loss = {}\n[[run]]\nname = \"c\"\nno_mass_loss = {}\n",
                                 !no, no));
-    EXPECT_EQ(inputs("--scene c.toml")["no_mass_loss"], no);
+    EXPECT_EQ(summary("--scene c.toml")["inputs"]["no_mass_loss"], no);
   }
   write("d.toml", "[parameters]\n" + keys + "digits = 5\n[[run]]\nname = \"d\"\ndigits = 4\n");
   EXPECT_EQ(summary("--scene d.toml"), summary(start + "--digits 4"));
@@ -236,11 +233,11 @@ TEST_F(Options, AllStandAboveATrace) {
       head("--drive constant_speed --start-speed-hz 100 --start-x 1e-4 --start-velocity-y -0.25");
   for (const char* stated : {"drive constant_speed", "start_x = 0.0001 m", "start_y = 0 m",
                              "start_velocity_y = -0.25 m/s"})
-    EXPECT_NE(constant.find(stated), std::string::npos) << stated << '\n' << constant;
+    EXPECT_TRUE(has(constant, stated)) << stated << '\n' << constant;
   const std::string balanced =
       head("--eccentricity 0 --lost-mass 0.01 --start-speed-hz 100 --mass-loss-time 0.005");
-  EXPECT_NE(balanced.find("lost_mass = 0.01 kg"), std::string::npos) << balanced;
-  EXPECT_EQ(balanced.find("unbalance_factor"), std::string::npos) << balanced;
+  EXPECT_TRUE(has(balanced, "lost_mass = 0.01 kg"));
+  EXPECT_FALSE(has(balanced, "unbalance_factor"));
 }
 
 // A trace has the window of its scene, or the start stated by an option, to the row.
@@ -273,17 +270,12 @@ TEST_F(Options, OfTheTraceHoldForEachRun) {
         "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.1\n");
   ASSERT_EQ(rotor("run two.toml --trace t.csv --events e.csv").status, 0);
   for (const std::string run : {"a", "b"}) {
-    ASSERT_EQ(
-        rotor("run two.toml --run " + run + " --trace " + run + ".csv --events e" + run + ".csv")
-            .status,
-        0);
-    for (const auto& [all, alone] : {std::pair(std::string("t.csv"), run + ".csv"),
-                                     {std::string("e.csv"), "e" + run + ".csv"}}) {
-      std::vector<std::string> rows, of_run = rows_of(alone);
-      for (const std::string& row : rows_of(all))
-        if (row.starts_with("run,") || row.starts_with(run + ",")) rows.push_back(row);
+    rotor(fmt::format("run two.toml --run {0} --trace t{0}.csv --events e{0}.csv", run));
+    for (const std::string table : {"t", "e"}) {
+      std::vector<std::string> rows = rows_of(table + ".csv");
+      std::erase_if(rows, [&](const auto& row) { return row[0] != 'r' && row[0] != run[0]; });
       EXPECT_GT(rows.size(), 5U);
-      EXPECT_EQ(rows, of_run);
+      EXPECT_EQ(rows, rows_of(table + run + ".csv"));
     }
   }
 }
@@ -295,15 +287,16 @@ TEST_F(Options, LeaveTheEquationsOfAnotherRotorCorrected) {
         "columns = [\"time_s\", \"rho_m\"]\n[parameters]\nmass = 4\nstart_speed_hz = 150\n"
         "until = 1e-3\n");
   write("s.toml",
-        "columns = [\"equations\"]\n[parameters]\nmass = 4\nstart_speed_hz = 150\nuntil = 1e-3\n"
-        "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
+        "columns = [\"equations\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n"
+        "[[axis]]\nquantity = \"mass\"\nvalues = [4, 6]\n");
   EXPECT_EQ(summary("--scene fig30.toml")["equations"], "corrected");
   EXPECT_EQ(summary("--scene fig30.toml --equations published")["equations"], "published");
   EXPECT_EQ(summary("--friction 0.1 --until 1")["equations"], "published");
   ASSERT_EQ(rotor("figure 30 --scenes . --out .").status, 0);
-  EXPECT_NE(content("fig30.csv").find("run: equations corrected, "), std::string::npos);
+  EXPECT_TRUE(has(content("fig30.csv"), "run: equations corrected, "));
   ASSERT_EQ(rotor("sweep s.toml").status, 0);
-  EXPECT_EQ(read_csv(folder_ / "s.csv").at(0)["equations"], "corrected");
+  EXPECT_TRUE(has(content("s.csv"), "# equations corrected,"));
+  for (const CsvRow& row : read_csv(folder_ / "s.csv")) EXPECT_EQ(row["equations"], "corrected");
 }
 
 // Options of `figure` override [parameters], but not a [[run]].

@@ -32,7 +32,7 @@ TEST_P(Pictures, AreThoseOfTheGallery) {
   const DrawnPicture picture = drawn();
   EXPECT_EQ(picture.clipped, std::vector<std::string>());
   EXPECT_EQ(picture.hiding, std::vector<std::string>());
-  EXPECT_EQ(content("a.svg").find("<title>"), std::string::npos);  // gnuplot's, not the figure's
+  EXPECT_FALSE(has(content("a.svg"), "<title>"));  // gnuplot's, not the figure's
   const fs::path file = fs::path(ROTOR_SCENES) / preview_of(GetParam().number);
   if (std::getenv("ROTOR_APPROVE"))
     fs::copy_file(folder_ / "a.svg", file, fs::copy_options::overwrite_existing);

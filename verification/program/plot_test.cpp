@@ -21,6 +21,9 @@ class Plot : public CommandLine {
           "[[run]]\nname = \"high_mu\"\n[[run]]\nname = \"mu's 0.1, narrow\"\nfriction = 0.1\n"
           "clearance = 2.5e-3\n");
   }
+  std::string texts(std::string_view picture) const {
+    return fmt::format("{}", fmt::join(DrawnPicture(content(picture)).texts, "\n"));
+  }
 };
 
 // Force in kN, speed in Hz, displacement and orbit in mm of both runs extend as far in the picture
@@ -29,45 +32,41 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   ASSERT_EQ(rotor("plot \"it's.toml\"").status, 0);
   const DrawnPicture picture(content("it's.svg"));
   EXPECT_EQ(picture.clipped, std::vector<std::string>());
-  struct Panel {
-    std::string column;
-    double scale;
-    std::vector<std::string> runs;
-    std::vector<double> clearances_mm;  ///< curves that are no run's
-  };
+  using Texts = std::vector<std::string>;
+  using Numbers = std::vector<double>;  // the rings, mm: curves that are no run's
   const std::string high = "high_mu", narrow = "mu's 0.1, narrow";
-  const std::vector<Panel> panels = {{"normal_force_N", 1e-3, {high, narrow}, {}},
-                                     {"speed_Hz", 1, {high, narrow}, {}},
-                                     {"rho_m", 1e3, {high, narrow}, {3, 2.5}},
-                                     {"x_a_m", 1e3, {high}, {3}},
-                                     {"x_a_m", 1e3, {narrow}, {2.5}}};
   std::size_t curve = 0;
-  for (const Panel& panel : panels) {
+  for (const auto& [column, scale, runs, clearances_mm] :
+       {std::tuple(std::string("normal_force_N"), 1e-3, Texts{high, narrow}, Numbers{}),
+        {"speed_Hz", 1., Texts{high, narrow}, Numbers{}},
+        {"rho_m", 1e3, Texts{high, narrow}, Numbers{3, 2.5}},
+        {"x_a_m", 1e3, Texts{high}, Numbers{3}},
+        {"x_a_m", 1e3, Texts{narrow}, Numbers{2.5}}}) {
     const Tics& axis = picture.curves.at(curve).y;
-    EXPECT_EQ(pixel(axis, 1) > pixel(axis, 0), panel.column == "x_a_m") << panel.column;  // down
-    for (const std::string& run : panel.runs) {
+    EXPECT_EQ(pixel(axis, 1) > pixel(axis, 0), column == "x_a_m") << column;  // down
+    for (const std::string& run : runs) {
       ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,
                 0);
-      std::vector<double> values, heights;
+      Numbers values, heights;
       for (const CsvRow& row : read_csv(folder_ / "t.csv"))
-        values.push_back(panel.scale * static_cast<double>(row.number(panel.column)));
+        values.push_back(scale * static_cast<double>(row.number(column)));
       ASSERT_LT(curve, picture.curves.size());
       const DrawnCurve& drawn = picture.curves[curve++];
       for (const auto& [x, y] : drawn.points) heights.push_back(y);
-      const auto [least, most] = std::minmax_element(values.begin(), values.end());
-      const auto [top, bottom] = std::minmax_element(heights.begin(), heights.end());
-      const auto [end, begin] = std::minmax({pixel(drawn.y, *least), pixel(drawn.y, *most)});
-      EXPECT_NEAR(*top, end, 0.5) << run << ": " << panel.column;
-      EXPECT_NEAR(*bottom, begin, 0.5) << run << ": " << panel.column;
+      const auto [least, most] = std::ranges::minmax(values);
+      const auto [top, bottom] = std::ranges::minmax(heights);
+      const auto [end, begin] = std::minmax({pixel(drawn.y, least), pixel(drawn.y, most)});
+      EXPECT_NEAR(top, end, 0.5) << run << ": " << column;
+      EXPECT_NEAR(bottom, begin, 0.5) << run << ": " << column;
     }
-    for (const double clearance_mm : panel.clearances_mm) {  // of each run, downwards
+    for (const double clearance_mm : clearances_mm) {  // of each run, downwards
       const DrawnCurve& drawn = picture.curves[curve++];
       const auto furthest = std::ranges::max_element(drawn.points, {}, [&](const auto& point) {
         return std::abs(point.second - pixel(drawn.y, 0));
       });
       EXPECT_NEAR(std::abs(furthest->second - pixel(drawn.y, 0)),
                   std::abs(pixel(drawn.y, clearance_mm) - pixel(drawn.y, 0)), 0.5);
-      if (panel.column != "x_a_m") continue;  // in the orbit a circle
+      if (column != "x_a_m") continue;  // in the orbit a circle
       const auto [left, right] = std::ranges::minmax_element(drawn.points);
       EXPECT_NEAR(right->first - left->first,
                   pixel(drawn.y, clearance_mm) - pixel(drawn.y, -clearance_mm), 1);
@@ -78,15 +77,15 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
 
 // One of them is not the paper's, and has the corrected equations.
 TEST_F(Plot, SaysWhichEquationsAllRunsHave) {
-  const auto texts = [&](const char* second) {
+  const auto with = [&](const char* second) {
     write("e.toml", fmt::format("[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n[[run]]\n"
                                 "name = \"a\"\nmass = 4\n[[run]]\nname = \"b\"\n{}\n",
                                 second));
     EXPECT_EQ(rotor("plot e.toml").status, 0);
-    return fmt::format("{}", fmt::join(DrawnPicture(content("e.svg")).texts, "\n"));
+    return texts("e.svg");
   };
-  EXPECT_EQ(texts("").find("equations"), std::string::npos);
-  EXPECT_NE(texts("mass = 3").find("corrected equations"), std::string::npos);
+  EXPECT_FALSE(has(with(""), "equations"));
+  EXPECT_TRUE(has(with("mass = 3"), "corrected equations"));
 }
 
 // As the summary does, in a unit that leaves at most three digits before the point.
@@ -96,18 +95,16 @@ TEST_F(Plot, SaysTheOutcomeAndTheLargestForce) {
                                 "until = 0.03\n",
                                 stiffness));
     ASSERT_EQ(rotor("plot s.toml").status, 0);
-    const std::string texts =
-                          fmt::format("{}", fmt::join(DrawnPicture(content("s.svg")).texts, "\n")),
-                      summary = rotor("run --scene s.toml").output;
+    const std::string summary = rotor("run --scene s.toml").output;
     const auto force = matches(summary, "largest normal force (\\d{1,3}\\.\\d+ [kM]N)\\.");
     ASSERT_EQ(force.size(), 1U) << summary;
-    EXPECT_NE(texts.find("rolling, largest force " + force[0][1]), std::string::npos) << texts;
+    EXPECT_TRUE(has(texts("s.svg"), "rolling, largest force " + force[0][1]));
   }
 }
 
 // A run has the colour of its equations, and a picture of one set has that of no other.
 TEST_F(Plot, DrawsARunInTheColourOfItsEquations) {
-  const auto has = [](const std::string& svg, std::string_view colour) {
+  const auto draws = [](const std::string& svg, std::string_view colour) {
     const auto part = [&](std::size_t at) {
       return std::stoi(std::string(colour.substr(at, 2)), nullptr, 16);
     };
@@ -117,7 +114,7 @@ TEST_F(Plot, DrawsARunInTheColourOfItsEquations) {
   for (const EquationsInWords& set : sets_in_words) {
     ASSERT_EQ(rotor(fmt::format("plot \"it's.toml\" --equations {}", set.name)).status, 0);
     for (const EquationsInWords& other : sets_in_words)
-      EXPECT_EQ(has(content("it's.svg"), other.light), set.name == other.name) << set.name;
+      EXPECT_EQ(draws(content("it's.svg"), other.light), set.name == other.name) << set.name;
   }
 }
 
@@ -163,7 +160,7 @@ TEST_F(Plot, DrawsLettersOnly) {
     fs::copy_file(folder_ / "a.toml", folder_ / (name + ".toml"));
     ASSERT_EQ(rotor("plot '" + name + ".toml' --out a.svg").status, 0);
     EXPECT_EQ(shell("iconv -f UTF-8 -t UTF-16 a.svg >a.txt").status, 0) << name;
-    EXPECT_EQ(content("a.svg").find("\xef\xbf\xbe"), std::string::npos);
+    EXPECT_FALSE(has(content("a.svg"), "\xef\xbf\xbe"));
   }
 }
 

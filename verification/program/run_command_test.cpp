@@ -55,17 +55,15 @@ TEST_F(RunCommand, PrintsSeveralRunsInTheUnitsOfOne) {
         "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.1\n[[run]]\nname = \"c\"\n"
         "clearance = 0.2\nno_mass_loss = true\n");
   const std::string table = rotor("run s.toml 2>messages").output;
-  EXPECT_NE(table.find(" rpm"), std::string::npos) << table;
+  EXPECT_TRUE(has(table, " rpm"));
   std::istringstream rows(table);
   for (std::string row; std::getline(rows, row);) {
     if (row.find(' ') != 1 || row[0] < 'a' || row[0] > 'c') continue;
     const std::string text = rotor("run s.toml 2>messages --run " + row.substr(0, 1)).output;
     const auto cells = matches(row, "([+]?)([0-9.]+ (kN|N|ms|s|rpm))");
     for (const Match& cell : cells)
-      EXPECT_NE(text.find(' ' + cell[2] + (cell[1] == "+" ? " after the" : "\n")),
-                std::string::npos)
-          << row << '\n'
-          << text;
+      EXPECT_TRUE(has(text, ' ' + cell[2] + (cell[1] == "+" ? " after the" : "\n"))) << row << '\n'
+                                                                                     << text;
     EXPECT_EQ(cells.size(), row[0] == 'a' ? 4U : row[0] == 'b' ? 3U : 1U) << row;
   }
 }
@@ -113,11 +111,9 @@ TEST_F(RunCommand, PrintsErrorsBesideTheNumbersIfDigitsAreAskedFor) {
   const Json before = summary(narrow + "--digits 3");
   EXPECT_GT(before["touch_downs_before_loss"], 10);
   EXPECT_EQ(before["touch_downs_before_loss"], summary(narrow)["touch_downs_before_loss"]);
-  EXPECT_NE(before["remarks"].dump().find("before the mass loss"), std::string::npos);
-  EXPECT_NE(
-      rotor("run --digits 3 --until 0.1")
-          .output.find("rotor: the mass loss at 29.1 s was not reached; the run ends at 0.1 s\n"),
-      std::string::npos);
+  EXPECT_TRUE(has(before["remarks"].dump(), "before the mass loss"));
+  EXPECT_TRUE(has(rotor("run --digits 3 --until 0.1").output,
+                  "rotor: the mass loss at 29.1 s was not reached; the run ends at 0.1 s\n"));
   for (const char* key : {"outcome", "touch_downs", "touch_downs_before_loss", "mass_loss_reached",
                           "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
     EXPECT_EQ(sure[key], plain[key]) << key;

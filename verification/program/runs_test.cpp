@@ -13,6 +13,7 @@
 #include "model/run/simulation.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/contradiction.hpp"
+#include "verification/support/observers.hpp"
 #include "verification/support/random_inputs.hpp"
 #include "verification/support/read_csv.hpp"
 
@@ -100,7 +101,6 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
 
 // Wherever it moves from there: off a damped ring the rim may come free at once.
 TEST(SeparationSpeed, IsNotReachedAfterAStartOverTheRing) {
-  Observer monitor;
   for (const double velocity : {-3., -0.01, 0., 3.})
     for (const double damping : {0., 1e4}) {
       SCOPED_TRACE(fmt::format("{} m/s, {} N s/m", velocity, damping));
@@ -108,7 +108,7 @@ TEST(SeparationSpeed, IsNotReachedAfterAStartOverTheRing) {
       scenario.parameters.contact_damping = damping;
       RunUps run_ups;
       for (const double speed_Hz : {30., 30.5, 40.}) {  // the later ones where the others ended
-        const SpeedReached found = run_ups.time_at_speed(scenario, speed_Hz, {}, monitor);
+        const SpeedReached found = run_ups.time_at_speed(scenario, speed_Hz, {}, nobody);
         EXPECT_FALSE(found.time_s) << speed_Hz;
         EXPECT_TRUE(found.touches) << speed_Hz;
         EXPECT_EQ(found.looked_until_s, 0) << speed_Hz;
@@ -124,7 +124,7 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
         "contact_stiffness = 1e13\n[[run]]\nname = \"b\"\nfriction = 0.2\n");
   const Outcome all = rotor("run --scene two.toml --json 2>messages");
   EXPECT_EQ(all.status, 1);
-  EXPECT_NE(content("messages").find("rotor: diverges: the rk4 run diverged"), std::string::npos);
+  EXPECT_TRUE(has(content("messages"), "rotor: diverges: the rk4 run diverged"));
   const Json runs = Json::parse(all.output)["runs"];
   ASSERT_EQ(runs.size(), 2U);
   for (Json run : runs) {
@@ -144,7 +144,6 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
   EXPECT_LT(stopped["final_time_s"], 29.13);
   EXPECT_LT(stopped["right_hand_sides"], whole["right_hand_sides"]);
   EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
-  Observer nobody;
   const Scenario by_steps{.parameters = {.mass_loss_time = 0},
                           .method = Method::rk4,
                           .start_speed_Hz = 150,
@@ -155,7 +154,6 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
 
 /// Nothing that a stopped run reports differs from the whole run, other than where it ends.
 RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
-  Observer nobody;
   return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
 }
 

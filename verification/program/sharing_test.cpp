@@ -5,7 +5,7 @@
 
 #include "figures/results/run_result.hpp"
 #include "figures/runs/run_ups.hpp"
-#include "model/scenario/observer.hpp"
+#include "verification/support/observers.hpp"
 
 namespace rotor {
 namespace {
@@ -73,22 +73,20 @@ TEST(RunUps, ForgetTheWayThatWasInterrupted) {
   EXPECT_EQ(result.end.last.time_s, stopped.simulation.instant().time_s);
   EXPECT_TRUE(result.early.interrupted);
   EXPECT_FALSE(result.early.stop_reached);
-  Observer null_observer;
-  EXPECT_EQ(finished(run_ups.checkpoint_before(scenario, null_observer), scenario),
+  EXPECT_EQ(finished(run_ups.checkpoint_before(scenario, nobody), scenario),
             finished(RunUpCheckpoint(scenario), scenario));
 }
 
 TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
   RunUps run_ups;
-  Observer null_observer;
   Scenario beyond{.until = 40};  // where the motor is off and the rotor slows down
   beyond.parameters.mass_loss_time = 38;
-  run_ups.checkpoint_before(beyond, null_observer);
+  run_ups.checkpoint_before(beyond, nobody);
   for (const double speed_Hz : {75., 20., 149.9, 150., 74.99, 2., 11., 151., 200.}) {
     Scenario scenario{.until = 30};
     scenario.parameters.mass_loss_time = 0;
-    const auto found = run_ups.time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
-    const auto alone = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, null_observer);
+    const auto found = run_ups.time_at_speed(scenario, speed_Hz, std::nullopt, nobody);
+    const auto alone = RunUps().time_at_speed(scenario, speed_Hz, std::nullopt, nobody);
     EXPECT_EQ(found.time_s, alone.time_s) << speed_Hz;
     EXPECT_EQ(found.time_s.has_value(), speed_Hz < 151);
     EXPECT_EQ(found.greatest_Hz, alone.greatest_Hz) << speed_Hz;
@@ -101,7 +99,7 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
       EXPECT_EQ(found.time_s, summary.summary().motor_off_s) << speed_Hz;
     }
     scenario.parameters.mass_loss_time = found.time_s.value_or(1);
-    run_ups.checkpoint_before(scenario, null_observer);  // leaves checkpoints
+    run_ups.checkpoint_before(scenario, nobody);  // leaves checkpoints
   }
 }
 
@@ -183,9 +181,8 @@ TEST(RunUps, AreWorkedOutOnceForRunsThatPartLater) {
   scenario.parameters.torque = 0.29;
   EXPECT_GT(steps(scenario), all / 3);
   scenario.parameters.torque = 0.28;
-  Observer null_observer;
   scenario.parameters.mass_loss_time =
-      run_ups.time_at_speed(scenario, 140, std::nullopt, null_observer).time_s.value();
+      run_ups.time_at_speed(scenario, 140, std::nullopt, nobody).time_s.value();
   EXPECT_LT(steps(scenario), all / 20);  // the search has passed there
 }
 

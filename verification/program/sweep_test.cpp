@@ -90,10 +90,8 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
     const auto summary = Json::parse(run.output);
     for (const auto& [key, value] : summary.items()) {
       if (value.is_structured() || key == "version" || key == "schema") continue;
-      const std::string expected = value.is_null()     ? ""
-                                   : value.is_string() ? value.get<std::string>()
-                                                       : value.dump();
-      EXPECT_EQ(row[key], expected) << key << ' ' << options;
+      const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+      EXPECT_EQ(row[key], value.is_null() ? "" : text) << key << ' ' << options;
     }
   }
   EXPECT_GT(refused, 2);
@@ -106,14 +104,15 @@ TEST_F(SweepCommand, SaysOfEachPointWhatARunOfItsOwnSays) {
 TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
   const std::string axis = "[[axis]]\nquantity = \"start_speed_hz\"\nvalues = [10, 150]\n";
   write("whole.toml", "[parameters]\nclearance = 1e-3\n" + axis);
-  const std::string columns = "touch_downs,outcome,peak_force_to_rolling_N,right_hand_sides";
   write("part.toml",
         "columns = [\"touch_downs\", \"outcome\", \"peak_force_to_rolling_N\", "
         "\"right_hand_sides\"]\n" +
             content("whole.toml"));
   ASSERT_EQ(rotor("sweep whole.toml --out whole.csv").status, 0);
   ASSERT_EQ(rotor("sweep part.toml --out part.csv").status, 0);
-  EXPECT_EQ(rows_of("part.csv").at(0), "start_speed_hz," + columns + ",remarks,refusal");
+  EXPECT_EQ(rows_of("part.csv").at(0),
+            "start_speed_hz,touch_downs,outcome,peak_force_to_rolling_N,right_hand_sides,remarks,"
+            "refusal");
   const auto whole = results("whole.csv"), part = results("part.csv");
   ASSERT_EQ(part.size(), 2U);
   for (std::size_t n = 0; n < part.size(); ++n)
@@ -154,7 +153,7 @@ TEST_F(SweepCommand, RetriesRefusedPointsOnly) {
       "s.csv");
   const auto [status, output] = rotor("sweep s.toml --retry");
   EXPECT_EQ(status, 0) << output;
-  EXPECT_NE(output.find("rotor: 1 rows of s.csv are kept\n"), std::string::npos) << output;
+  EXPECT_TRUE(has(output, "rotor: 1 rows of s.csv are kept\n"));
   for (const CsvRow& row : results("s.csv"))
     EXPECT_EQ(row["outcome"], row["friction"] == "0.1" ? "freed" : "bouncing");
 }
@@ -171,48 +170,37 @@ TEST_F(SweepCommand, RepeatsNothingUnlessForced) {
   const std::string marked = content("s.csv");
   const auto [status, output] = rotor("sweep s.toml");
   EXPECT_EQ(status, 0);
-  EXPECT_NE(output.find("s.csv has all points of this sweep, 0 of them refused"), std::string::npos)
-      << output;
+  EXPECT_TRUE(has(output, "s.csv has all points of this sweep, 0 of them refused"));
   EXPECT_EQ(content("s.csv"), marked);
   EXPECT_EQ(rotor("sweep s.toml --force").status, 0);
   EXPECT_EQ(content("s.csv"), whole);
   write("s.csv", marked);
   write("s.toml", "# another\n" + text);
   EXPECT_EQ(rotor("sweep s.toml").status, 0);
-  EXPECT_EQ(content("s.csv").find("freed"), std::string::npos);
+  EXPECT_FALSE(has(content("s.csv"), "freed"));
 }
 
 TEST_F(SweepCommand, FailsIfNoPointHasAResult) {
-  const auto sweep = [this](const char* stiffnesses) {
+  const auto sweep = [this](const char* torques) {
     write("s.toml", fmt::format("[parameters]\nmass_loss_speed_hz = 150\nuntil = 1\n[[axis]]\n"
                                 "quantity = \"torque\"\nvalues = [{}]\n",
-                                stiffnesses));
+                                torques));
     return rotor("sweep s.toml");
   };
   EXPECT_EQ(sweep("0.1, 100").status, 0);
   const auto [status, output] = sweep("0.1, 0.2");
   EXPECT_EQ(status, 1);
-  EXPECT_NE(output.find("s.csv: no point has a result"), std::string::npos) << output;
+  EXPECT_TRUE(has(output, "s.csv: no point has a result"));
   EXPECT_EQ(results("s.csv").size(), 2U);
   EXPECT_EQ(rotor("sweep s.toml").status, 1);  // repeated
 }
 
-TEST_F(SweepCommand, StatesTheEquationsOfItsRows) {
-  write("s.toml",
-        "columns = [\"equations\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n"
-        "[[axis]]\nquantity = \"mass\"\nvalues = [4, 6]\n");
-  ASSERT_EQ(rotor("sweep s.toml").status, 0);
-  for (const CsvRow& row : results("s.csv"))
-    EXPECT_NE(content("s.csv").find("# equations " + row["equations"] + ","), std::string::npos);
-}
-
 TEST_F(SweepCommand, WritesTheSameBytesWhateverTheNumberOfThreads) {
   write("s.toml", mixed);
-  for (const char* jobs : {"1", "2", "5"})
+  for (const char* jobs : {"1", "2", "5"}) {
     ASSERT_EQ(rotor(fmt::format("sweep s.toml --out {0}.csv --jobs {0}", jobs)).status, 0);
-  EXPECT_FALSE(content("1.csv").empty());
-  EXPECT_TRUE(content("1.csv") == content("2.csv"));
-  EXPECT_TRUE(content("1.csv") == content("5.csv"));
+    EXPECT_TRUE(content(fmt::format("{}.csv", jobs)) == content("1.csv")) << jobs;
+  }
   EXPECT_EQ(files(), 4);
 }
 
@@ -293,7 +281,7 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
     write("r.csv.journal", whole.substr(0, rows[20]));
     const auto [status, output] =
         shell(fmt::format("ulimit -n {}; $rotor sweep s.toml --out r.csv --jobs 1", descriptors));
-    EXPECT_EQ(output.find("were dropped"), std::string::npos) << output;
+    EXPECT_FALSE(has(output, "were dropped"));
     EXPECT_TRUE(status == 0 || content("r.csv.journal").starts_with(whole.substr(0, rows[20])));
   }
 }
@@ -330,7 +318,7 @@ TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
   for (const char* lock : {"flock", "flock --shared"}) {
     const std::string output =
         shell(fmt::format("{} r.csv.journal $rotor sweep s.toml --out r.csv", lock)).output;
-    EXPECT_NE(output.find("another sweep is writing it"), std::string::npos) << output;
+    EXPECT_TRUE(has(output, "another sweep is writing it"));
     EXPECT_EQ(content("r.csv"), "old");
   }
 }
@@ -341,9 +329,9 @@ TEST_F(SweepCommand, RefusesAPointThatTakesLongerThanItsBudget) {
       "[parameters]\ndigits = 12\n[[axis]]\nquantity = \"friction\"\nvalues = [0.08]\n";
   write("s.toml", "stop_on = \"end\"\nbudget = 1e-8\n" + rest);
   rotor("sweep s.toml --out r.csv");
-  EXPECT_NE(content("r.csv").find("a budget of 1e-08 s is not enough"), std::string::npos);
+  EXPECT_TRUE(has(content("r.csv"), "a budget of 1e-08 s is not enough"));
   rotor("sweep s.toml --out r.csv --budget 1e-9 --force");
-  EXPECT_NE(content("r.csv").find("a budget of 1e-09 s is not enough"), std::string::npos);
+  EXPECT_TRUE(has(content("r.csv"), "a budget of 1e-09 s is not enough"));
 }
 
 // Each row has the digits that `rotor run` prints, or its refusal. No precision can decide whether
@@ -365,7 +353,7 @@ TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
                   run.find(fmt::format("{:<32} {}\n", key, row[key])) != std::string::npos)
           << run;
     EXPECT_EQ(row["refusal"].empty(), status == 0);
-    EXPECT_NE(run.find(row["refusal"]), std::string::npos) << run;
+    EXPECT_TRUE(has(run, row["refusal"]));
   }
 }
 

@@ -114,9 +114,7 @@ TEST(EventLog, HasEachEventWithTheForceOnTheRotorAndItsSlip) {
     rows.emplace_back(row.begin(), row.end());
   });
   EventRecorder events;
-  ObserverGroup both;
-  both.add(log);
-  both.add(events);
+  ObserverGroup both{&log, &events};
   run(scenario, both);
   ASSERT_EQ(rows.size(), events.events().size());
   int pressed = 0;
@@ -183,8 +181,7 @@ TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
     EXPECT_NEAR(rows[n][0], 29.1 + 5e-4 * static_cast<double>(n), 1e-14);
   for (const std::size_t n : {7U, 41U, 60U}) {
     const Scenario scenario{.until = rows[n][0]};
-    Observer null_observer;
-    const Instant at = run(scenario, null_observer).last;
+    const Instant at = run(scenario, nobody).last;
     EXPECT_NEAR(rows[n][1], at.state[0], 1e-10) << n;
     EXPECT_NEAR(rows[n][2], at.state[1], 1e-10) << n;
     EXPECT_NEAR(rows[n][3] / at.state[5], 1, 1e-9) << n;

@@ -19,7 +19,7 @@ TEST_F(Version, IsInEachResult) {
         "echo '[[axis]]\nquantity = \"until\"\nvalues = [0.01, 0.02]' >s.toml; "
         "rotor sweep s.toml --out out.csv"}) {
     shell(fmt::format("rotor() {{ \"$rotor\" \"$@\"; }}; {}", made));
-    EXPECT_NE(content("out.csv").find("\n# rotor " + known + '\n'), std::string::npos) << made;
+    EXPECT_TRUE(has(content("out.csv"), "\n# rotor " + known + '\n')) << made;
     fs::remove(folder_ / "out.csv");
   }
 }

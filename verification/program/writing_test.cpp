@@ -25,7 +25,9 @@ class Writing : public CommandLine {
     EXPECT_EQ(files(), 0) << "something was left behind";
     CommandLine::TearDown();
   }
-  void remove(const std::string& name) const { EXPECT_TRUE(fs::remove(folder_ / name)) << name; }
+  void remove(std::initializer_list<const char*> names) const {
+    for (const char* name : names) EXPECT_TRUE(fs::remove(folder_ / name)) << name;
+  }
 
   /// A long run with options in the background until it has rows; then a shell command. What it
   /// says on stderr is lost, because a busy machine adds how far it is.
@@ -44,8 +46,7 @@ TEST_F(Writing, GoesThroughWhatIsNoRegularFile) {
   EXPECT_GT(rows_of("copy").size(), 10U);
   EXPECT_EQ(rotor(short_run + " --trace /dev/null").status, 0);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  remove("pipe");
-  remove("copy");
+  remove({"pipe", "copy"});
 }
 
 // After what was written to it before, and before what is written to it later.
@@ -63,8 +64,7 @@ TEST_F(Writing, WritesToStandardOutputInItsPlace) {
   write("t.csv", "precious\n");
   expect_refusal(short_run + " --trace /dev/fd/3 3>>t.csv", "name a file");
   EXPECT_EQ(content("t.csv"), "precious\n");
-  remove("messages");
-  remove("t.csv");
+  remove({"messages", "t.csv"});
 }
 
 // If the table goes to standard output, by any name, the summary goes to standard error.
@@ -75,10 +75,10 @@ TEST_F(Writing, MixesNoTableWithTheSummary) {
       EXPECT_EQ(
           shell("$rotor " + short_run + " --json " + table + file + " 2>summary >table").status, 0);
       EXPECT_TRUE(content("summary").starts_with("{")) << file;
-      EXPECT_EQ(content("table").find('{'), std::string::npos) << file;
+      EXPECT_FALSE(has(content("table"), "{")) << file;
       EXPECT_TRUE(content("table").starts_with("# ")) << file;
     }
-  for (const char* name : {"link", "summary", "table"}) remove(name);
+  remove({"link", "summary", "table"});
   EXPECT_TRUE(shell("$rotor " + short_run + " --trace /dev/null 2>/dev/null").output.size() > 100);
 }
 
@@ -93,7 +93,7 @@ TEST_F(Writing, RefusesTheSameTargetTwiceHoweverItIsSpelt) {
         "--trace t.csv --events link"})
     expect_refusal(long_run + " " + twice, "it is the file of two outputs");
   EXPECT_EQ(content("t.csv"), "precious");
-  for (const char* name : {"linked", "real", "new", "link", "t.csv"}) remove(name);
+  remove({"linked", "real", "new", "link", "t.csv"});
 }
 
 TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
@@ -102,7 +102,7 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
   expect_refusal(short_run + " --trace t.csv --events /dev/full", "/dev/full: cannot be written");
   EXPECT_NE(rotor("run --method rk4 --contact-stiffness 1e13 --trace t.csv").status, 0);
   EXPECT_EQ(content("t.csv"), "old");
-  remove("t.csv");
+  remove({"t.csv"});
   expect_refusal(short_run + " --trace - > /dev/full", "standard output: cannot be written: No");
   expect_refusal("run --no-mass-loss --until 0.1 --json > /dev/full",
                  "standard output cannot be written: No space");
@@ -110,7 +110,7 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
                  "standard output cannot be written: Bad file");
   EXPECT_EQ(rotor(short_run + " --trace t.csv 2>&-").status, 0);  // nowhere to report it
   EXPECT_TRUE(content("t.csv").starts_with("# Trace"));
-  remove("t.csv");
+  remove({"t.csv"});
   EXPECT_EQ(
       rotor("run --stop-on rolling --from 29.3 --trace new/sub/t.csv --events new/e.csv").status,
       1);  // the folder is gone
@@ -122,9 +122,8 @@ TEST_F(Writing, LeavesNothingBehindWhenItsReaderGoesAway) {
       shell("{ " + std::string("$rotor ") + long_run +
             " --trace - --events e.csv; echo status $? >&2; } | head -n 3 >/dev/null")
           .output;
-  EXPECT_NE(output.find("standard output: cannot be written: Broken pipe"), std::string::npos)
-      << output;
-  EXPECT_NE(output.find("status 1"), std::string::npos) << output;
+  EXPECT_TRUE(has(output, "standard output: cannot be written: Broken pipe"));
+  EXPECT_TRUE(has(output, "status 1"));
 }
 
 TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
@@ -135,9 +134,9 @@ TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
     const std::string output =
         with_rows("", "ls -A | wc -l; kill -" + signal + " %1; wait %1; echo status $?").output;
     EXPECT_TRUE(output.starts_with("2\n")) << output;  // the draft was there
-    EXPECT_NE(output.find(fmt::format("status {}\n", expected)), std::string::npos);
+    EXPECT_TRUE(has(output, fmt::format("status {}\n", expected)));
     EXPECT_EQ(content("t.csv"), "precious");
-    remove("t.csv");
+    remove({"t.csv"});
   }
 }
 
@@ -150,8 +149,7 @@ TEST_F(Writing, RemovesWhatAKilledProcessHasLeft) {
   EXPECT_TRUE(output.starts_with(".t.csv.0.part\nt.csv\n")) << output;
   EXPECT_TRUE(output.ends_with("\nmessages\nt.csv\n")) << output;
   EXPECT_EQ(output.rfind(".part"), output.find(".part")) << output;
-  remove("messages");
-  remove("t.csv");
+  remove({"messages", "t.csv"});
   write("s.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n");
   // rotor calls a shell that calls gnuplot
   write("gnuplot",
@@ -164,7 +162,7 @@ TEST_F(Writing, RemovesWhatAKilledProcessHasLeft) {
                     .output.starts_with(".rotor-plot.0.part\n"));
   EXPECT_EQ(shell("TMPDIR=$PWD/drafts $rotor plot s.toml 2>&1").status, 0);
   EXPECT_TRUE(fs::is_empty(folder_ / "drafts"));
-  for (const char* name : {"drafts", "gnuplot", "s.toml", "s.svg"}) remove(name);
+  remove({"drafts", "gnuplot", "s.toml", "s.svg"});
 }
 
 // `ulimit -f` limits files to some kB. Only a sweep leaves something: the journal from which it
@@ -186,7 +184,7 @@ TEST_F(Writing, LeavesNothingBehindWhereFilesMayNotGrow) {
                (std::string_view(command).starts_with("sweep") ? "t.csv.journal" : "t.csv"));
     EXPECT_EQ(files(), 3) << command;
   }
-  for (const char* name : {"drafts", "s.toml", "sweep.toml"}) remove(name);
+  remove({"drafts", "s.toml", "sweep.toml"});
 }
 
 // Searches for a speed within single turns and over hours, and figures.
@@ -204,12 +202,12 @@ TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
               "rotor: interrupted; no file has been written\nstatus 124\n")
         << work;
   // Even if nobody reads its output.
-  EXPECT_NE(shell("mkfifo pipe; exec 4<>pipe; timeout --foreground --signal=INT --kill-after=10 1 "
-                  "$rotor run --until 1e5 --no-mass-loss --trace pipe; echo status $?")
-                .output.find("interrupted"),
-            std::string::npos);
-  remove("fig01.toml");
-  remove("pipe");
+  EXPECT_TRUE(
+      has(shell("mkfifo pipe; exec 4<>pipe; timeout --foreground --signal=INT --kill-after=10 1 "
+                "$rotor run --until 1e5 --no-mass-loss --trace pipe; echo status $?")
+              .output,
+          "interrupted"));
+  remove({"fig01.toml", "pipe"});
 }
 
 // Relative links from their own folder; also links whose target does not exist yet.
@@ -222,7 +220,7 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
     EXPECT_EQ(fs::status(folder_ / "other/target").permissions(), fs::perms(mode));
     EXPECT_GT(rows_of("other/target").size(), 10U);
   }
-  remove("other/target");
+  remove({"other/target"});
   EXPECT_EQ(shell("umask 027; $rotor " + short_run + " --trace other/link").status, 0);
   EXPECT_EQ(fs::status(folder_ / "other/target").permissions(), fs::perms{0640});
   EXPECT_TRUE(fs::is_symlink(folder_ / "other/link"));
@@ -230,7 +228,7 @@ TEST_F(Writing, FollowsLinksAndKeepsTheMode) {
   EXPECT_EQ(rotor(short_run + " --trace up/../t.csv").status, 0);
   EXPECT_GT(rows_of("other/t.csv").size(), 10U);
   fs::remove_all(folder_ / "other");
-  remove("up");
+  remove({"up"});
 }
 
 // Read-only files, and the file from which the runs are read.
@@ -241,7 +239,7 @@ TEST_F(Writing, ReportsThatItsTargetHasBecomeAFolder) {
     fs::create_directory(folder_ / "t.csv");
     EXPECT_THROW(file.commit(), std::runtime_error);
   }
-  remove("t.csv");
+  remove({"t.csv"});
 }
 
 TEST_F(Writing, ReplacesNothingThatItHadBetterKeep) {
@@ -253,15 +251,14 @@ TEST_F(Writing, ReplacesNothingThatItHadBetterKeep) {
                 .status,
             1);
   EXPECT_EQ(content("t.csv"), "precious");
-  remove("t.csv");
+  remove({"t.csv"});
   write("one", "[[axis]]\nquantity = \"mass\"\nvalues = [5]\n");
   expect_refusal("sweep one --out one", "the runs are read from this file");
   write("s.toml", "[parameters]\nuntil = 0.1\n");
   for (const char* outputs : {"run --scene s.toml --trace ./s.toml", "plot s.toml --out s.toml"})
     EXPECT_NE(rotor(outputs).status, 0) << outputs;
   EXPECT_EQ(content("s.toml"), "[parameters]\nuntil = 0.1\n");
-  remove("one");
-  remove("s.toml");
+  remove({"one", "s.toml"});
 }
 
 }  // namespace

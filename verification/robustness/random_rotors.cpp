@@ -4,7 +4,6 @@
 /// `random-rotors COUNT` prints instead.
 #include <fmt/format.h>
 
-#include "figures/data/files.hpp"
 #include "verification/support/balance.hpp"
 #include "verification/support/contradiction.hpp"
 #include "verification/support/newton.hpp"
@@ -155,7 +154,6 @@ struct Findings {
   }
 
   std::string by_early_end(const Scenario& scenario) {
-    Observer nobody;
     const RunResult stopped = result(scenario, StopOn::outcome, nobody);
     sooner += stopped.early.stop_reached;
     const std::string key = contradiction(stopped, result(scenario, {}, nobody));
@@ -224,19 +222,15 @@ int main(const Arguments& arguments) {
   fmt::print(
       "\n{} random rotors, of which {} touch the ring and {} roll: penetration of the ring while "
       "free {:.1e} of the clearance at most, residual of energy or angular momentum {:.1e} at "
-      "most; "
-      "{} run again at a finer tolerance\n"
+      "most; {} run again at a finer tolerance\n"
       "{} stopped at their outcome before the end\n"
       "compared with Newton's laws: {} by events, largest difference {:.1e}, and {} by fixed "
-      "steps; "
-      "left out, because two tolerances or two steps differ: {:.0f} % (at most {:.0f} %)\n"
+      "steps; left out, because two tolerances or two steps differ: {:.0f} % (at most {:.0f} %)\n"
       "wrong: {}\n",
       count, findings.touched, findings.rolled, findings.penetration, findings.residual,
       findings.reruns, findings.sooner, findings.compared, findings.difference,
       findings.fixed_steps, 100 * left_out, 100 * Findings::most_left_out, failed);
-  FileTransaction files;
-  files.write(std::filesystem::path(arguments[1]) / "random-rotors.txt", options);
-  files.commit();
+  write_file(std::filesystem::path(arguments[1]) / "random-rotors.txt", options);
   return failed == 0 && left_out <= Findings::most_left_out ? 0 : 1;
 }
 

@@ -106,17 +106,8 @@ double kinetic_energy_of(const Rotor& r) {
 }
 
 double contact_number(ContactState contact) {
-  switch (contact) {
-    case ContactState::free:
-      return 0;
-    case ContactState::sliding:
-      return 1;
-    case ContactState::rolling:
-      return 2;
-    case ContactState::indented:
-      return 3;
-  }
-  return -1;
+  if (contact == ContactState::free) return 0;
+  return contact == ContactState::sliding ? 1 : contact == ContactState::rolling ? 2 : 3;
 }
 
 using Formula = double (*)(const Rotor&);

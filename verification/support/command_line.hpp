@@ -21,6 +21,11 @@ namespace rotor {
 
 namespace fs = std::filesystem;
 
+/// Whether a text has a part. A failure shows both.
+inline testing::AssertionResult has(std::string_view text, std::string_view part) {
+  return testing::AssertionResult(text.find(part) != text.npos) << part << " in: " << text;
+}
+
 /// A folder for each test, removed afterwards.
 class CommandLine : public testing::Test {
  protected:
@@ -92,7 +97,7 @@ class CommandLine : public testing::Test {
     const long before = files();
     const auto [status, output] = rotor(arguments);
     EXPECT_GT(status, 0) << arguments;
-    EXPECT_NE(output.find(message), std::string::npos) << arguments << ": " << output;
+    EXPECT_TRUE(has(output, message)) << arguments;
     EXPECT_TRUE(output.starts_with("rotor: ")) << output;
     EXPECT_LT(output.size(), 700U) << output;  // one line, however long the input
     EXPECT_EQ(output.find('\n'), output.size() - 1) << output;

@@ -101,10 +101,7 @@ class Run {
   }
 
   bool finish() {
-    if (touches())
-      begin_contact(Event::none);
-    else
-      show(Event::none);
+    at_.touches() ? begin_contact(Event::none) : show(Event::none);
     if (scenario_.loses_mass()) {
       if (!advance(scenario_.parameters.mass_loss_time)) return false;
       lose_mass();
@@ -115,10 +112,8 @@ class Run {
   }
 
  private:
-  bool touches() const { return at_.touches(); }
-
   Newton rates(const Newton& x) const {
-    if (!touches()) return laws_.rates(x, {}, 0, 0);
+    if (!at_.touches()) return laws_.rates(x, {}, 0, 0);
     const NewtonRim k = laws_.rim(x);
     const double force = laws_.pressure(k);
     return laws_.rates(x, k, force,
@@ -142,18 +137,12 @@ class Run {
   double guard(Guard which, const Newton& x) const {
     if (which == motor) return two_pi * laws_.parameters.motor_off_Hz - x[5];
     const NewtonRim k = laws_.rim(x);
-    switch (which) {
-      case gap:
-        return -k.indentation;
-      case indentation:
-        return k.indentation;
-      case pressure:
-        return at_.contact == ContactState::indented ? -laws_.pressure(k) : laws_.pressure(k);
-      case slip:
-        return at_.slip_sign * k.slip;
-      default:
-        return laws_.parameters.friction * laws_.pressure(k) - std::abs(laws_.holding_friction(x));
-    }
+    if (which == gap) return -k.indentation;
+    if (which == indentation) return k.indentation;
+    if (which == slip) return at_.slip_sign * k.slip;
+    const double force = laws_.pressure(k);
+    if (which == pressure) return at_.contact == ContactState::indented ? -force : force;
+    return laws_.parameters.friction * force - std::abs(laws_.holding_friction(x));
   }
   /// Whether it becomes smaller within a time.
   bool guard_falls(Guard which, const Newton& x, double within_s) const {
@@ -165,13 +154,10 @@ class Run {
     return guard(which, later) < guard(which, x);
   }
   std::vector<Guard> guards() const {
-    std::vector<Guard> all;
-    if (at_.contact == ContactState::free)
-      all = {gap};
-    else
-      all = {indentation, pressure};
+    std::vector<Guard> all = {at_.contact == ContactState::free ? gap : indentation};
     // Without a dashpot the force vanishes with the indentation.
-    if (touches() && laws_.parameters.contact_damping == 0) all = {indentation};
+    if (all[0] == indentation && !(at_.touches() && laws_.parameters.contact_damping == 0))
+      all.push_back(pressure);
     if (at_.contact == ContactState::sliding) all.push_back(slip);
     if (at_.contact == ContactState::rolling) all.push_back(grip);
     if (at_.motor_on) all.push_back(motor);
@@ -203,26 +189,20 @@ class Run {
   void pass(Guard which) {
     const bool was_indented = at_.contact == ContactState::indented;
     show(Event::none);
-    switch (which) {
-      case gap:
-        return begin_contact(Event::touch_down);
-      case indentation:
-        at_.contact = ContactState::free;
-        return show(was_indented ? Event::ring_clear : Event::release);
-      case pressure:
-        if (was_indented) return begin_contact(Event::renewed_contact);
-        at_.contact = ContactState::indented;
-        return show(Event::release);
-      case slip:
-        return show(end_slip());
-      case grip:
-        at_.slip_sign = laws_.holding_friction(x_) > 0 ? -1 : 1;
-        at_.contact = ContactState::sliding;
-        return show(Event::break_away);
-      case motor:
-        laws_.motor_on = at_.motor_on = false;
-        return show(Event::motor_off);
+    if (which == gap) return begin_contact(Event::touch_down);
+    if (which == pressure && was_indented) return begin_contact(Event::renewed_contact);
+    if (which == slip) return show(end_slip());
+    if (which == motor) {
+      laws_.motor_on = at_.motor_on = false;
+      return show(Event::motor_off);
     }
+    if (which == grip) {
+      at_.slip_sign = laws_.holding_friction(x_) > 0 ? -1 : 1;
+      at_.contact = ContactState::sliding;
+      return show(Event::break_away);
+    }
+    at_.contact = which == indentation ? ContactState::free : ContactState::indented;
+    show(which == indentation && was_indented ? Event::ring_clear : Event::release);
   }
 
   void lose_mass() {
@@ -302,7 +282,7 @@ class Run {
     std::vector<std::pair<double, Extreme>> found;
     for (const Extreme of :
          {Extreme::displacement, Extreme::bearing_force, Extreme::normal_force}) {
-      if (of == Extreme::normal_force && !touches()) continue;
+      if (of == Extreme::normal_force && !at_.touches()) continue;
       const double most = 1.2 * std::max(value(of, x_), value(of, to));  // of a flat maximum
       if (most < observer_.threshold(of, at_.time_s, at_.time_s + h)) continue;
       if (rising(of, x_) > 0 && rising(of, to) < 0)

@@ -9,6 +9,8 @@
 
 namespace rotor {
 
+inline Observer nobody;  ///< looks at nothing
+
 /// Keeps all events, the instant before the mass loss, and the last instant.
 template <class S>
 class BasicEventRecorder : public BasicObserver<S> {

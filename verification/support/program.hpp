@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "figures/data/files.hpp"
+
 namespace rotor {
 
 using Arguments = std::vector<std::string>;
@@ -20,6 +22,13 @@ inline int run_program(const char* name, int (*program)(const Arguments&), int a
     fmt::print(stderr, "{}: {}\n", name, error.what());
     return 1;
   }
+}
+
+/// The whole of a file, or nothing.
+inline void write_file(const std::filesystem::path& file, std::string_view text) {
+  FileTransaction files;
+  files.write(file, text);
+  files.commit();
 }
 
 }  // namespace rotor

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "figures/results/run_result.hpp"
 #include "model/theory/whirl.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/summary_of.hpp"
 
 namespace rotor {
 namespace {
@@ -52,12 +52,6 @@ std::array<double, 2> deviations(const Scenario& scenario, double radius) {
   });
   run(scenario, look);
   return largest;
-}
-
-Summary summary_of(const Scenario& scenario) {
-  SummaryObserver observer(scenario);
-  run(scenario, observer);
-  return observer.summary();
 }
 
 /// Of Jiang and Ulbrich's rotor, with lengths in eccentricities: m = k = 1.
