@@ -44,11 +44,11 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
   std::vector<std::string> doubts;
   const auto above = [&](std::string_view quantity, double value, double limit) {
     if (!(value > limit))
-      doubts.push_back(fmt::format("{} is {:.3g}, at most {:.3g}", quantity, value, limit));
+      doubts.push_back(fmt::format("{} is {:.3g}, tested above {:.3g}", quantity, value, limit));
   };
   const auto below = [&](std::string_view quantity, double value, double limit) {
     if (!(value < limit))
-      doubts.push_back(fmt::format("{} is {:.3g}, at least {:.3g}", quantity, value, limit));
+      doubts.push_back(fmt::format("{} is {:.3g}, tested below {:.3g}", quantity, value, limit));
   };
   if (p.drive == Drive::constant_speed) doubts.emplace_back("a drive holds the speed");
   if (scenario.start) doubts.emplace_back("the rotor does not start in steady response");

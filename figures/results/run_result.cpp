@@ -267,7 +267,7 @@ std::vector<Remark> remarks(const RunResult& result) {
         {fmt::format("the run was to stop at {}, which was not reached by {:.6g} s{}",
                      name_of(*early.stop_on), summary.final_time_s,
                      !spins_freely ? ""
-                     : result.end.last.motor_on
+                     : result.end.last.motor_on && p.torque > 0
                          ? "; the motor still drives"
                          : "; without contact only the damping of its whirl brakes the rotor"),
          Of::missed_goal});

@@ -1,4 +1,4 @@
-/// How a run has ended, in one word.
+/// What became of the rotor, in one word.
 #pragma once
 
 #include <cmath>

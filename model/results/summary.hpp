@@ -88,7 +88,7 @@ inline constexpr auto summary_fields = [] {
   constexpr Settled loss = Settled::by_loss, contacts = Settled::by_contacts, end = Settled::by_end;
   constexpr auto rho = [](const Of& s) { return S(Vector<S>(s.final_q1_m, s.final_q2_m).norm()); };
   return std::to_array<SummaryField<S>>({
-      {"outcome", "How the run ended, in one word", &Of::outcome},
+      {"outcome", "What became of the rotor, in one word", &Of::outcome},
       {"first_contact_s", "Time of the first touch-down", &Of::first_contact_s},
       {"touch_downs_to_rolling",
        "Number of touch-downs until rolling sets in, or all of them if it does not",

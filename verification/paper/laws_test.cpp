@@ -128,13 +128,13 @@ TEST_F(LawsOfTheAccident, AreNotTrustedOutsideTheirRegion) {
       "4.2e4 --support-damping 8 --contact-damping 100 --rotor-radius 0.04 --torque 0 --friction "
       "0.207 --clearance 3.93e-4 --unbalance-factor 5.7 --contact-stiffness 3.82e8 ";
   for (const auto& [options, doubt] : std::vector<std::pair<std::string, std::string>>{
-           {laboratory + "--start-speed-hz 23", "the critical speed is 0.772, at most 1.5"},
-           {"--friction 10", "friction is 10, at least 1"},
+           {laboratory + "--start-speed-hz 23", "the critical speed is 0.772, tested above 1.5"},
+           {"--friction 10", "friction is 10, tested below 1"},
            {"--friction 0", "the closed forms give no rolling"},
            {"--friction 0.1", "friction 0.1 is below 0.19, so one impact may lead to no"},
            {laboratory + "--start-speed-hz 35", "friction 0.207 is below 1.29, so one impact"},
            {"--contact-stiffness 3e5 --support-damping 200", "dry whip"},
-           {"--contact-damping 1e5", "the ring's damping ratio is 0.793, at least 0.1"},
+           {"--contact-damping 1e5", "the ring's damping ratio is 0.793, tested below 0.1"},
            {"--equations corrected --start-speed-hz 150 --torque 0 --lost-mass 0.045 --clearance "
             "3.5e-3",
             "the share of the unbalance is 0.0"},
