@@ -118,6 +118,7 @@ void print_brief(const Json& run, bool in_rpm, std::FILE* to) {
 
 void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
   std::vector<std::string> lines(runs.size() + 2);  // heads have two
+  bool has_times_after_loss = false;
   const auto add = [&](const std::string& key, std::string_view label) {
     const std::size_t last = label.rfind(' ') + 1;
     std::vector<std::string> cells = {std::string(label.substr(0, last)),
@@ -125,6 +126,9 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
     std::size_t width = 0;
     for (const Json& run : runs) cells.push_back(in_print(run, key, in_rpm, true));
     for (const std::string& cell : cells) width = std::max(width, cell.size());
+    if (key.ends_with("_s"))
+      for (const std::string& cell : cells)
+        has_times_after_loss = has_times_after_loss || cell.starts_with('+');
     for (std::size_t n = 0; n < cells.size(); ++n)
       lines[n] += fmt::format("{:<{}}", cells[n], width + 2);
   };
@@ -134,7 +138,7 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
     if (is_in_table) add(std::string(key), label);
   for (const std::string& line : lines)
     fmt::print(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
-  fmt::print(to, "\n+: after the mass loss\n");
+  if (has_times_after_loss) fmt::print(to, "\n+: after the mass loss\n");
 }
 
 void say_what_is_assumed(const std::vector<SceneRun>& runs) {

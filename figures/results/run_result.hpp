@@ -35,9 +35,9 @@ struct RunResult {
 RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
                  std::optional<StopOn> stop_on, Observer& others);
 
-/// Null: has not happened. With `only`, the values with these keys.
 /// All numbers that determine a run, by their names; null for what does not apply.
 Json inputs_of(const Scenario& scenario);
+/// Null: has not happened. With `only`, the values with these keys.
 Json to_json(const RunResult& result, const std::vector<std::string>* only = nullptr);
 Json to_json(const EnergyObserver& energy);
 

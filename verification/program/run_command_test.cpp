@@ -68,6 +68,16 @@ TEST_F(RunCommand, PrintsSeveralRunsInTheUnitsOfOne) {
   }
 }
 
+// A mark is explained where it stands; a motor without torque drives nothing.
+TEST_F(RunCommand, ExplainsWhatIsThere) {
+  write("s.toml",
+        "[parameters]\nstart_speed_hz = 100\ntorque = 0\nuntil = 0.05\nno_mass_loss = true\n"
+        "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.1\n");
+  EXPECT_EQ(rotor("run s.toml 2>messages").output.find("after the mass loss"), std::string::npos);
+  const std::string unreached = rotor("run s.toml --run a --stop-on rest").output;
+  EXPECT_TRUE(has(unreached, "only the damping of its whirl brakes the rotor"));
+}
+
 // The residual of the balance is reported, as loose tolerances show.
 TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   const Json end = summary("--energy --tolerance 1e-4")["energy_J"]["until_end"];
