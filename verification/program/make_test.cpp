@@ -21,6 +21,11 @@ class Make : public CommandLine {
     write(file, "#!/bin/sh\n" + text);
     fs::permissions(folder_ / file, fs::perms::owner_all);
   }
+
+  /// With nothing of the make that runs the tests, and with the folder's own programs first.
+  Outcome make(const std::string& arguments, const std::string& variables = "") const {
+    return shell("env -i PATH=\"$PWD/bin:$PATH\" " + variables + " make " + arguments);
+  }
 };
 
 // Removed and damaged data are written again, others are left alone; an incomplete picture is
@@ -37,8 +42,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   const auto make_figure = [&](const std::string& end, const std::string& format = "svg") {
     program("bin/gnuplot", "part=$(expr \"$3\" : \"output = '\\([^']*\\)'\")\necho '<svg>" + end +
                                "' > $part\n" + another);
-    return shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor fig18 FORMAT=" +
-                 format);
+    return make("-o build -o build/rotor fig18 FORMAT=" + format);
   };
   EXPECT_EQ(make_figure("IEND\xae\x42\x60\x82", "png").status, 0);
   EXPECT_EQ(make_figure("%%EOF", "pdf").status, 0);
@@ -61,9 +65,7 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   fs::last_write_time(
       folder_ / "build/report/index.html",
       fs::last_write_time(folder_ / "build/figures/fig18.svg") - std::chrono::hours(1));
-  for (int n = 0; n < 2; ++n)
-    EXPECT_EQ(shell("env -i PATH=\"$PWD/bin:$PATH\" make -o build -o build/rotor figures").status,
-              0);
+  for (int n = 0; n < 2; ++n) EXPECT_EQ(make("-o build -o build/rotor figures").status, 0);
   EXPECT_EQ(content("pages"), "page\n");
   fs::remove(folder_ / "build/figures/fig18.svg");
   const auto [status, output] = make_figure("");
@@ -83,10 +85,8 @@ TEST_F(Make, HeedsNothingThatIsExported) {
           "echo $1 $GTEST_FILTER $ROTOR_APPROVE $CXX > seen\n"
           "echo '\"result\": \"COMPLETED\"' > ${2#--gtest_output=json:}\n");
   for (const auto& [option, filter] : {std::pair("", "*"), {"TESTS='-A b'", "-A b"}}) {
-    const auto [status, output] = shell(
-        std::string("env -i PATH=\"$PWD/bin:$PATH\" GTEST_FILTER=None ROTOR_APPROVE=1 CXX=none "
-                    "TESTS=None make -o need-deps sanitize ") +
-        option);
+    const auto [status, output] = make(std::string("-o need-deps sanitize ") + option,
+                                       "GTEST_FILTER=None ROTOR_APPROVE=1 CXX=none TESTS=None");
     EXPECT_EQ(status, 0) << output;
     EXPECT_EQ(content("seen"), std::string("--gtest_filter=") + filter + '\n');
   }
@@ -128,8 +128,7 @@ TEST_F(Make, BuildsTheModelAloneInAnotherProject) {
 // Moved anywhere, the installed program finds its scenes and scripts: without them it does nothing.
 TEST_F(Make, InstallsAProgramThatCanBeMoved) {
   fs::create_directory_symlink(fs::path(ROTOR_PROGRAM).parent_path(), folder_ / "build");
-  const auto [status, output] =
-      shell("make --no-print-directory -o build install PREFIX=\"$PWD/a folder\"");
+  const auto [status, output] = make("-o build install PREFIX=\"$PWD/a folder\"");
   ASSERT_EQ(output, (folder_ / "a folder/bin/rotor\n").string());
   fs::rename(folder_ / "a folder", folder_ / "it is here");
   const std::string share = "'it is here/share/rotor/figures/", mine = "'it is here/bin/rotor' ";
