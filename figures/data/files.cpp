@@ -142,7 +142,7 @@ void OutputFile::require_folder() const {
   std::error_code error;
   fs::path missing;
   for (fs::path folder = (fs::is_symlink(named_, error) ? target_ : named_).parent_path();
-       !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path())
+       !folder.empty() && !fs::is_directory(folder, error); folder = folder.parent_path())
     missing = folder;
   if (!missing.empty()) fail(fmt::format("there is no folder {}", shown(missing.string())));
 }

@@ -104,12 +104,12 @@ Scenario numbers_of(const ScenarioSpec& stated) {
     }
   Parameters& p = scenario.parameters;
   p.drive = spec.drive.value_or(p.drive);
-  if (p.drive == Drive::constant_speed)
-    for (const std::string_view name :
-         {std::string_view("torque"), std::string_view("motor_off_hz"), mass_loss_speed})
-      if (number(spec, name))
-        throw InputError(
-            "drive = constant_speed and {}: leave out the second, which has no meaning then", name);
+  if (p.drive == Drive::constant_speed) {
+    if (number(spec, mass_loss_speed))
+      throw InputError("drive = constant_speed and {}: state mass_loss_time instead",
+                       mass_loss_speed);
+    p.torque = 0;  // which holds the speed is not known beforehand
+  }
   p.loses_mass = spec.loses_mass.value_or(true);
   scenario.equations = equations_of(spec);
   scenario.method = spec.method.value_or(scenario.method);

@@ -61,7 +61,7 @@ void check_numbers(const ScenarioSpec& spec);
 /// A message about a scenario in the inputs that are stated: "start_speed_rpm = 9000 rpm" instead
 /// of "start_speed_hz = 150 Hz".
 std::string as_stated(std::string message, const ScenarioSpec& spec);
-/// The inputs that it names, in its order: "mass = 5 kg", or "torque: has no meaning".
+/// The inputs that it names, in its order: "mass = 5 kg", or "no_mass_loss: state".
 std::vector<std::string> inputs_named(const std::string& message);
 
 /// Whether a rotor is not the paper's: its mass, inertia or radius is stated.

@@ -18,7 +18,7 @@ namespace rotor {
 struct FigureOptions {
   ScenarioSpec stated;       ///< equations, method and drive
   std::vector<int> numbers;  ///< all if empty
-  std::string out = "build/figures";
+  std::string out = ".";
   std::string scenes;  ///< folder with figNN.toml
 };
 

@@ -185,7 +185,7 @@ void add_options(CLI::App& command, SweepOptions& options) {
   command.add_flag("--retry", options.retry,
                    "keep the rows of the results that are no refusals, and compute the others");
   command.add_flag("--force", options.force,
-                   "compute all points again, even if the results have them");
+                   "compute all points, even if --out has them or other results");
   command.footer(
       "Example:\n"
       "  rotor sweep friction.toml --out results.csv");
@@ -374,7 +374,7 @@ int main(int argc, char** argv) {
       message = message.substr(0, message.find(':')) + ": needs a value";
     constexpr std::size_t line = 400;
     print_message("rotor: " + message.substr(0, line));
-    status = error.get_exit_code();
+    status = 1;
   } catch (const Interrupted& error) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 128 + interrupting_signal();  // the convention of shells

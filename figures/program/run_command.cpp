@@ -35,7 +35,7 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
 Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
   Scene result = scene_of(options, run_ups);
   if (result.runs.size() > 1 && !options.json && options.energy)
-    throw InputError("{}: with several runs, --energy needs --json", options.scene);
+    throw InputError("{}: with several runs, --energy needs --json, or --run", options.scene);
   if (options.budget_s && !has_run_with_digits(result))
     throw InputError("digits: --budget needs a number of --digits");
   for (const SceneRun& run : result.runs) {

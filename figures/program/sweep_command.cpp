@@ -36,7 +36,7 @@ struct Finished {
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(file.gcount()));
     if (head != wanted) {
-      difference = rotor::difference(head, wanted, "without --retry all points are computed");
+      difference = rotor::difference(head, wanted, "--force replaces it");
       return;
     }
     const SweepRows points(sweep);
@@ -67,11 +67,13 @@ class Tally {
   }
 
   void print() const {
-    if (remarked_ + refused_ > 0)
+    if (remarked_ > 0)
+      print_message(fmt::format("rotor: {} of {} points exceed a limit (column remarks)", remarked_,
+                                points_));
+    if (refused_ > 0)
       print_message(
-          fmt::format("rotor: of {} points {} exceed a limit (column remarks), and {} have no "
-                      "result or too few digits (column refusal)",
-                      points_, remarked_, refused_));
+          fmt::format("rotor: {} of {} points have no result or too few digits (column refusal)",
+                      refused_, points_));
     std::vector<std::string> counts;
     for (const auto& [name, count] : outcomes_)
       if (!name.empty()) counts.push_back(fmt::format("{} {}", count, name));
@@ -167,11 +169,11 @@ void run_sweep(const SweepOptions& stated) {
   const std::string name = one_line(options.out);
   Rows known;
   if (options.retry && !fs::exists(options.out))
-    throw InputError("--retry: {}: there are no results yet", name);
+    throw InputError("--retry: {}: there are no results yet{}", name,
+                     fs::exists(options.out + ".journal") ? "; without it the sweep resumes" : "");
   if (fs::exists(options.out) && !options.force) {
     Finished finished(sweep, options.out);
-    if (options.retry && !finished.difference.empty())
-      throw InputError("--retry: {}: {}", name, finished.difference);
+    if (!finished.difference.empty()) throw InputError("{}: {}", name, finished.difference);
     const auto refused =
         std::erase_if(finished.rows, [](const auto& row) { return !row.second.ends_with(",\n"); });
     if (options.retry) {

@@ -34,9 +34,9 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
   const double ratio = p.inertia / (p.mass * p.rotor_radius * p.rotor_radius);
   if (is_driven && (ratio < least || ratio > greatest))
     all.push_back(
-        {fmt::format("inertia = {} kg m^2 is {:.2g} times mass times rotor_radius "
+        {fmt::format("inertia = {} kg m^2 is {:.2g} times mass = {} kg times rotor_radius = {} m "
                      "squared; a disk has 0.5, a ring 1",
-                     p.inertia, ratio)});
+                     p.inertia, ratio, p.mass, p.rotor_radius)});
   const double clearance = Ring<double>(p).clearance;
   if (clearance > p.rotor_radius)
     all.push_back(

@@ -289,6 +289,11 @@ std::vector<Remark> remarks(const RunResult& result) {
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back({fmt::format("the rotor touched the ring {} times before the mass loss",
                                summary.touch_downs_before_loss)});
+  if (const double deepest = summary.max_displacement_m.value_or(0) - Ring<double>(p).clearance;
+      deepest > p.rotor_radius)
+    all.push_back(
+        {fmt::format("the ring was indented by {:.4g} m, more than the rotor's radius", deepest),
+         Of::limit});
   // Steps per half period of the contact; with ten, the error of the largest force is about 1 %.
   constexpr double few_steps = 10;
   const double steps = std::numbers::pi /

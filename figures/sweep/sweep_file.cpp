@@ -301,7 +301,7 @@ class SweepReader : TomlFile {
           for (const toml::table* in : varying())
             if (quantity(*in) == input) at = in;
         }
-        fail(*at, "corner", "{}: {}", fmt::join(where, ", "), reason);
+        fail(*at, fmt::format("where {}", fmt::join(where, ", ")), "{}", reason);
       }
     }
   }

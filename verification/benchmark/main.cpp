@@ -110,9 +110,9 @@ struct Point {
       error = state_error(problem, end.last.state, exact);
     } catch (const std::runtime_error&) {
     }
-    const double its_s = processor_s() - begin_s;
-    time_s = std::min(time_s, its_s);
-    return its_s;
+    const double spent_s = processor_s() - begin_s;
+    time_s = std::min(time_s, spent_s);
+    return spent_s;
   }
 };
 
@@ -165,19 +165,16 @@ std::vector<Curve> curves(const Problem& problem) {
                                    method.advance(scenario.until, null_observer);
                                    return RunEnd{method.instant(), method.counters()};
                                  }});
-  add("GSL rk8pd", 4, 11, [=, &problem](double tolerance) {
-    return PeerMethod<Gsl, PaperChart, PaperChart>(problem.scenario, tolerance, start)
-        .run(problem.scenario.until);
-  });
-  add("GSL rk8pd in our coordinates", 4, 11, [=, &problem](double tolerance) {
-    return PeerMethod<Gsl, FlightChart<double>, ContactChart<double>>(problem.scenario, tolerance,
-                                                                      start)
-        .run(problem.scenario.until);
-  });
-  add("Odeint Fehlberg 7(8)", 4, 11, [=, &problem](double tolerance) {
-    return PeerMethod<Odeint, PaperChart, PaperChart>(problem.scenario, tolerance, start)
-        .run(problem.scenario.until);
-  });
+  const auto add_peer = [&]<class Peer>(const char* method, std::type_identity<Peer>) {
+    add(method, 4, 11, [=, &problem](double tolerance) {
+      return Peer(problem.scenario, tolerance, start).run(problem.scenario.until);
+    });
+  };
+  add_peer("GSL rk8pd", std::type_identity<PeerMethod<Gsl, PaperChart, PaperChart>>());
+  add_peer("GSL rk8pd in our coordinates",
+           std::type_identity<PeerMethod<Gsl, FlightChart<double>, ContactChart<double>>>());
+  add_peer("Odeint Fehlberg 7(8)",
+           std::type_identity<PeerMethod<Odeint, PaperChart, PaperChart>>());
   return all;
 }
 

@@ -90,15 +90,13 @@ TEST(EnergyByCause, OfTheMassLossIsThatOfThePieceAndOfTheExtraJump) {
 // Also in the ring's spring, if the rim has left the ring before it has sprung back.
 TEST(EnergyByCause, AddsUpWhereTheRingIsStillIndented) {
   Scenario scenario = short_run(0.03);
-  EventRecorder events;
-  run(scenario, events);
+  const EventRecorder events = recorded(scenario);
   const double from_s = events.first(Event::release).time_s;
   const auto after =
       std::ranges::find_if(events.events(), [&](const Instant& at) { return at.time_s > from_s; });
   ASSERT_NE(after, events.events().end());
   scenario.until = (from_s + after->time_s) / 2;
-  EventRecorder cut;
-  run(scenario, cut);
+  const EventRecorder cut = recorded(scenario);
   ASSERT_EQ(cut.last().contact, ContactState::indented);
   const EnergyBalance energy = balance_of(scenario);
   EXPECT_GT(energy.contact_spring, 1e-3);

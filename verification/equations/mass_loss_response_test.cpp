@@ -30,8 +30,7 @@ TEST_P(MassLossResponseOf, AHeavyRotorIsItsMotion) {
     p.inertia = 1e9;  // keeps the speed
     p.gravity = 0;
     p.stator_radius = 0.08;
-    EventRecorder events;
-    run(scenario, events);
+    const EventRecorder events = recorded(scenario);
     const Vector<double> q(events.last().state[0], events.last().state[1]);
     const Vector<double> O = in_stator_frame(q, events.last().state[2]);
     const auto expected = closed_form(scenario).position(scenario.until);
@@ -45,8 +44,7 @@ TEST_P(MassLossResponseOf, AHeavyRotorTouchesTheRingWhenItDoes) {
   Scenario scenario = lost_at(150, GetParam());
   scenario.parameters.inertia = 1e9;
   scenario.parameters.gravity = 0;
-  EventRecorder events;
-  run(scenario, events);
+  const EventRecorder events = recorded(scenario);
   const Instant& touch = events.first(Event::touch_down);
   const auto response = closed_form(scenario);
   const double t = response.first_contact().value();

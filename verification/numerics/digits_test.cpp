@@ -93,8 +93,7 @@ TEST(Digits, DecideWhetherAGlancingContactOccursUnlessItIsNearerThanTheirError) 
 // smaller than its error.
 TEST(Digits, AreNotGivenIfTheRunEndsTooShortlyBeforeOrAfterAnEvent) {
   Scenario scenario = short_run(0.03);
-  EventRecorder recorder;
-  run(scenario, recorder);
+  const EventRecorder recorder = recorded(scenario);
   for (const Event event :
        {Event::touch_down, Event::release, Event::ring_clear, Event::rolling_onset}) {
     ASSERT_GT(recorder.count(event), 0) << name_of(event);

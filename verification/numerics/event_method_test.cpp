@@ -82,8 +82,7 @@ TEST(EventMethod, LocatesEventsToRoundingAtEveryTolerance) {
       scenario.parameters.mass_loss_time = 1e-3;
       const RotorSystem<double> rotor(scenario.parameters, scenario.equations);
       const Ring<double>& ring = rotor.ring;
-      EventRecorder recorder;
-      run(scenario, recorder);
+      const EventRecorder recorder = recorded(scenario);
       for (const Instant& at : recorder.events()) {
         ++seen[at.event];
         const auto k = ring.rim_point(at.motion());

@@ -229,8 +229,7 @@ TEST(LossInRolling, OfNothingChangesNothing) {
         const double error = method == Method::event ? 1e-8 : 1e-3;
         EXPECT_NEAR(*summary.whirl_frequency_Hz / *expected.whirl_frequency_Hz, 1, error) << loss_s;
         if (method == Method::rk4) continue;
-        EventRecorder events;
-        run(scenario, events);
+        const EventRecorder events = recorded(scenario);
         EXPECT_EQ(events.events().back().event, Event::mass_loss) << loss_s;
       }
 }
@@ -248,8 +247,7 @@ TEST(LossInRolling, IsItsEndWhereFrictionCannotHoldTheRimAnyMore) {
   p.inertia = 0.0032870302767832728;
   p.unbalance_factor = 1.5;
   p.mass_loss_time = 0.17064984521861742;
-  EventRecorder events;
-  run(scenario, events);
+  const EventRecorder events = recorded(scenario);
   const auto loss = std::ranges::find(events.events(), Event::mass_loss, &Instant::event);
   EXPECT_LT(needed_friction(scenario, events.before_mass_loss()), p.friction);
   EXPECT_GT(needed_friction(scenario, *loss), 1.01 * p.friction);

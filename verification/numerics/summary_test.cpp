@@ -39,8 +39,7 @@ TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
     p.rotor_radius = 0.05;
     p.stator_radius = 0.0525 + 2e-6 * n;
     p.contact_damping = 1e6;
-    EventRecorder recorder;
-    run(scenario, recorder);
+    const EventRecorder recorder = recorded(scenario);
     const Instant& at = recorder.first(Event::touch_down);
     const Motion<double> m = at.motion();
     const double rho = m.displacement.norm();

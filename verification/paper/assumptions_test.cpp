@@ -71,8 +71,7 @@ const std::map<std::string, std::function<std::array<double, 2>()>>& assumptions
            const Scenario scenario{
                .parameters = {.friction = friction, .mass_loss_time = mass_loss_s},
                .until = mass_loss_s + 0.25};
-           EventRecorder events;
-           run(scenario, events);
+           const EventRecorder events = recorded(scenario);
            renewed += static_cast<double>(events.count(Event::renewed_contact));
          }
          return std::array{renewed, 0.};

@@ -15,6 +15,8 @@
 namespace rotor {
 namespace {
 
+double to_rolling_s(const Summary& s) { return *s.rolling_onset_s - *s.first_contact_s; }
+
 TEST(Audit, TheGravityMomentAsPrintedDoesNotConserveTheEnergyOfAnUndampedUndrivenRotor) {
   const auto drift = [](Equations equations, bool potential_of_the_whole_weight) {
     Scenario scenario{.equations = equations, .until = 2, .tolerance = 1e-12};
@@ -60,8 +62,7 @@ TEST(Audit, ALossBeforeTheGreatestSwingTouchesTheRing) {
 // taken.
 TEST(Audit, TheFrictionOfEq22HasTheOppositeSignOfThatInEq24) {
   const Scenario scenario{.until = 29.11};
-  EventRecorder seen;
-  run(scenario, seen);
+  const EventRecorder seen = recorded(scenario);
   const Instant& at = seen.first(Event::touch_down);
   const Ring<double> ring(scenario.parameters);
   const RimPoint<double> k = ring.rim_point(at.motion());
@@ -91,10 +92,7 @@ TEST(Audit, TheBordersOverAllPlacesOfTheLossHoldOnAnotherGrid) {
 TEST(Audit, TheChangesOverAllPlacesOfTheLossHoldOnAnotherGrid) {
   PaperRuns runs{{}};
   const double largest = read_off("elsewhere_time", runs).value();
-  const auto to_rolling = [&](double angle) {
-    const Summary& lost = runs.lost_at(angle);
-    return *lost.rolling_onset_s - *lost.first_contact_s;
-  };
+  const auto to_rolling = [&](double angle) { return to_rolling_s(runs.lost_at(angle)); };
   double on_this_grid = 0;
   constexpr int places = 100;
   for (int n = 0; n < places; ++n)
@@ -123,11 +121,8 @@ TEST(Audit, StiffnessAndDampingBetweenHalfAndTwiceChangeNoMoreThanTheEnds) {
     const auto change = [&](double factor) {
       const Summary &as_it_is = runs.high().summary(),
                     &changed = runs.changed(0.3, quantity, factor).summary();
-      const auto to_rolling = [](const Summary& s) {
-        return *s.rolling_onset_s - *s.first_contact_s;
-      };
       return std::array{std::abs(*changed.peak_normal_force_N / *as_it_is.peak_normal_force_N - 1),
-                        std::abs(to_rolling(changed) / to_rolling(as_it_is) - 1)};
+                        std::abs(to_rolling_s(changed) / to_rolling_s(as_it_is) - 1)};
     };
     const auto half = change(0.5), twice = change(2);
     for (int n = 1; n < 12; ++n)

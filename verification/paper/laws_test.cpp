@@ -26,7 +26,7 @@ struct LawsOfTheAccident : CommandLine {
   /// Rows of laws.csv for the first rotors of a sweep.
   std::vector<CsvRow> agreement_of(const std::string& sweep, long rotors) const {
     write("few.toml", replaced(sweep, "count = [0-9]+", "count = " + std::to_string(rotors)));
-    EXPECT_EQ(shell("$rotor sweep few.toml --out few.csv >/dev/null 2>&1 && '" + paper +
+    EXPECT_EQ(shell("$rotor sweep few.toml --force --out few.csv >/dev/null 2>&1 && '" + paper +
                     "laws.sh' few.csv > anew.csv")
                   .status,
               0);

@@ -267,11 +267,14 @@ Parameters PaperRuns::parameters() {
   return scenario_of(at_operating_speed(inputs_.mu_high), run_ups_).parameters;
 }
 
-ScenarioSpec PaperRuns::at_operating_speed(double friction) const {
+ScenarioSpec PaperRuns::spec_with(const std::map<std::string, double>& numbers) const {
   ScenarioSpec spec = inputs_.spec;
-  spec.numbers["friction"] = friction;
-  spec.numbers["mass_loss_time"] = inputs_.t_operating;
+  for (const auto& [name, value] : numbers) spec.numbers[name] = value;
   return spec;
+}
+
+ScenarioSpec PaperRuns::at_operating_speed(double friction) const {
+  return spec_with({{"friction", friction}, {"mass_loss_time", inputs_.t_operating}});
 }
 
 const PaperRun& PaperRuns::rub(double friction) { return get(at_operating_speed(friction)); }
@@ -297,20 +300,15 @@ const PaperRun& PaperRuns::with(double friction, const std::map<std::string, dou
 
 const PaperRun& PaperRuns::from_steady(double part) {
   const Parameters p = parameters();
-  ScenarioSpec spec = inputs_.spec;
-  spec.numbers["friction"] = inputs_.mu_high;
-  spec.numbers["torque"] = 0;
-  spec.numbers["start_speed_hz"] = part * p.motor_off_Hz;
-  spec.numbers["support_stiffness"] = part * part * p.support_stiffness;
-  return get(spec);
+  return get(spec_with({{"friction", inputs_.mu_high},
+                        {"torque", 0},
+                        {"start_speed_hz", part * p.motor_off_Hz},
+                        {"support_stiffness", part * part * p.support_stiffness}}));
 }
 
 const PaperRun& PaperRuns::loss_at(double time_s, double rub_s) {
-  ScenarioSpec spec = inputs_.spec;
-  spec.numbers["friction"] = inputs_.mu_high;
-  spec.numbers["mass_loss_time"] = time_s;
-  spec.numbers["until"] = time_s + rub_s;
-  return get(spec);
+  return get(spec_with(
+      {{"friction", inputs_.mu_high}, {"mass_loss_time", time_s}, {"until", time_s + rub_s}}));
 }
 
 const PaperRun& PaperRuns::get(const ScenarioSpec& spec) {

@@ -130,6 +130,7 @@ class PaperRuns {
   const PaperRun& near_critical() { return loss_at(inputs_.t_critical, 1.8); }
 
  private:
+  ScenarioSpec spec_with(const std::map<std::string, double>& numbers) const;
   ScenarioSpec at_operating_speed(double friction) const;
   const PaperRun& rub(double friction);
   const PaperRun& loss_at(double time_s, double rub_s);

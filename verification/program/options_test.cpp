@@ -155,7 +155,7 @@ TEST_F(Options, AreBlamedIfTheyAreStatedLast) {
                       fine = std::string(name) + " = " + good + '\n';
     const std::string others = (name == std::string("start_speed_rpm") ? "until = 1\n" : start) +
                                "support_damping = 0.1\n" +
-                               (name == std::string("drive") ? "torque = 1\n" : "");
+                               (name == std::string("drive") ? "mass_loss_speed_hz = 90\n" : "");
     const auto refuse = [&, name = name, value = value](const std::string& scene,
                                                         const std::string& place) {
       write("s.toml", scene);
@@ -174,11 +174,11 @@ TEST_F(Options, AreBlamedIfTheyAreStatedLast) {
   write("s.toml",
         "[parameters]\nrotor_radius = 0.05\n[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n"
         "[[axis]]\nquantity = \"stator_radius\"\nvalues = [0.04]\n");
-  expect_refusal("sweep s.toml", "s.toml:6: corner: friction = 0.1, stator_radius = 0.04: ");
+  expect_refusal("sweep s.toml", "s.toml:6: where friction = 0.1, stator_radius = 0.04: ");
   write("s.toml",
         "[parameters]\nuntil = 30\ninertia = 1e-7\n[[axis]]\nquantity = \"friction\"\n"
         "values = [0.1]\n");
-  expect_refusal("sweep s.toml", "s.toml:3: corner: friction = 0.1: inertia = 1e-07 kg m^2: ");
+  expect_refusal("sweep s.toml", "s.toml:3: where friction = 0.1: inertia = 1e-07 kg m^2: ");
 }
 
 // However it is stated, a choice is shown, and changes the run.
@@ -229,10 +229,11 @@ TEST_F(Options, AllStandAboveATrace) {
     const std::string text = content("t.csv");
     return text.substr(0, text.find("\n# time_s: "));
   };
-  const std::string constant =
-      head("--drive constant_speed --start-speed-hz 100 --start-x 1e-4 --start-velocity-y -0.25");
-  for (const char* stated : {"drive constant_speed", "start_x = 0.0001 m", "start_y = 0 m",
-                             "start_velocity_y = -0.25 m/s"})
+  const std::string constant = head(
+      "--drive constant_speed --torque 5 --start-speed-hz 100 --start-x 1e-4 "
+      "--start-velocity-y -0.25");
+  for (const char* stated : {"drive constant_speed", "torque = 0 N m", "start_x = 0.0001 m",
+                             "start_y = 0 m", "start_velocity_y = -0.25 m/s"})
     EXPECT_TRUE(has(constant, stated)) << stated << '\n' << constant;
   const std::string balanced =
       head("--eccentricity 0 --lost-mass 0.01 --start-speed-hz 100 --mass-loss-time 0.005");

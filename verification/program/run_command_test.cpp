@@ -89,6 +89,12 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
       residual -= value.get<double>();
   EXPECT_GT(std::abs(residual), 1e-9 * end["initial"].get<double>());
   EXPECT_NEAR(end["residual"], residual, 1e-12 * end["initial"].get<double>());
+  // The drive that holds the speed gives what the damping of a shifted start takes.
+  const Json held = summary(
+      "--energy --drive constant_speed --start-speed-hz 100 --start-x 1e-3 "
+      "--no-mass-loss --until 0.1")["energy_J"]["until_end"];
+  EXPECT_GT(held["drive"], 1e-3);
+  EXPECT_LT(std::abs(held["residual"].get<double>()), 1e-9 * held["drive"].get<double>());
   // What a rotor starts with is no work of a mass loss that it has not.
   const Json turning =
       summary("--energy --no-mass-loss --start-speed-hz 100 --until 0.1")["energy_J"]["until_end"];

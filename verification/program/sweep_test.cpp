@@ -130,7 +130,7 @@ TEST_F(SweepCommand, LeavesOutWhatALawDoesNotSay) {
     write("s.toml", "columns = [\"outcome\", \"law_reach_m\"]\n[parameters]\nuntil = 1e-3\n" +
                         parameters +
                         "[[axis]]\nquantity = \"support_stiffness\"\nvalues = [0, 9e4]\n");
-    EXPECT_EQ(rotor("sweep s.toml --out r.csv").status, 0);
+    EXPECT_EQ(rotor("sweep s.toml --force --out r.csv").status, 0);
     const auto rows = results("r.csv");
     ASSERT_EQ(rows.size(), 2U);
     for (const CsvRow& row : rows) {
@@ -158,7 +158,7 @@ TEST_F(SweepCommand, RetriesRefusedPointsOnly) {
     EXPECT_EQ(row["outcome"], row["friction"] == "0.1" ? "freed" : "bouncing");
 }
 
-// Of another file or version they are computed again.
+// Those of another file or version are replaced on request.
 TEST_F(SweepCommand, RepeatsNothingUnlessForced) {
   const std::string text =
       "columns = [\"outcome\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 0.01\n[[axis]]\n"
@@ -176,7 +176,9 @@ TEST_F(SweepCommand, RepeatsNothingUnlessForced) {
   EXPECT_EQ(content("s.csv"), whole);
   write("s.csv", marked);
   write("s.toml", "# another\n" + text);
-  EXPECT_EQ(rotor("sweep s.toml").status, 0);
+  expect_refusal("sweep s.toml", "s.csv: is of another sweep file or version of rotor");
+  EXPECT_EQ(content("s.csv"), marked);
+  EXPECT_EQ(rotor("sweep s.toml --force").status, 0);
   EXPECT_FALSE(has(content("s.csv"), "freed"));
 }
 
@@ -185,7 +187,7 @@ TEST_F(SweepCommand, FailsIfNoPointHasAResult) {
     write("s.toml", fmt::format("[parameters]\nmass_loss_speed_hz = 150\nuntil = 1\n[[axis]]\n"
                                 "quantity = \"torque\"\nvalues = [{}]\n",
                                 torques));
-    return rotor("sweep s.toml");
+    return rotor("sweep s.toml --force");
   };
   EXPECT_EQ(sweep("0.1, 100").status, 0);
   const auto [status, output] = sweep("0.1, 0.2");
@@ -312,12 +314,12 @@ TEST_F(SweepCommand, RefusesAJournalOfAnotherSweepAndOneThatIsBeingWritten) {
   write("r.csv.journal", "# Sweep: another\n");
   ASSERT_EQ(shell("mkfifo pipe.csv.journal").status, 0);
   expect_refusal("sweep s.toml --out pipe.csv", "pipe.csv.journal: must be a regular file");
-  expect_refusal("sweep s.toml --out r.csv", "r.csv.journal: is of another sweep file");
+  expect_refusal("sweep s.toml --out r.csv --force", "r.csv.journal: is of another sweep file");
   EXPECT_EQ(content("r.csv.journal"), "# Sweep: another\n");
   EXPECT_EQ(content("r.csv"), "old");
   for (const char* lock : {"flock", "flock --shared"}) {
     const std::string output =
-        shell(fmt::format("{} r.csv.journal $rotor sweep s.toml --out r.csv", lock)).output;
+        shell(fmt::format("{} r.csv.journal $rotor sweep s.toml --force --out r.csv", lock)).output;
     EXPECT_TRUE(has(output, "another sweep is writing it"));
     EXPECT_EQ(content("r.csv"), "old");
   }
@@ -344,7 +346,7 @@ TEST_F(SweepCommand, GivesTheDigitsThatAreAskedFor) {
     keys = replaced(replaced(keys, " ", " = "), "-", "_");
     write("s.toml", "stop_on = \"end\"\n[parameters]\n" + keys +
                         "[[axis]]\nquantity = \"friction\"\nvalues = [0.1]\n");
-    const int all_refused = rotor("sweep s.toml --out r.csv").status;
+    const int all_refused = rotor("sweep s.toml --force --out r.csv").status;
     const CsvRow row = results("r.csv").at(0);
     const auto [status, run] = rotor("run --friction 0.1 " + options);
     EXPECT_EQ(all_refused == 0, status == 0);

@@ -41,10 +41,6 @@ TEST(WithNumbers, PutsInWhatAPlaceAsksFor) {
   EXPECT_THROW(with_numbers(Json("{{peak.N}}"), values), std::invalid_argument);
 }
 
-TEST(ReportTexts, AskForValuesThatThereAre) {
-  EXPECT_NO_THROW(with_numbers(texts(), values_json(judged())));
-}
-
 TEST(Render, EscapesAndPrintsSymbols) {
   const auto rendered = [](const std::string& text) {
     return render("{{text}}", {}, {{"text", text}});

@@ -9,7 +9,7 @@ map=$build/maps/page
 mkdir -p "$map"
 sed 's/^points = 400$/points = 60/' figures/maps/speed-friction.toml >"$map/map.toml"
 [ "$map/map.csv" -nt "$build/rotor" ] && [ "$map/map.csv" -nt figures/maps/speed-friction.toml ] ||
-  "$build/rotor" sweep "$map/map.toml" --out "$map/map.csv"
+  "$build/rotor" sweep "$map/map.toml" --force --out "$map/map.csv"
 cp "$map/map.csv" "$out"
 "$build/map-theory" figures/maps/speed-friction.toml >"$map/theory.csv"
 # Its lines, as JSON: parts with their set of equations, their number and points.

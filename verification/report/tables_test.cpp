@@ -96,16 +96,6 @@ std::vector<std::string> markdown_files() {
   return files;
 }
 
-TEST(Tables, FollowTheirNamesAndReplaceWhatStandsThere) {
-  const auto tables = tables_of("peak\n| kN |\n|---|\n| {{peak.N.k1}} |\n\nempty\n");
-  const Json values = {{"peak", {{"N", 454836.}}}};
-  EXPECT_EQ(with_tables("A\n<!-- table: peak -->\n| old |\n\n| other |\n", tables, values),
-            "A\n<!-- table: peak -->\n| kN |\n|---|\n| 454.8 |\n\n| other |\n");
-  EXPECT_THROW(with_tables("<!-- table: trough -->\n", tables, values), std::out_of_range);
-  EXPECT_THROW(with_tables("<!-- table: peak -->\n", tables, Json::object()),
-               std::invalid_argument);
-}
-
 TEST(ApprovedTables, OfMarkdownAreThoseThatAreComputed) {
   const Json values = table_values(judged(), ROTOR_REFERENCE_DATA);
   const auto tables = tables_of(content_of(ROTOR_SOURCES "/verification/report/tables.mustache"));

@@ -53,8 +53,7 @@ Json runs_json(const Equations& equations, bool are_all) {
 Json mass_loss_json() {
   Scenario scenario;
   scenario.until = scenario.parameters.mass_loss_time;
-  EventRecorder seen;
-  run(scenario, seen);
+  const EventRecorder seen = recorded(scenario);
   const auto before = seen.before_mass_loss().motion();
   const MassLoss<double> loss(scenario.parameters);
   const double jump = loss.velocity_jump(before.speed);

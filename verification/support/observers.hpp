@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/scenario/observer.hpp"
+#include "model/run/simulation.hpp"
 
 namespace rotor {
 
@@ -49,6 +49,13 @@ class BasicEventRecorder : public BasicObserver<S> {
 };
 
 using EventRecorder = BasicEventRecorder<double>;
+
+/// A whole run's.
+inline EventRecorder recorded(const Scenario& scenario) {
+  EventRecorder recorder;
+  run(scenario, recorder);
+  return recorder;
+}
 
 /// Looks at the motion between two times wherever it is known.
 template <class Look>

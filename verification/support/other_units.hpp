@@ -2,6 +2,8 @@
 /// all forces tiny numbers, so that any comparison with a fixed number would show.
 #pragma once
 
+#include <map>
+
 #include "model/scenario/scenario.hpp"
 
 namespace rotor {
@@ -9,28 +11,19 @@ namespace rotor {
 constexpr double metre = 4, second = 0x1p-20, kilogram = 0x1p-80;
 constexpr double newton = kilogram * metre / (second * second);
 
-inline Parameters in_other_units(Parameters p) {
-  p.mass *= kilogram;
-  p.inertia *= kilogram * metre * metre;
-  p.eccentricity *= metre;
-  p.support_stiffness *= newton / metre;
-  p.support_damping *= newton * second / metre;
-  p.gravity *= metre / (second * second);
-  p.contact_stiffness *= newton / metre;
-  p.contact_damping *= newton * second / metre;
-  p.reference_indentation *= metre;
-  p.rotor_radius *= metre;
-  p.stator_radius *= metre;
-  p.motor_off_Hz /= second;
-  p.torque *= newton * metre;
-  p.mass_loss_time *= second;
-  return p;
-}
-
+/// Throws std::out_of_range for a unit that is not known.
 inline Scenario in_other_units(Scenario scenario) {
-  scenario.parameters = in_other_units(scenario.parameters);
-  scenario.start_speed_Hz /= second;
-  scenario.until *= second;
+  static const std::map<std::string_view, double> sizes = {{"", 1},
+                                                           {"kg", kilogram},
+                                                           {"kg m^2", kilogram * metre * metre},
+                                                           {"m", metre},
+                                                           {"s", second},
+                                                           {"m/s^2", metre / (second * second)},
+                                                           {"Hz", 1 / second},
+                                                           {"N m", newton * metre},
+                                                           {"N/m", newton / metre},
+                                                           {"N s/m", newton * second / metre}};
+  for (const Quantity& quantity : quantities()) quantity.in(scenario) *= sizes.at(quantity.unit);
   return scenario;
 }
 

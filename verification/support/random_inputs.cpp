@@ -135,9 +135,8 @@ ScenarioSpec RandomInputs::spec(double part) {
       return find_input_quantity(number.first)->of_start != nullptr;
     });
   if (spec.drive == Drive::constant_speed)
-    for (const char* of_motor :
-         {"torque", "motor_off_hz", "motor_off_rpm", "mass_loss_speed_hz", "mass_loss_speed_rpm"})
-      spec.numbers.erase(of_motor);
+    for (const char* run_up : {"mass_loss_speed_hz", "mass_loss_speed_rpm"})
+      spec.numbers.erase(run_up);
   if (one_in(10)) {
     std::erase_if(spec.numbers, [](const auto& number) {
       return determined_by(number.first) == "mass_loss_time";

@@ -16,8 +16,7 @@ namespace {
 /// the paper's supports.
 ComparedAccident accident(const std::string& name, Scenario scenario) {
   scenario.until = scenario.parameters.mass_loss_time;
-  EventRecorder recorder;
-  run(scenario, recorder);
+  const EventRecorder recorder = recorded(scenario);
   Instant from = recorder.first(Event::mass_loss);
   from.motor_on = false;
   ComparedAccident all{name, scenario, from, scenario, from};

@@ -62,8 +62,7 @@ TEST(MeasuredRebounds, AgreeWhereTheSphereSlides) {
 
   // No measured impact is as steep as those of the paper's accident, until rolling.
   Scenario accident;
-  EventRecorder seen;
-  run(accident, seen);
+  const EventRecorder seen = recorded(accident);
   const Ring<double> ring(accident.parameters);
   const double rolls_s = seen.first(Event::rolling_onset).time_s;
   for (const Instant& at : seen.events(Event::touch_down)) {

@@ -19,7 +19,7 @@ export const results = {
  "peak_normal_force_N": "largest normal force",
  "peak_time_s": "time of the largest force",
  "max_displacement_m": "largest displacement",
- "peak_bearing_force_N": "largest force on the bearings, without the weight",
+ "peak_bearing_force_N": "bearing force without weight",
  "whirl_frequency_Hz": "mean whirl in the last rolling",
  "rolling_until_s": "end of rolling",
  "final_time_s": "end of the run",
