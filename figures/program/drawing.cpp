@@ -81,10 +81,10 @@ void require_picture(const fs::path& out, const std::string& scene) {
 
 void draw(const fs::path& out, const Drafts& drafts) {
   const Draft folder = new_folder();
-  const auto remove = [](const Draft* its) {
+  const auto remove = [](const Draft* draft) {
     std::error_code ignored;
-    fs::remove_all(its->path, ignored);  // while it is locked
-    ::close(its->descriptor);
+    fs::remove_all(draft->path, ignored);  // while it is locked
+    ::close(draft->descriptor);
   };
   const std::unique_ptr<const Draft, decltype(remove)> removed_at_the_end(&folder, remove);
   FileTransaction files;

@@ -57,15 +57,15 @@ std::string in_print(const Json& run, const std::string& key, bool in_rpm, bool 
 std::string outcome_of(const Json& run, bool in_rpm) {
   const auto name = run.at("outcome").get<std::string>();
   const auto number = [&](const char* key) { return run.at(key).get<double>(); };
-  const auto* const its = std::find_if(outcomes.begin(), outcomes.end(),
-                                       [&](const OutcomeInWords& of) { return of.name == name; });
-  std::string sentence = fmt::format("The rotor {}", its->sentence);
-  if (its->outcome == Outcome::rolling)
+  const auto* const words = std::find_if(outcomes.begin(), outcomes.end(),
+                                         [&](const OutcomeInWords& of) { return of.name == name; });
+  std::string sentence = fmt::format("The rotor {}", words->sentence);
+  if (words->outcome == Outcome::rolling)
     sentence +=
         fmt::format(" {} ms after the first contact, at {}",
                     four_digits(1e3 * (number("rolling_onset_s") - number("first_contact_s"))),
                     in_print(run, "rolling_onset_speed_Hz", in_rpm));
-  if (its->outcome == Outcome::no_contact)
+  if (words->outcome == Outcome::no_contact)
     sentence += fmt::format("; the clearance is {} mm",
                             four_digits(1e3 * (run["inputs"]["stator_radius"].get<double>() -
                                                run["inputs"]["rotor_radius"].get<double>())));

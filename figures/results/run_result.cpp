@@ -105,8 +105,9 @@ const std::vector<Metadata>& metadata() {
 /// In the order in which they are decided.
 std::string meanings_of_outcomes() {
   std::vector<std::string> all(outcomes.size());
-  for (const OutcomeInWords& its : outcomes)
-    all[static_cast<std::size_t>(its.outcome)] = fmt::format("{} ({})", its.name, its.meaning);
+  for (const OutcomeInWords& words : outcomes)
+    all[static_cast<std::size_t>(words.outcome)] =
+        fmt::format("{} ({})", words.name, words.meaning);
   return fmt::format("{}", fmt::join(all, ", "));
 }
 

@@ -69,9 +69,9 @@ bool counts(const Number& number, const std::vector<Number>& all, const Judging&
 }  // namespace
 
 Allowed Number::allowed(const Judging& judging) const {
-  Allowed its = rotor::allowed(printed, rule, judging.word_width_factor, judging.zeros_count);
-  its.half *= judging.limits;
-  return its;
+  Allowed result = rotor::allowed(printed, rule, judging.word_width_factor, judging.zeros_count);
+  result.half *= judging.limits;
+  return result;
 }
 
 const std::vector<Judging>& other_rules() {

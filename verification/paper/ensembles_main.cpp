@@ -31,14 +31,14 @@ int print_turned(const std::filesystem::path& folder, const std::filesystem::pat
   const auto stored = judged_numbers(folder), anew = judged_numbers(folder, ensembles);
   int settled = 0, turned = 0;
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    const auto its = settled_verdicts(anew, set);
+    const auto now = settled_verdicts(anew, set);
     for (const auto& [claim, verdict] : settled_verdicts(stored, set)) {
       if (verdict == "depends") continue;
       ++settled;
-      if (its.at(claim) == verdict) continue;
+      if (now.at(claim) == verdict) continue;
       ++turned;
       fmt::print("{}, {} equations: {}; {} with the other seed\n", claim, sets[set].name, verdict,
-                 its.at(claim));
+                 now.at(claim));
     }
   }
   fmt::print("{} of {} verdicts by every rule are turned\n", turned, settled);

@@ -89,6 +89,7 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
       residual -= value.get<double>();
   EXPECT_GT(std::abs(residual), 1e-9 * end["initial"].get<double>());
   EXPECT_NEAR(end["residual"], residual, 1e-12 * end["initial"].get<double>());
+  EXPECT_TRUE(summary("--energy --stop-on rolling")["energy_J"]["until_end"].is_null());
   // The drive that holds the speed gives what the damping of a shifted start takes.
   const Json held = summary(
       "--energy --drive constant_speed --start-speed-hz 100 --start-x 1e-3 "

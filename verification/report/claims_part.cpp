@@ -167,17 +167,17 @@ Json turned_json(const std::vector<Number>& numbers) {
 Json settled_json(const std::vector<Number>& numbers) {
   Json all;
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    Json its;
+    Json counts;
     for (const char* of : {"runs", "arithmetic"})
       for (const char* verdict : {"claims", "reproduced", "within rounding", "refuted", "depends"})
-        its[of][verdict] = 0;
+        counts[of][verdict] = 0;
     for (const auto& [claim, verdict] : settled_verdicts(numbers, set))
       for (const std::string& key : {std::string("claims"), verdict}) {
-        Json& count = its[is_arithmetic(numbers, claim) ? "arithmetic" : "runs"][key];
+        Json& count = counts[is_arithmetic(numbers, claim) ? "arithmetic" : "runs"][key];
         count = count.get<int>() + 1;
       }
-    its["runs"]["within_rounding"] = its["runs"]["within rounding"];
-    all[set_keys[set]] = its;
+    counts["runs"]["within_rounding"] = counts["runs"]["within rounding"];
+    all[set_keys[set]] = counts;
     const auto verdicts = verdicts_of_claims(numbers, set);
     for (const Judging& rule : other_rules())
       all["turned_by"][rule.says][set_keys[set]] = std::ranges::count_if(
