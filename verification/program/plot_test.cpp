@@ -119,7 +119,6 @@ TEST_F(Plot, DrawsARunInTheColourOfItsEquations) {
 }
 
 // In ten times the time that a picture shows, curves of the same look have hardly more corners.
-// (The old picture of these runs had a megabyte.)
 TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
   write("s.toml",
         "[parameters]\nstart_speed_hz = 150\nuntil = 0.25\n[[run]]\nname = \"a\"\n[[run]]\n"

@@ -161,49 +161,35 @@ RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
 // a motor is too weak to bring another one through it; a third drives the rolling rotor to larger
 // forces, also by fixed steps.
 TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
-  const auto touches_late = [](Parameters& p) {
-    p.support_damping = 1;
-    p.stator_radius = p.rotor_radius + 5.2e-4;
-    p.inertia = 1e-3;
-    p.eccentricity = 1.9e-4;
-    p.support_stiffness = 1.11e4;
-    p.unbalance_factor = 2;
-    p.torque = 0;
-  };
-  const auto touches_balanced = [](Parameters& p) {
-    p.support_damping = 0.05;
-    p.stator_radius = p.rotor_radius + 1.6e-3;
-    p.inertia = 1.4e-3;
-    p.eccentricity = 8e-4;
-    p.unbalance_factor = 1.5;
-    p.torque = 0;
-  };
-  const auto stalls = [](Parameters& p) { p.torque = 1e-3; };
-  const auto rolls_faster = [](Parameters& p) {
-    p.torque = 100;
-    p.motor_off_Hz = 1000;
-  };
-  struct Case {
-    void (*change)(Parameters&);
-    Scenario scenario;
-    Outcome outcome;
-  };
-  for (auto [change, scenario, outcome] :
-       {Case{touches_late, {.start_speed_Hz = 4, .until = 20}, Outcome::freed},
-        {touches_balanced,
-         {.equations = Equations::corrected, .start_speed_Hz = 5.3, .until = 3},
-         Outcome::bouncing},
-        {stalls,
-         {.equations = Equations::corrected, .start_speed_Hz = 5, .until = 30},
-         Outcome::stalled},
-        {rolls_faster,
-         {.equations = Equations::corrected, .start_speed_Hz = 120, .until = 0.5},
-         Outcome::rolling},
-        {rolls_faster,
-         {.method = Method::rk4, .start_speed_Hz = 120, .until = 0.2},
-         Outcome::rolling}}) {
-    scenario.parameters.mass_loss_time = 0;
-    change(scenario.parameters);
+  const auto rolls_faster =
+      numbers({{"torque", 100}, {"motor_off_hz", 1000}, {"start_speed_hz", 120}, {"until", 0.5}});
+  for (auto [stated, equations, method, outcome] :
+       {std::tuple(numbers({{"support_damping", 1},
+                            {"clearance", 5.2e-4},
+                            {"inertia", 1e-3},
+                            {"eccentricity", 1.9e-4},
+                            {"support_stiffness", 1.11e4},
+                            {"unbalance_factor", 2},
+                            {"torque", 0},
+                            {"start_speed_hz", 4},
+                            {"until", 20}}),
+                   Equations::published, Method::event, Outcome::freed),
+        {numbers({{"support_damping", 0.05},
+                  {"clearance", 1.6e-3},
+                  {"inertia", 1.4e-3},
+                  {"eccentricity", 8e-4},
+                  {"unbalance_factor", 1.5},
+                  {"torque", 0},
+                  {"start_speed_hz", 5.3},
+                  {"until", 3}}),
+         Equations::corrected, Method::event, Outcome::bouncing},
+        {numbers({{"torque", 1e-3}, {"start_speed_hz", 5}, {"until", 30}}), Equations::corrected,
+         Method::event, Outcome::stalled},
+        {rolls_faster, Equations::corrected, Method::event, Outcome::rolling},
+        {rolls_faster, Equations::published, Method::rk4, Outcome::rolling}}) {
+    stated.equations = equations;
+    stated.method = method;
+    const Scenario scenario = scenario_of(stated);
     const RunResult whole = result(scenario, {}), stopped = result(scenario, StopOn::outcome);
     EXPECT_EQ(whole.summary.outcome, outcome);
     EXPECT_EQ(contradiction(stopped, whole), "");
