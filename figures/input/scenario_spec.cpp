@@ -300,7 +300,7 @@ std::span<const NamedInput> named_inputs() {
       NamedInput{
           "equations", name_of(standard.equations),
           "published (as printed: twice, whole) or corrected (once, balanced): the default for a "
-          "rotor with a mass, inertia or radius of its own",
+          "rotor that states its mass, inertia or rotor radius",
           [](Spec& s, Text name) {
             s.equations = parse_name<Equations>(name == "consistent" ? "corrected" : name);
           }},

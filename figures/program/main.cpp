@@ -138,14 +138,14 @@ void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = (figures_folder() / "paper").string();
   command.add_option("numbers", options.numbers, "figures to write (default: all)")
       ->transform(whole_number());
-  add_name(command, "--out", options.out, "folder for figNN.csv, and figNN.var for gnuplot")
+  add_name(command, "--out", options.out, "existing folder for figNN.csv, and figNN.var for gnuplot")
       ->capture_default_str();
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->default_str("the paper's");
   add_options(command, options.stated);
   command.footer(std::string(precedence) +
                  "\nExamples:\n"
-                 "  rotor figure --out data\n"
+                 "  rotor figure 3\n"
                  "  rotor figure 8 13 --equations corrected");
 }
 
