@@ -138,7 +138,8 @@ void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = (figures_folder() / "paper").string();
   command.add_option("numbers", options.numbers, "figures to write (default: all)")
       ->transform(whole_number());
-  add_name(command, "--out", options.out, "existing folder for figNN.csv, and figNN.var for gnuplot")
+  add_name(command, "--out", options.out,
+           "existing folder for figNN.csv, and figNN.var for gnuplot")
       ->capture_default_str();
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->default_str("the paper's");
