@@ -16,10 +16,9 @@ struct Steps : Observer {
 };
 
 TEST(PublishedMethod, LosesTheMassOnce) {
-  EventRecorder recorder;
   const Scenario scenario{
       .parameters = {.mass_loss_time = 0.29}, .method = Method::rk4, .until = 0.3};
-  run(scenario, recorder);
+  const EventRecorder recorder = recorded(scenario);
   EXPECT_EQ(recorder.count(Event::mass_loss), 1);
   EXPECT_NE(2900 * scenario.step_run_up, 0.29);  // as steps add up
   EXPECT_EQ(recorder.first(Event::mass_loss).time_s, 0.29);
