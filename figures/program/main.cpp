@@ -247,9 +247,9 @@ void add_options(CLI::App& command, RunOptions& options) {
       "the force in rolling) or rest (after a second below 0.1 Hz)")
       ->group(of_run);
   command.add_flag("--all", options.all, "print every result, not only those asked for first");
-  auto* trace =
-      add_name(command, "--trace", options.trace,
-               "write the motion within the window to this CSV file; - is standard output");
+  auto* trace = add_name(
+      command, "--trace", options.trace,
+      "write the motion within the window to this CSV file, replacing it; - is standard output");
   command
       .add_option(
           "--columns", options.columns,

@@ -56,7 +56,7 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
   above("the ratio of the speed at the loss to the critical speed", speed / critical, 1.5);
   if (two_pi * scenario.start_speed_Hz < critical && critical < speed)
     below("the ratio of the displacement in the run-up to the clearance",
-          run_up_displacement(p) / ring.clearance, 1);
+          run_up_displacement(p) / ring.clearance, 0.75);
   if (speed < two_pi * p.motor_off_Hz)
     below("the share of its speed that the motor adds in a natural period",
           p.torque / (body.inertia * speed) * two_pi / critical, 0.06);
@@ -108,8 +108,9 @@ const std::vector<Law>& all_laws() {
       {"law_speed_at_loss_Hz", "rotation speed at the mass loss, for a motor without resistance",
        [](const P& p) { return json_of(p.speed, two_pi); }},
       {"law_contact_speed_Hz",
-       "rough speed from which a rotor well above its critical speed touches the ring (a rotor "
-       "that swings out in few turns needs more), null if below the critical speed; (1)",
+       "rough speed from which a rotor well above its critical speed touches the ring, null if "
+       "below "
+       "the critical speed; (1)",
        [](const P& p) { return json_of(p.law.contact_speed, two_pi); }},
       {"law_reach_m", "largest displacement without a ring, if the speed stays that at the loss",
        [](const P& p) { return json_of(p.law.reach); }},

@@ -1,6 +1,6 @@
-/// The ring's resistance to indentation, which presses the rim back: the only place with its force
-/// law. Sources: "Overcritical high-speed rotor systems, full annular rub and accident", Sec. 2.3,
-/// Eq. (21), is exponent 1; exponent 1.5 is Hertz's.
+/// The ring's resistance to indentation, which presses the rim back. Sources: "Overcritical
+/// high-speed rotor systems, full annular rub and accident", Sec. 2.3, Eq. (21), is exponent 1;
+/// exponent 1.5 is Hertz's.
 #pragma once
 
 #include <cmath>

@@ -12,7 +12,7 @@ namespace rotor {
 /// flight decides it, whatever speeds the rotor can still have. rolling: at the first maximum of
 /// the force after the onset of rolling; so does outcome. rest: after a second below 0.1 Hz, which
 /// counts after the mass loss or, in a run without one, after a motor has driven the rotor faster
-/// than that.
+/// than that, if it has a torque.
 enum class StopOn { outcome, rolling, rest };
 
 class StopObserver : public Observer {

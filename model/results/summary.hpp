@@ -105,12 +105,11 @@ inline constexpr auto summary_fields = [] {
        "Largest normal force up to its first maximum after the onset of rolling, or of the whole "
        "run if rolling does not set in",
        &Of::peak_force_to_rolling_N},
-      {"peak_normal_force_N", "Largest normal force, at a located maximum",
-       &Of::peak_normal_force_N, own, nullptr, contacts},
+      {"peak_normal_force_N", "Largest normal force", &Of::peak_normal_force_N, own, nullptr,
+       contacts},
       {"peak_time_s", "Time of the largest normal force", &Of::peak_time_s, own, nullptr, contacts},
       {"max_displacement_m",
-       "Largest distance of O from O_a after the mass loss, or in a run without one; at a located "
-       "maximum",
+       "Largest distance of O from O_a after the mass loss, or in a run without one",
        &Of::max_displacement_m, length, nullptr, end},
       {"touch_downs_before_loss",
        "Touch-downs before the mass loss; all of them in a run without one",

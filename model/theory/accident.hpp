@@ -35,9 +35,9 @@ inline double critical_speed(const Parameters& p) {
   return natural_frequency(p.support_stiffness, p.mass);
 }
 
-/// About the largest displacement of O in a run-up through the critical speed, m: at most that of
-/// the steady response, and that of an undamped rotor at this acceleration (after F. M. Lewis 1932;
-/// the factor 1.3 is from our runs). Without damping and torque infinite.
+/// About the largest displacement of O in a run-up through the critical speed, m: the lesser of
+/// those of the steady response and of an undamped rotor at this acceleration (after F. M. Lewis
+/// 1932; the factor 1.3 is from our runs). Without damping and torque infinite.
 inline double run_up_displacement(const Parameters& p) {
   const double critical = critical_speed(p);
   const double zeta = p.support_damping / (2 * p.mass * critical);
@@ -48,7 +48,7 @@ inline double run_up_displacement(const Parameters& p) {
 
 /// SI units; speeds and rates in rad/s. Empty: does not happen.
 struct Accident {
-  std::optional<double> contact_speed;    ///< above which an overcritical rotor touches; (1)
+  std::optional<double> contact_speed;    ///< by (1)
   double reach;                           ///< largest |r_O| without a ring, m; at constant speed
   std::optional<double> contact_s;        ///< first contact after the loss
   std::optional<double> impact_force;     ///< of that contact, N

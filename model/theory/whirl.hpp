@@ -97,7 +97,7 @@ class Whirl {
   }
 
   /// The least friction at which a small disturbance of that circle grows, by Routh and Hurwitz;
-  /// infinite if none does as long as there is a circle.
+  /// infinite if none up to 10 does as long as there is a circle.
   double stable_synchronous_friction(double speed) const {
     constexpr double most = 10, ratio = 1.02;
     double low = 0, high = 1e-6;

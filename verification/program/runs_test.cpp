@@ -41,8 +41,6 @@ TEST(RandomInputs, HaveBothSignsWhereBothAreAllowed) {
     }
 }
 
-TEST(ScenarioSpec, OfNothingIsThePapers) { EXPECT_EQ(scenario_of({}), Scenario{}); }
-
 TEST(ScenarioSpec, ReadsNumbersThatAreNothingElse) {
   EXPECT_EQ(number_in("0.3"), 0.3);
   EXPECT_EQ(number_in("+3e-1"), 0.3);
