@@ -236,15 +236,16 @@ void add_run_up_and_loss(Table& table) {
                   s.peak_normal_force_N.value_or(0) / opposite.peak_normal_force_N.value();
               return 100 * std::abs(ratio - 1);
             }));
-  table.add("elsewhere_time", elsewhere([](const Summary& opposite, const Summary& s) {
-              const auto to_rolling = [](const Summary& of) {
-                return of.rolling_onset_s.value() - of.first_contact_s.value();
-              };
-              if (!s.rolling_onset_s) return 0.;  // has a number of its own
-              return 100 * std::abs(to_rolling(s) / to_rolling(opposite) - 1);
-            }));
   const Formula does_not_roll =
       elsewhere([](const Summary&, const Summary& s) { return s.rolling_onset_s ? 0. : 1.; });
+  const Formula longer = elsewhere([](const Summary& opposite, const Summary& s) {
+    const auto to_rolling = [](const Summary& of) {
+      return *of.rolling_onset_s - *of.first_contact_s;
+    };
+    return 100 * std::abs(to_rolling(s) / to_rolling(opposite) - 1);
+  });
+  table.add("elsewhere_time",  // without limit beside places from which the rotor does not roll
+            [=](Runs r) { return *does_not_roll(r) > 0 ? Value() : longer(r); });
   table.add("elsewhere_rolls", [does_not_roll](Runs r) -> Value { return 1 - *does_not_roll(r); });
 }
 
