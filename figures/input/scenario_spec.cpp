@@ -274,20 +274,23 @@ Equations equations_of(const ScenarioSpec& stated) {
 }
 
 std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
+  const auto is_stated = [&](std::string_view name) {
+    return std::any_of(stated.numbers.begin(), stated.numbers.end(),
+                       [&](const auto& number) { return determined_by(number.first) == name; });
+  };
   std::vector<std::string> all;
   for (const Quantity& quantity : quantities()) {
     const std::string_view name = quantity.name;
-    if (name == "mass_loss_time") break;                      // from here on they are of the run
+    if (name == start_speed) break;                           // from here on they are of the run
     if (quantity.of(Scenario{}) == quantity.least) continue;  // the paper leaves that out
     const bool is_driven = stated.drive != Drive::constant_speed;
-    const bool matters = name == "unbalance_factor" ? stated.loses_mass.value_or(true)
+    const bool loses_mass = stated.loses_mass.value_or(true);
+    const bool matters = name == "unbalance_factor" ? loses_mass
+                         : name == "mass_loss_time" ? loses_mass && !is_stated(start_speed)
                          : name == "motor_off_hz"   ? is_driven && number(stated, "torque") != 0.
                          : name == "torque" || name == "inertia" ? is_driven
                                                                  : name != "gravity";
-    const bool is_stated =
-        std::any_of(stated.numbers.begin(), stated.numbers.end(),
-                    [&](const auto& number) { return determined_by(number.first) == name; });
-    if (matters && !is_stated) all.push_back(quantity.text(Scenario{}));
+    if (matters && !is_stated(name)) all.push_back(quantity.text(Scenario{}));
   }
   return all;
 }

@@ -106,7 +106,8 @@ if (pins) { lines = lines."keyentry with points pointtype 6 pointsize 0.8 linewi
 do for [c = 0:6] {
   if (strstrt(" ".found, " ".outcome_name[c + 1]." ")) {
     colours = colours.sprintf("keyentry with boxes fillcolor rgb '%s' fillstyle solid border linecolor rgb event_tint title '%s', ", \
-      outcome_tint[c + 1], outcome_words[c + 1].(outcome_name[c + 1] eq "freed" ? ": touched the ring, cannot reach it again" : ""))
+      outcome_tint[c + 1], outcome_words[c + 1].(outcome_name[c + 1] eq "freed" ? ": touched the ring, cannot reach it again" : \
+      outcome_name[c + 1] eq "stalled" ? ", or no result" : ""))
   }
 }
 set key Left reverse spacing 1.05 noopaque font small

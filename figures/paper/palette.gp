@@ -1,7 +1,7 @@
 # Written by `make approve` from figures/input/words.hpp.
 array outcome_name[7] = ["no_contact","undecided","freed","bouncing","sliding","rolling","stalled"]
 array outcome_tint[7] = ["#f7f7f5","#efe0a0","#a5d4b8","#62b08c","#1f6b52","#bf5b98","#333333"]
-array outcome_words[7] = ["no contact","undecided","freed","bouncing","sliding","rolling","stalled, or no result"]
+array outcome_words[7] = ["no contact","undecided","freed","bouncing","sliding","rolling","stalled"]
 outcome_palette = "set palette maxcolors 7 defined (0 '#f7f7f5', 1 '#efe0a0', 2 '#a5d4b8', 3 '#62b08c', 4 '#1f6b52', 5 '#bf5b98', 6 '#333333'); set cbrange [-0.5:6.5]"
 words_of(set) = set eq "published" ? "equations as printed" : "corrected equations"
 short_of(set) = set eq "published" ? "as printed" : "corrected"

@@ -186,7 +186,7 @@ void add_options(CLI::App& command, SweepOptions& options) {
   command.add_flag("--retry", options.retry,
                    "keep the rows of the results that are no refusals, and compute the others");
   command.add_flag("--force", options.force,
-                   "compute all points, even if --out has them or other results");
+                   "replace results that are complete or of another sweep; a journal is resumed");
   command.footer(
       "Example:\n"
       "  rotor sweep friction.toml --out results.csv");

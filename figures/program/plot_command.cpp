@@ -24,6 +24,10 @@ std::string conditions_of(const Scene& scene) {
   };
   if (all_have([&](const SceneRun& run) { return run.scenario.equations == equations; }))
     add(std::string(equations_in_words(name_of(equations))));
+  if (all_have([](const SceneRun& run) {
+        return run.scenario.parameters.drive == Drive::constant_speed;
+      }))
+    add("held speed");
   for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
     const auto stated = [&name = quantity.name](const SceneRun& run) -> std::optional<double> {
       const auto found = run.stated.numbers.find(name);
@@ -31,8 +35,11 @@ std::string conditions_of(const Scene& scene) {
     };
     std::optional<double> shared = stated(runs.front());
     if (!shared || !all_have([&](const SceneRun& run) { return stated(run) == shared; })) continue;
-    if (quantity.name == "until")
-      shared = std::min(*shared, scene.window.from_s + scene.window.length_s);
+    const double drawn_until_s = scene.window.from_s + scene.window.length_s;
+    if (quantity.name == "until" && !scene.window.from_rolling_onset && drawn_until_s < *shared) {
+      add(fmt::format("drawn until {:.6g} s", drawn_until_s));
+      continue;
+    }
     const bool is_length = quantity.unit == "m";
     const std::string_view unit = is_length                   ? "mm"
                                   : quantity.unit == "kg m^2" ? "kg m²"

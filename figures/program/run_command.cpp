@@ -217,7 +217,8 @@ void run_rotor(const RunOptions& options) {
       const std::string sentence = as_stated(report.remarks[n].sentence, run.stated);
       if (!options.json) report.summary["remarks"][n] = sentence;
       if (!is_brief &&  // which shows them, as a table does not
-          (report.remarks[n].of == Remark::Of::missed_goal || (one_of_many && !options.json)))
+          (report.remarks[n].of == Remark::Of::missed_stop ||
+           report.remarks[n].of == Remark::Of::missed_loss || (one_of_many && !options.json)))
         messages.push_back(of_run(sentence));
     }
     for (const auto& [name, value] : run.stated.numbers) in_rpm = in_rpm || name.ends_with("_rpm");
@@ -237,10 +238,10 @@ void run_rotor(const RunOptions& options) {
   std::FILE* const to = standard_output_is_taken ? stderr : stdout;
   if (options.json && !runs.empty())
     fmt::print(to, "{}\n", (one_of_many ? Json{{"runs", runs}} : runs.front()).dump(2));
-  else if (one_of_many && !runs.empty())
+  else if (one_of_many && !options.all && !runs.empty())
     print_table(runs, in_rpm, to);
-  else if (!runs.empty())
-    is_brief ? print_brief(runs.front(), in_rpm, to) : print_all(runs.front(), to);
+  else
+    for (const Json& run : runs) is_brief ? print_brief(run, in_rpm, to) : print_all(run, to);
   for (const std::string& message : messages) print_message("rotor: " + message);
   if (!runs.empty()) say_what_is_assumed(scene.runs);
   for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);

@@ -68,8 +68,8 @@ class Tally {
 
   void print() const {
     if (remarked_ > 0)
-      print_message(fmt::format("rotor: {} of {} points exceed a limit (column remarks)", remarked_,
-                                points_));
+      print_message(
+          fmt::format("rotor: {} of {} points have remarks (column remarks)", remarked_, points_));
     if (refused_ > 0)
       print_message(
           fmt::format("rotor: {} of {} points have no result or too few digits (column refusal)",

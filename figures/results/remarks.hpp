@@ -9,11 +9,11 @@
 
 namespace rotor {
 
-/// Of the circumstances of a run, of a stated goal that was not reached, or of a limit of model or
-/// method that it exceeds.
+/// Of the circumstances of a run, of a stated stop or mass loss that it did not reach, or of a
+/// limit of model or method that it exceeds.
 struct Remark {
   std::string sentence;
-  enum class Of { circumstances, missed_goal, limit } of = Of::circumstances;
+  enum class Of { circumstances, missed_stop, missed_loss, limit } of = Of::circumstances;
 };
 
 /// What an engineer would question about a rotor, be it run or estimated: inputs that are probably

@@ -257,11 +257,11 @@ std::vector<Remark> remarks(const RunResult& result) {
         {fmt::format("no mass is lost with unbalance_factor = {} and eccentricity = {} m; state "
                      "an eccentricity above 0 m, and a factor above 1 or a lost mass",
                      p.unbalance_factor, p.eccentricity),
-         Of::missed_goal});
+         Of::missed_loss});
   else if (p.loses_mass && !summary.mass_loss_reached)
     all.push_back({fmt::format("the mass loss at {} s was not reached; the run ends at {:.6g} s",
                                p.mass_loss_time, summary.final_time_s),
-                   Of::missed_goal});
+                   Of::missed_loss});
   if (early.stop_on && !early.stop_reached) {
     const bool spins_freely = early.stop_on == StopOn::rest && !result.end.last.touches();
     all.push_back(
@@ -271,7 +271,7 @@ std::vector<Remark> remarks(const RunResult& result) {
                      : result.end.last.motor_on && p.torque > 0
                          ? "; the motor still drives"
                          : "; without contact only the damping of its whirl brakes the rotor"),
-         Of::missed_goal});
+         Of::missed_stop});
   }
   using enum Outcome;
   const bool is_open =
@@ -288,8 +288,8 @@ std::vector<Remark> remarks(const RunResult& result) {
                      "Hz; torque = 0 turns it off",
                      start, p.motor_off_Hz)});
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
-    all.push_back({fmt::format("the rotor touched the ring {} times before the mass loss",
-                               summary.touch_downs_before_loss)});
+    all.push_back(
+        {fmt::format("touch-downs before the mass loss: {}", summary.touch_downs_before_loss)});
   if (const double deepest = summary.max_displacement_m.value_or(0) - Ring<double>(p).clearance;
       deepest > p.rotor_radius)
     all.push_back(

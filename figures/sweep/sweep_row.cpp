@@ -42,11 +42,12 @@ std::string cells(Json summary, const Scenario& scenario, const std::vector<std:
   return row;
 }
 
-/// The remarks about exceeded limits, as one field.
-std::string limits(const RunResult& result) {
+/// The remarks about exceeded limits and a missed mass loss, as one field.
+std::string remarks_of(const RunResult& result) {
   std::vector<std::string> all;
   for (const Remark& remark : remarks(result))
-    if (remark.of == Remark::Of::limit) all.push_back(remark.sentence);
+    if (remark.of == Remark::Of::limit || remark.of == Remark::Of::missed_loss)
+      all.push_back(remark.sentence);
   return csv_field(fmt::format("{}", fmt::join(all, "; ")));
 }
 
@@ -109,7 +110,7 @@ std::string SweepRows::operator()(long n) {
     if (digits) {
       const Comparison found = comparison_to_digits(scenario, *digits, monitor);
       return row + cells(to_json(found, scenario, *digits), scenario, columns) +
-             limits(result_of(found, scenario)) + ',' +
+             remarks_of(result_of(found, scenario)) + ',' +
              csv_field(complaint(found, *digits, monitor)) + '\n';
     }
     RunUpCheckpoint run_so_far = run_ups_.checkpoint_before(scenario, monitor);
@@ -119,7 +120,7 @@ std::string SweepRows::operator()(long n) {
     if (is_interrupted()) throw Interrupted();
     if (result.early.interrupted)
       throw std::runtime_error(fmt::format("a budget of {} s is not enough", monitor.budget_s()));
-    return row + cells(to_json(result, &columns), scenario, columns) + limits(result) + ",\n";
+    return row + cells(to_json(result, &columns), scenario, columns) + remarks_of(result) + ",\n";
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {

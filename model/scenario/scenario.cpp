@@ -152,9 +152,10 @@ void check_numbers(const Scenario& scenario) {
           "drive = constant_speed and start_speed_hz = {} Hz: the speed must be greater than 0",
           scenario.start_speed_Hz);
   if (scenario.start)
-    require(std::hypot(scenario.start->x, scenario.start->y) < p.stator_radius,
-            "start_x = {} m and start_y = {} m: must be less than stator_radius = {} m away",
-            scenario.start->x, scenario.start->y, p.stator_radius);
+    require(
+        std::hypot(scenario.start->x, scenario.start->y) < p.stator_radius,
+        "start_x = {} m and start_y = {} m: must be nearer the centre than the ring's radius, {} m",
+        scenario.start->x, scenario.start->y, p.stator_radius);
   const MassLoss<double> loss(p);
   require(
       !scenario.loses_mass() || loss.after.inertia > 0,

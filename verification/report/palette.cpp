@@ -37,7 +37,6 @@ std::string palette_of_gnuplot() {
   add("outcome_tint", each(outcomes, &Of::light));
   Json words;
   for (const Of& of : outcomes) words.push_back(name_in_words(of.name));
-  words.back() = words.back().get<std::string>() + ", or no result";
   add("outcome_words", words);
   for (std::size_t n = 0; n < outcomes.size(); ++n)
     colours += fmt::format("{}{} '{}'", n > 0 ? ", " : "", n, outcomes[n].light);
