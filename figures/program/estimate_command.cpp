@@ -33,7 +33,13 @@ void estimate_rotor(const CaseOptions& options) {
     Json row;
     const bool one_of_many = scene.runs.size() > 1;
     if (one_of_many) row["run"] = run.name;
-    row.update(laws(run.scenario));
+    try {
+      row.update(laws(run.scenario));
+    } catch (const std::exception& error) {
+      const std::string of_run = one_of_many ? run.name + ": " : "";
+      throw InputError("{}{}{}", options.scene.empty() ? "" : options.scene + ": ", of_run,
+                       error.what());
+    }
     row["equations"] = name_of(run.scenario.equations);
     runs.push_back(row);
     for (const Remark& remark : remarks_on_laws(run.scenario))

@@ -131,6 +131,7 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
     EXPECT_EQ(run, summary("--scene two.toml --run " + name));
   }
   EXPECT_NE(runs[0]["touch_downs"], runs[1]["touch_downs"]);
+  EXPECT_TRUE(has(rotor("run two.toml --all").output, "\nfinal_q1_m"));
   // An option changes the name that is printed, not the one that is selected.
   ASSERT_EQ(rotor("run two.toml --run b --friction 0.1 --trace t.csv").status, 0);
   EXPECT_EQ(read_csv(folder_ / "t.csv").front()["run"], "b, but friction = 0.1");
