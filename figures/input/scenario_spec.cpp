@@ -278,13 +278,13 @@ std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
     return std::any_of(stated.numbers.begin(), stated.numbers.end(),
                        [&](const auto& number) { return determined_by(number.first) == name; });
   };
+  const bool is_driven = stated.drive != Drive::constant_speed;
+  const bool loses_mass = stated.loses_mass.value_or(true);
   std::vector<std::string> all;
   for (const Quantity& quantity : quantities()) {
     const std::string_view name = quantity.name;
     if (name == start_speed) break;                           // from here on they are of the run
     if (quantity.of(Scenario{}) == quantity.least) continue;  // the paper leaves that out
-    const bool is_driven = stated.drive != Drive::constant_speed;
-    const bool loses_mass = stated.loses_mass.value_or(true);
     const bool matters = name == "unbalance_factor" ? loses_mass
                          : name == "mass_loss_time" ? loses_mass && !is_stated(start_speed)
                          : name == "motor_off_hz"   ? is_driven && number(stated, "torque") != 0.

@@ -290,7 +290,9 @@ std::vector<Remark> remarks(const RunResult& result) {
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back(
         {fmt::format("touch-downs before the mass loss: {}", summary.touch_downs_before_loss)});
-  if (const double deepest = summary.max_displacement_m.value_or(0) - Ring<double>(p).clearance;
+  if (const double deepest =
+          std::max(summary.max_displacement_m.value_or(0), summary.max_displacement_before_loss_m) -
+          Ring<double>(p).clearance;
       deepest > p.rotor_radius)
     all.push_back(
         {fmt::format("the ring was indented by {:.4g} m, more than the rotor's radius", deepest),

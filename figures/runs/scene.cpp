@@ -22,8 +22,9 @@ class SceneReader : TomlFile {
     const toml::table& root = this->root();
     if (root.contains("axis") || root.contains("sample"))
       throw InputError("{}: is a sweep, which rotor sweep runs", path().string());
-    if (root.contains("stop_on"))
-      fail_at(root, "stop_on", "is a key of sweeps; of a run it is the option --stop-on");
+    for (const char* key : {"stop_on", "budget"})
+      if (root.contains(key))
+        fail_at(root, key, "is a key of sweeps; of a run it is the option {}", option_of(key));
     expect_keys(root, {"title", "columns", "window", "parameters", "run"});
     Scene scene;
     scene.file = path();

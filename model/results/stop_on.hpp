@@ -11,8 +11,8 @@ namespace rotor {
 /// Where a run may end. outcome: as soon as the mass loss, a later event or the end of a step in
 /// flight decides it, whatever speeds the rotor can still have. rolling: at the first maximum of
 /// the force after the onset of rolling; so does outcome. rest: after a second below 0.1 Hz, which
-/// counts after the mass loss or, in a run without one, after a motor has driven the rotor faster
-/// than that, if it has a torque.
+/// counts after the mass loss or, in a run without one, after a motor, if it has a torque, has
+/// driven the rotor faster than that.
 enum class StopOn { outcome, rolling, rest };
 
 class StopObserver : public Observer {

@@ -37,12 +37,13 @@ inline double critical_speed(const Parameters& p) {
 
 /// About the largest displacement of O in a run-up through the critical speed, m: the lesser of
 /// those of the steady response and of an undamped rotor at this acceleration (after F. M. Lewis
-/// 1932; the factor 1.3 is from our runs). Without damping and torque infinite.
+/// 1932; the numbers are from our runs). Without damping and torque infinite.
 inline double run_up_displacement(const Parameters& p) {
   const double critical = critical_speed(p);
   const double zeta = p.support_damping / (2 * p.mass * critical);
   const double steady = zeta < std::sqrt(0.5) ? 1 / (2 * zeta * std::sqrt(1 - zeta * zeta)) : 1;
-  const double passing = 1.3 * critical * std::sqrt(std::numbers::pi / 2 * p.inertia / p.torque);
+  const double slow = 1.3 * critical * std::sqrt(std::numbers::pi / 2 * p.inertia / p.torque);
+  const double passing = 1 + std::max(1., slow);  // at once: a circle of radius e_x about C's rest
   return p.eccentricity * std::min(steady, passing);
 }
 
@@ -52,8 +53,8 @@ struct Accident {
   double reach;                           ///< largest |r_O| without a ring, m; at constant speed
   std::optional<double> contact_s;        ///< first contact after the loss
   std::optional<double> impact_force;     ///< of that contact, N
-  std::optional<double> whirl_friction;   ///< above which rebounds lead to backward whirl; (2)
-  std::optional<double> first_friction;   ///< above which one elastic impact does
+  std::optional<double> whirl_friction;   ///< above which rebounds may lead to backward whirl; (2)
+  std::optional<double> first_friction;   ///< above which one elastic impact may
   double forward_friction;                ///< up to which there is forward rub
   double stable_forward_friction;         ///< up to which it returns after a small disturbance
   std::optional<double> rolling_speed;    ///< of the rotor when rolling begins; (3)

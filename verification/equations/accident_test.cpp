@@ -105,9 +105,9 @@ TEST(AccidentLaws, RollsInASoftRingAsTheLawsSay) {
 // From rest through the critical speed, slowly and fast, with and without damping.
 TEST(RunUpDisplacement, IsAboutThatOfRunsOrMore) {
   for (const double damping : {0., 5., 25., 60.})
-    for (const double torque : {0.05, 0.3, 3.}) {
+    for (const double torque : {0.05, 0.3, 3., 8., 20., 100., 1000.}) {
       Scenario scenario{.equations = Equations::corrected,
-                        .until = 1.2 * two_pi * 15 * Parameters{}.inertia / torque,
+                        .until = 1 + 1.2 * two_pi * 15 * Parameters{}.inertia / torque,
                         .tolerance = 1e-8};
       Parameters& p = scenario.parameters;
       p.support_damping = damping;
@@ -115,7 +115,7 @@ TEST(RunUpDisplacement, IsAboutThatOfRunsOrMore) {
       p.stator_radius = p.rotor_radius + 0.03;
       p.loses_mass = false;
       const double share = run_up_displacement(p) / *summary_of(scenario).max_displacement_m;
-      EXPECT_GT(share, 0.94) << damping << ' ' << torque;
+      EXPECT_GT(share, torque < 50 ? 0.94 : 0.9) << damping << ' ' << torque;
       EXPECT_LT(share, 1.5) << damping << ' ' << torque;
     }
 }

@@ -50,7 +50,7 @@ class BasicEventRecorder : public BasicObserver<S> {
 
 using EventRecorder = BasicEventRecorder<double>;
 
-/// A whole run's.
+/// The events of a whole run.
 inline EventRecorder recorded(const Scenario& scenario) {
   EventRecorder recorder;
   run(scenario, recorder);

@@ -60,7 +60,7 @@ TEST(MeasuredRebounds, AgreeWhereTheSphereSlides) {
   }
   EXPECT_EQ(sliding, 5);
 
-  // No measured impact is as steep as those of the paper's accident, until rolling.
+  // No measured impact is as oblique as those of the paper's accident, until rolling.
   Scenario accident;
   const EventRecorder seen = recorded(accident);
   const Ring<double> ring(accident.parameters);
