@@ -66,6 +66,11 @@ ScenarioSpec with_speeds_in_Hz(ScenarioSpec spec) {
   return spec;
 }
 
+bool states_mass_loss(std::string_view input) {
+  const std::string_view determined = determined_by(input);
+  return determined == "mass_loss_time" || determined == "unbalance_factor";
+}
+
 std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
   const auto found = spec.numbers.find(name);
   return found == spec.numbers.end() ? std::nullopt : std::optional(found->second);
@@ -127,8 +132,8 @@ Scenario numbers_of(const ScenarioSpec& stated) {
   const bool at_speed = number(spec, mass_loss_speed).has_value();
   const auto until = number(spec, "until");
   if (!p.loses_mass) {
-    for (const std::string_view name : {std::string_view("mass_loss_time"), mass_loss_speed})
-      if (number(spec, name)) throw InputError("{} and no_mass_loss: state one of them", name);
+    for (const auto& [name, value] : stated.numbers)
+      if (states_mass_loss(name)) throw InputError("{} and no_mass_loss: state one of them", name);
     if (!until) throw InputError("no_mass_loss: until, the end of the run, must be stated");
   } else if (at_speed || (scenario.start_speed_Hz > 0 && !number(spec, "mass_loss_time"))) {
     p.mass_loss_time = 0;
@@ -189,6 +194,11 @@ bool ScenarioSpec::states(std::string_view input) const {
          (input == "digits" && digits) || (input == "no_mass_loss" && loses_mass);
 }
 
+bool ScenarioSpec::states_rpm() const {
+  return std::ranges::any_of(numbers,
+                             [](const auto& number) { return number.first.ends_with("_rpm"); });
+}
+
 ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
   ScenarioSpec result = *this;
   if (other.digits) result.numbers.erase("tolerance");
@@ -198,10 +208,8 @@ ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
       return determined_by(lower.first) == determined_by(stated);
     });
   result.numbers.insert(other.numbers.begin(), other.numbers.end());
-  // A time or speed of the mass loss overrides "no mass loss", and is overridden by it.
-  const auto is_of_loss = [&](const auto& number) {
-    return determined_by(number.first) == "mass_loss_time";
-  };
+  // What states a mass loss overrides "no mass loss", and is overridden by it.
+  const auto is_of_loss = [](const auto& number) { return states_mass_loss(number.first); };
   if (std::any_of(other.numbers.begin(), other.numbers.end(), is_of_loss))
     result.loses_mass = true;
   else if (other.loses_mass == false)

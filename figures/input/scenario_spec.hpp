@@ -45,6 +45,7 @@ struct ScenarioSpec {
 
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
   bool states(std::string_view input) const;
+  bool states_rpm() const;
 
   /// Both together; `other` takes precedence.
   ScenarioSpec overridden_by(const ScenarioSpec& other) const;

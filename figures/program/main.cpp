@@ -131,9 +131,6 @@ void add_options(CLI::App& command, ScenarioSpec& stated) {
         ->default_str(std::string(input.standard));
 }
 
-constexpr const char* precedence =
-    "What a [[run]] of a scene states takes precedence over these options.\n";
-
 void add_options(CLI::App& command, FigureOptions& options) {
   options.scenes = (figures_folder() / "paper").string();
   command.add_option("numbers", options.numbers, "figures to write (default: all)")
@@ -144,10 +141,11 @@ void add_options(CLI::App& command, FigureOptions& options) {
   command.add_option("--scenes", options.scenes, "folder with the scene files figNN.toml")
       ->default_str("the paper's");
   add_options(command, options.stated);
-  command.footer(std::string(precedence) +
-                 "\nExamples:\n"
-                 "  rotor figure 3\n"
-                 "  rotor figure 8 13 --equations corrected");
+  command.footer(
+      "What a [[run]] of a scene states takes precedence over these options.\n"
+      "\nExamples:\n"
+      "  rotor figure 3\n"
+      "  rotor figure 8 13 --equations corrected");
 }
 
 void add_options(CLI::App& command, PlotOptions& options) {
@@ -156,13 +154,13 @@ void add_options(CLI::App& command, PlotOptions& options) {
            "picture: .svg, .pdf or .png (default: the file's name with .svg)");
   add_seconds(command, "--from", options.from_s,
               "start of what is drawn (default: the scene's window, or shortly before the first "
-              "mass loss)");
+              "mass loss; 0 if --until is before that)");
   add_seconds(command, "--until", options.until_s,
               "end of what is drawn (default: the end of the window or the run)");
   add_options(command, options.stated);
-  command.footer(std::string(precedence) +
-                 "\nExample:\n"
-                 "  rotor plot my-rotor.toml --until 0.05");
+  command.footer(
+      "Example:\n"
+      "  rotor plot my-rotor.toml --until 0.05");
 }
 
 void add_options(CLI::App& command, SweepOptions& options) {
@@ -202,7 +200,7 @@ constexpr const char* const of_loss = headings[2].second;
 constexpr const char* const of_run = headings[3].second;
 
 void add_options(CLI::App& command, CaseOptions& options) {
-  auto* scene = add_name(command, "scene,--scene", options.scene,
+  auto* scene = add_name(command, "scene", options.scene,
                          "scene file (TOML); options override what it states");
   add_name(command, "--run", options.run_name, "the [[run]] of the scene to run (default: all)",
            "a run")
@@ -254,7 +252,8 @@ void add_options(CLI::App& command, RunOptions& options) {
       .add_option(
           "--columns", options.columns,
           "columns of the trace, comma-separated (default: the scene's, or all); help lists them")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add_seconds(command, "--from", options.from_s,
               "start of the trace, which then extends to the end of the run (default: the scene's "
               "window, or from shortly before the mass loss)")

@@ -1,5 +1,5 @@
 # Force, speed, displacement and orbit of any scene. `rotor plot` sets, besides what style.gp needs:
-#   heading, conditions in one or more lines, and what it writes beside the data of a figure
+#   heading, conditions in one or more lines, speed_unit and its size per_Hz, and what it writes beside the data of a figure
 # Each run has a data file for each panel in gnuplot's folder, named after the column that is drawn upwards.
 
 runs = known_runs
@@ -59,7 +59,7 @@ do for [i = 1:runs] {
   least_gap = i > 1 ? less(least_gap, gap(i)) : gap(i)
 }
 widest = show(least_normal_force_N/1e3, most_normal_force_N/1e3, 5, wide); force_axis = axis("y", low, high)
-widest = greater(widest, show(least_speed_Hz, most_speed_Hz, 5, wide)); speed_axis = axis("y", low, high)
+widest = greater(widest, show(per_Hz*least_speed_Hz, per_Hz*most_speed_Hz, 5, wide)); speed_axis = axis("y", low, high)
 rho_min = less(1e3*least_rho_m, 0.98*least_gap); rho_max = greater(1e3*most_rho_m, 1.02*widest_gap)
 widest = greater(widest, show(rho_min, rho_max, 5, wide)); rho_axis = axis("y", low, high)
 down_min = less(1e3*least_x_a_m, -widest_gap); down_max = greater(1e3*most_x_a_m, widest_gap)
@@ -94,10 +94,10 @@ eval force_axis
 eval panel(left, 0.5*wide - right, top, top + height)
 plot for [i = 1:runs] data(i, "normal_force_N") using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i
 unset label; unset arrow
-set ylabel "f, Hz"
+set ylabel "f, ".speed_unit
 eval speed_axis
 eval panel(0.5*wide + left, wide - right, top, top + height)
-plot for [i = 1:runs] data(i, "speed_Hz") using (column("time_s")):(column("speed_Hz")) with lines linetype i
+plot for [i = 1:runs] data(i, "speed_Hz") using (column("time_s")):(per_Hz*column("speed_Hz")) with lines linetype i
 set ylabel "ρ, mm"
 eval rho_axis
 eval panel(left, 0.5*wide - right, top + height + 73, top + 2*height + 73)

@@ -75,15 +75,18 @@ void plot(const PlotOptions& options) {
   const std::string out = options.out.empty()
                               ? std::filesystem::path(options.file).stem().string() + ".svg"
                               : options.out;
-  Scene scene = read_scene(options.file, {options.stated, {}});
+  Scene scene = read_scene(options.file, {.of_parameters = {}, .of_runs = options.stated});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
   require_picture(out, options.file);
   const SceneData data = std::move(compute({{1, scene}}).at(1));
+  const bool in_rpm =
+      std::ranges::any_of(scene.runs, [](const SceneRun& run) { return run.stated.states_rpm(); });
   Drafts drafts = {
-      {"settings.gp", fmt::format("heading = {}; conditions = {}\n", numbered(scene.title),
-                                  numbered(conditions_of(scene))) +
+      {"settings.gp", fmt::format("heading = {}; conditions = {}; per_Hz = {}; speed_unit = '{}'\n",
+                                  numbered(scene.title), numbered(conditions_of(scene)),
+                                  in_rpm ? 60 : 1, in_rpm ? "rpm" : "Hz") +
                           variables(scene, data.results)}};
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};

@@ -221,7 +221,7 @@ void run_rotor(const RunOptions& options) {
            report.remarks[n].of == Remark::Of::missed_loss || (one_of_many && !options.json)))
         messages.push_back(of_run(sentence));
     }
-    for (const auto& [name, value] : run.stated.numbers) in_rpm = in_rpm || name.ends_with("_rpm");
+    in_rpm = in_rpm || run.stated.states_rpm();
     if (!report.short_of_digits.empty()) failures.push_back(of_run(report.short_of_digits));
     Json row;
     if (one_of_many) row["run"] = run.name;

@@ -108,8 +108,8 @@ Tally compute(const Sweep& sweep, const std::string& out, int threads, const Row
   const auto text = [&](double elapsed_s) {
     const auto done = static_cast<double>(written - before),
                left = static_cast<double>(points - written);
-    std::string so_far =
-        fmt::format("{} of {} points in {}", written.load(), points, duration(elapsed_s));
+    std::string so_far = fmt::format("{} of {} points, {:.0f} of them in {}", written.load(),
+                                     points, done, duration(elapsed_s));
     if (done == 0) return so_far;
     return fmt::format("{}, {:.3g} per second; about {} to go", so_far, done / elapsed_s,
                        duration(elapsed_s * left / done));

@@ -282,11 +282,11 @@ std::vector<Remark> remarks(const RunResult& result) {
                      "state a later until",
                      summary.final_time_s)});
   if (const double start = result.scenario.start_speed_Hz;
-      p.drive == Drive::motor && start > 0 && start < p.motor_off_Hz && p.torque > 0)
-    all.push_back(
-        {fmt::format("the motor still drives at start_speed_hz = {} Hz, up to motor_off_hz = {} "
-                     "Hz; torque = 0 turns it off",
-                     start, p.motor_off_Hz)});
+      p.drive == Drive::motor && start > 0 && start != p.motor_off_Hz && p.torque > 0)
+    all.push_back({fmt::format(
+        "at start_speed_hz = {} Hz the motor {} motor_off_hz = {} Hz", start,
+        start < p.motor_off_Hz ? "still drives (torque = 0 turns it off), up to" : "is off:",
+        p.motor_off_Hz)});
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back(
         {fmt::format("touch-downs before the mass loss: {}", summary.touch_downs_before_loss)});

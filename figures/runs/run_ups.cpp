@@ -159,6 +159,11 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) try {
       scenario, speed_Hz, states_end ? std::optional(scenario.until) : std::nullopt, monitor);
   if (is_interrupted()) throw Interrupted();
   const bool in_rpm = spec.numbers.contains("mass_loss_speed_rpm");
+  if (!reached.time_s && p.torque == 0 && !reached.touches)
+    throw InputError(
+        "mass_loss_speed_hz = {} Hz: is not reached from start_speed_hz = {} Hz with torque = 0 N "
+        "m",
+        speed_Hz, scenario.start_speed_Hz);
   if (!reached.time_s)
     throw InputError(
         "mass_loss_speed_hz = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most "

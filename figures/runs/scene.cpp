@@ -20,6 +20,7 @@ class SceneReader : TomlFile {
 
   Scene read() {
     const toml::table& root = this->root();
+    if (root.empty()) fail(root, "scene", "states nothing");
     if (root.contains("axis") || root.contains("sample"))
       throw InputError("{}: is a sweep, which rotor sweep runs", path().string());
     for (const char* key : {"stop_on", "budget"})
@@ -192,8 +193,9 @@ Window window_about_loss(const std::vector<SceneRun>& runs) {
 Window stated_window(Window window, std::optional<double> from_s, std::optional<double> until_s,
                      const std::vector<SceneRun>& runs) {
   if (!from_s && !until_s) return window;
-  const double from = from_s.value_or(window.from_rolling_onset ? 0 : window.from_s);
   const double until = until_s.value_or(std::numeric_limits<double>::infinity());
+  const bool lies_before = window.from_rolling_onset || until <= window.from_s;
+  const double from = from_s.value_or(lies_before ? 0 : window.from_s);
   double last_s = 0;
   for (const SceneRun& run : runs) last_s = std::max(last_s, run.scenario.until);
   if (until_s && !(*until_s > 0 && *until_s <= last_s))

@@ -7,7 +7,7 @@ rotor() { "$rotor" "$@"; }
 numbers() { sed -E 's/[0-9]+(\.[0-9]+){2} \([^)]+\)/(version)/;/^(paper|Fig\.)/!s/(^|[^A-Za-z0-9_.])[-+−]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?([^A-Za-z0-9_]|$)/\1N\4/g'; }
 
 # Writes a scene, or a sweep, and runs the program on it.
-scene() { printf '%b\n' "$1" >scene.toml && shift && rotor run --scene scene.toml "$@"; }
+scene() { printf '%b\n' "$1" >scene.toml && shift && rotor run scene.toml "$@"; }
 sweep() { printf '%b\n' "$1" >sweep.toml && shift && rotor sweep sweep.toml "$@"; }
 
 # The texts of a picture in their order, without tic labels. Numbers of the paper are kept.

@@ -40,7 +40,7 @@ TEST_P(Readme, HasExamplesThatRun) {
     if (is_sweep)
       EXPECT_GT(read_sweep(folder_ / "sweep.toml").points(), 0);
     else
-      EXPECT_EQ(rotor("run --scene my-rotor.toml").status, 0) << scene;
+      EXPECT_EQ(rotor("run my-rotor.toml").status, 0) << scene;
   }
   for (const auto& [run, says] : commands) {
     const Outcome outcome = rotor(run);

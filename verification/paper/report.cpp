@@ -71,7 +71,7 @@ int show_claim(const std::filesystem::path& data, const std::string& id) {
     std::istringstream figures(n.figures);
     for (int figure = 0; figures >> figure;)
       fmt::print(
-          "  shown by: make fig{0:02}; build/rotor run --scene figures/paper/fig{0:02}.toml\n",
+          "  shown by: make fig{0:02}; build/rotor run figures/paper/fig{0:02}.toml\n",
           figure);
   }
   for (const Turned& turned : turned_by_other_rules(of_claim(numbers, id)))

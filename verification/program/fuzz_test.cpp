@@ -105,8 +105,8 @@ no_mass_loss = 3
 a.b.c = 1
 title = """
 parameters = 3)");
-  std::string text;
-  for (std::size_t n = random.below(12); n > 0; --n)
+  std::string text = random.one_in(2) ? "[parameters]\n" : "";
+  for (std::size_t n = random.below(8); n > 0; --n)
     text += (random.one_in(2) ? random.of(lines) : random.of(names) + " = " + random.number()) +
             (random.one_in(20) ? "\r\n" : "\n");
   return random.one_in(3) ? random.damaged(text) : text;
@@ -158,9 +158,9 @@ TEST_F(Fuzz, ScenesAreReadOrRefusedByFileAndLine) {
 
 TEST_F(Fuzz, CommandLinesAreDoneOrRefusedInOneLine) {
   Random random(2);
-  std::vector<std::string> options = {"--trace",  "--events",      "--columns", "--from",
-                                      "--scene",  "--run",         "--json",    "--equations",
-                                      "--method", "--no-mass-loss"};
+  std::vector<std::string> options = {"--trace",     "--events", "--columns",
+                                      "--from",      "--run",    "--json",
+                                      "--equations", "--method", "--no-mass-loss"};
   for (std::string name : quantity_names()) {
     std::replace(name.begin(), name.end(), '_', '-');
     options.push_back("--" + name);
@@ -241,14 +241,14 @@ TEST_F(Fuzz, ControlCharactersReachNeitherPicturesNorTerminals) {
           (key == "name" ? "[[run]]\n" : "") + key + " = " + Json(text).dump(-1, ' ', true) + '\n');
     const std::string place = key == "name" ? "s.toml:2: name: " : "s.toml:1: title: ";
     expect_refusal("plot s.toml", place + "must be one line, without control characters");
-    for (const char* command : {"plot", "run --columns", "run --scene", "sweep --out"})
+    for (const char* command : {"plot", "run --columns", "run", "sweep --out"})
       expect_clean(rotor(command + quoted(text)).output);
   }
 }
 
 TEST_F(Fuzz, ScenesThatAreTooLargeAreRefused) {
   write("large.toml", "title = \"" + std::string(2'000'000, 'a') + "\"\n");
-  expect_refusal("run --scene large.toml", "large.toml: cannot be read: it is larger than");
+  expect_refusal("run large.toml", "large.toml: cannot be read: it is larger than");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
     write("c.toml", "[parameters]\n" + stated(others, false));
     for (const std::string& scene :
          {std::string("a.toml"), std::string("b.toml"), "c.toml" + stated({{name, value}}, true)})
-      EXPECT_EQ(summary("--scene " + scene), by_option) << scene << ' ' << name;
+      EXPECT_EQ(summary(scene), by_option) << scene << ' ' << name;
     Json expected = standard;
     expected["until"] = numbers["until"];
     for (const InputQuantity& other : input_quantities())
@@ -205,7 +205,7 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
     const Json by_option = summary(start + option(name) + value);
     EXPECT_EQ(by_option[name], value);
     EXPECT_EQ(without_costs(by_option) == standard, is_standard) << name << ' ' << value;
-    for (const char* scene : {"--scene a.toml", "--scene b.toml"})
+    for (const char* scene : {"a.toml", "b.toml"})
       EXPECT_EQ(summary(scene), by_option) << scene << ' ' << key;
   }
   EXPECT_EQ(summary(start + "--velocity-jump once --gravity-moment balanced"),
@@ -215,11 +215,11 @@ TEST_F(Options, EachStateTheChoiceThatTheyName) {
     write("c.toml", fmt::format("[parameters]\nstart_speed_hz = 30\nuntil = 0.02\n"
                                 "no_mass_loss = {}\n[[run]]\nname = \"c\"\nno_mass_loss = {}\n",
                                 !no, no));
-    EXPECT_EQ(summary("--scene c.toml")["inputs"]["no_mass_loss"], no);
+    EXPECT_EQ(summary("c.toml")["inputs"]["no_mass_loss"], no);
   }
   write("d.toml", "[parameters]\n" + keys + "digits = 5\n[[run]]\nname = \"d\"\ndigits = 4\n");
-  EXPECT_EQ(summary("--scene d.toml"), summary(start + "--digits 4"));
-  EXPECT_EQ(summary("--scene d.toml --digits 3"), summary(start + "--digits 3"));
+  EXPECT_EQ(summary("d.toml"), summary(start + "--digits 4"));
+  EXPECT_EQ(summary("d.toml --digits 3"), summary(start + "--digits 3"));
 }
 
 // What is stated determines the run, and stands above its trace.
@@ -253,7 +253,7 @@ TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
         {"--run b --until 0.008", "run,time_s,rho_m", "b,0.004,", "b,0.008,"},
         {"--run b --from 0.007", "run,time_s,rho_m", "b,0.007,", "b,0.02,"},
         {"--run a --columns time_s,q1_m", "run,time_s,q1_m", "a,0.004,", "a,0.012,"}}) {
-    EXPECT_EQ(rotor(std::string("run --scene two.toml --trace t.csv ") + arguments).status, 0);
+    EXPECT_EQ(rotor(std::string("run two.toml --trace t.csv ") + arguments).status, 0);
     const auto rows = rows_of("t.csv");
     EXPECT_EQ(rows.at(0), head);
     EXPECT_TRUE(rows.at(1).starts_with(first)) << arguments << ": " << rows[1];
@@ -261,7 +261,7 @@ TEST_F(Options, OfTheTraceStateItsRunItsColumnsAndItsBeginning) {
     EXPECT_TRUE(rows.size() == 1 + 5 || std::string(arguments).find("--every") == std::string::npos)
         << arguments;
   }
-  EXPECT_EQ(rotor("run --scene two.toml --run a --trace t.csv --until 0.003").status, 1);
+  EXPECT_EQ(rotor("run two.toml --run a --trace t.csv --until 0.003").status, 1);
 }
 
 // The rows of all runs of a scene, in their order.
@@ -290,8 +290,8 @@ TEST_F(Options, LeaveTheEquationsOfAnotherRotorCorrected) {
   write("s.toml",
         "columns = [\"equations\"]\n[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n"
         "[[axis]]\nquantity = \"mass\"\nvalues = [4, 6]\n");
-  EXPECT_EQ(summary("--scene fig30.toml")["equations"], "corrected");
-  EXPECT_EQ(summary("--scene fig30.toml --equations published")["equations"], "published");
+  EXPECT_EQ(summary("fig30.toml")["equations"], "corrected");
+  EXPECT_EQ(summary("fig30.toml --equations published")["equations"], "published");
   EXPECT_EQ(summary("--friction 0.1 --until 1")["equations"], "published");
   ASSERT_EQ(rotor("figure 30 --scenes . --out .").status, 0);
   EXPECT_TRUE(has(content("fig30.csv"), "run: equations corrected, "));

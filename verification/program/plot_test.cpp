@@ -19,7 +19,7 @@ class Plot : public CommandLine {
     write("it's.toml",
           "title = \"It's 100 %\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n"
           "[[run]]\nname = \"high_mu\"\n[[run]]\nname = \"mu's 0.1, narrow\"\nfriction = 0.1\n"
-          "clearance = 2.5e-3\n");
+          "clearance = 2.5e-3\nequations = \"published\"\n");
   }
   std::string texts(std::string_view picture) const {
     return fmt::format("{}", fmt::join(DrawnPicture(content(picture)).texts, "\n"));
@@ -45,8 +45,7 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
     const Tics& axis = picture.curves.at(curve).y;
     EXPECT_EQ(pixel(axis, 1) > pixel(axis, 0), column == "x_a_m") << column;  // down
     for (const std::string& run : runs) {
-      ASSERT_EQ(rotor("run --scene \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status,
-                0);
+      ASSERT_EQ(rotor("run \"it's.toml\" --run \"" + run + "\" --trace t.csv >out").status, 0);
       Numbers values, heights;
       for (const CsvRow& row : read_csv(folder_ / "t.csv"))
         values.push_back(scale * static_cast<double>(row.number(column)));
@@ -95,7 +94,7 @@ TEST_F(Plot, SaysTheOutcomeAndTheLargestForce) {
                                 "until = 0.03\n",
                                 stiffness));
     ASSERT_EQ(rotor("plot s.toml").status, 0);
-    const std::string summary = rotor("run --scene s.toml").output;
+    const std::string summary = rotor("run s.toml").output;
     const auto force = matches(summary, "largest normal force (\\d{1,3}\\.\\d+ [kM]N)\\.");
     ASSERT_EQ(force.size(), 1U) << summary;
     EXPECT_TRUE(has(texts("s.svg"), "rolling, largest force " + force[0][1]));
@@ -130,15 +129,15 @@ TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
 // All that is stated, in whole items, and as far as it is drawn.
 TEST_F(Plot, SaysWhatIsDrawnInWholeItems) {
   const std::vector<std::string> items = {
-      "mass = 2 kg",         "inertia = 0.0016 kg m²",        "eccentricity = 0.02 mm",
-      "friction = 0.25",     "support stiffness = 10000 N/m", "contact stiffness = 1e+09 N/m",
-      "clearance = 2 mm",    "support damping = 10 N s/m",    "lost mass = 0.012 kg",
-      "rotor radius = 40 mm"};
+      "mass = 2 kg",          "inertia = 0.0016 kg m²",        "eccentricity = 0.02 mm",
+      "friction = 0.25",      "support stiffness = 10000 N/m", "contact stiffness = 1e+09 N/m",
+      "clearance = 2 mm",     "support damping = 10 N s/m",    "lost mass = 0.012 kg",
+      "rotor radius = 40 mm", "start speed = 7200 rpm",        "f, rpm"};
   write("s.toml",
         "[parameters]\nequations = \"corrected\"\nmass = 2\ninertia = 1.6e-3\neccentricity = "
         "2e-5\nsupport_stiffness = 1e4\nsupport_damping = 10\ncontact_stiffness = 1e9\nfriction = "
-        "0.25\nrotor_radius = 0.04\nclearance = 2e-3\nlost_mass = 0.012\nstart_speed_hz = "
-        "120\nuntil = 0.03\n");
+        "0.25\nrotor_radius = 0.04\nclearance = 2e-3\nlost_mass = 0.012\nstart_speed_rpm = "
+        "7200\nmass_loss_time = 0.02\nuntil = 0.03\n");
   ASSERT_EQ(rotor("plot s.toml --until 0.01").status, 0);
   const DrawnPicture picture(content("s.svg"));
   EXPECT_EQ(picture.clipped, std::vector<std::string>());

@@ -120,7 +120,7 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
         "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\nmass_loss_time = 1e-3\n[[run]]\n"
         "name = \"a\"\n[[run]]\nname = \"diverges\"\nmethod = \"rk4\"\n"
         "contact_stiffness = 1e13\n[[run]]\nname = \"b\"\nfriction = 0.2\n");
-  const Outcome all = rotor("run --scene two.toml --json 2>messages");
+  const Outcome all = rotor("run two.toml --json 2>messages");
   EXPECT_EQ(all.status, 1);
   EXPECT_TRUE(has(content("messages"), "rotor: diverges: the rk4 run diverged"));
   const Json runs = Json::parse(all.output)["runs"];
@@ -128,7 +128,7 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
   for (Json run : runs) {
     const std::string name = run["run"];
     run.erase("run");
-    EXPECT_EQ(run, summary("--scene two.toml --run " + name));
+    EXPECT_EQ(run, summary("two.toml --run " + name));
   }
   EXPECT_NE(runs[0]["touch_downs"], runs[1]["touch_downs"]);
   EXPECT_TRUE(has(rotor("run two.toml --all").output, "\nfinal_q1_m"));

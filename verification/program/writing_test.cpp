@@ -173,9 +173,9 @@ TEST_F(Writing, LeavesNothingBehindWhereFilesMayNotGrow) {
                           "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 9\n");
   fs::create_directory(folder_ / "drafts");
   for (const char* command :
-       {"run --scene s.toml --trace t.csv", "run --scene s.toml --trace - >t.csv",
-        "run --scene s.toml --json >t.csv", "estimate --help >t.csv", "figure --out .",
-        "plot s.toml", "sweep sweep.toml --out t.csv --jobs 1"}) {
+       {"run s.toml --trace t.csv", "run s.toml --trace - >t.csv", "run s.toml --json >t.csv",
+        "estimate --help >t.csv", "figure --out .", "plot s.toml",
+        "sweep sweep.toml --out t.csv --jobs 1"}) {
     const auto [status, output] =
         shell(std::string("ulimit -f 1; TMPDIR=$PWD/drafts $rotor ") + command + "; ls drafts");
     EXPECT_TRUE(output.starts_with("rotor: ") && output.ends_with(": File too large\n"))
@@ -255,7 +255,7 @@ TEST_F(Writing, ReplacesNothingThatItHadBetterKeep) {
   write("one", "[[axis]]\nquantity = \"mass\"\nvalues = [5]\n");
   expect_refusal("sweep one --out one", "the runs are read from this file");
   write("s.toml", "[parameters]\nuntil = 0.1\n");
-  for (const char* outputs : {"run --scene s.toml --trace ./s.toml", "plot s.toml --out s.toml"})
+  for (const char* outputs : {"run s.toml --trace ./s.toml", "plot s.toml --out s.toml"})
     EXPECT_NE(rotor(outputs).status, 0) << outputs;
   EXPECT_EQ(content("s.toml"), "[parameters]\nuntil = 0.1\n");
   remove({"one", "s.toml"});
