@@ -21,7 +21,8 @@ struct OutcomeInWords {
 
 /// In the order of pictures. Their colours differ in lightness, so also in grey.
 inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
-    {{Outcome::no_contact, "no_contact", "#f7f7f5", "#20262c", "does not touch the ring",
+    {{Outcome::no_contact, "no_contact", "#f7f7f5", "#20262c",
+      "does not touch the ring up to the end of the run",
       "there was no contact, and the free rotor cannot reach the ring at this speed"},
      {Outcome::undecided, "undecided", "#efe0a0", "#453d1f",
       "has not touched the ring so far, but contact is possible",
@@ -31,14 +32,16 @@ inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
       "there were contacts, but the free rotor cannot reach the ring at this speed"},
      {Outcome::bouncing, "bouncing", "#62b08c", "#48917a",
       "bounces, and further contacts are possible", "there were contacts, and more are possible"},
-     {Outcome::sliding, "sliding", "#1f6b52", "#a5e3cb", "slides along the ring without leaving it",
+     {Outcome::sliding, "sliding", "#1f6b52", "#a5e3cb", "slides along the ring",
       "the last contact has lasted longer than a natural period of the contact"},
      {Outcome::rolling, "rolling", "#bf5b98", "#d77db4", "has come to roll along the ring",
       "rolling has set in, whatever followed"},
      {Outcome::stalled, "stalled", "#333333", "#ebebe6",
-      "is stalled below 1.5 times its critical speed: the motor cannot raise it",
-      "the motor hardly raises the speed, which is below 1.5 times the critical speed, and no "
-      "backward whirl along the ring brakes it"}});
+      "is stalled below 1.5 times its critical speed",
+      "the speed is below 1.5 times the critical speed, over ten natural periods the motor raised "
+      "it "
+      "by less than a tenth of what it would without resistance, and no backward whirl along the "
+      "ring brakes it"}});
 
 struct EquationsInWords {
   std::string_view name, light, dark, words, short_words;

@@ -222,7 +222,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
     if (quantity.name == "until")
       added->default_str("0.25 s after the mass loss");
     else if (quantity.name == "mass_loss_time")
-      added->default_str(fmt::format("{}, or 0 with --start-speed-hz", quantity.of(Scenario{})));
+      added->default_str(fmt::format("{}, or 0 if the start has a speed", quantity.of(Scenario{})));
     else if (quantity.in)
       added->default_str(fmt::format("{}", quantity.of(Scenario{})));
   }
@@ -273,9 +273,10 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->default_str(fmt::format("{}", usual_budget_s));
   command.add_flag("--json-schema", options.json_schema,
                    "print the JSON schema of the summary instead, with the meaning of each key");
-  command.add_flag("--energy", options.energy,
-                   "add to the summary where the energy goes from the mass loss on, until rolling "
-                   "and until the end");
+  command.add_flag(
+      "--energy", options.energy,
+      "add to the summary where the energy goes, from the mass loss or else the start on, "
+      "until rolling and until the end");
   command.footer(
       "Examples:\n"
       "  rotor run --friction 0.15 --equations corrected\n"
@@ -372,6 +373,8 @@ int main(int argc, char** argv) {
     std::string message = extras.empty() ? error.what() : extras;
     if (message.ends_with(" missing") && extras.empty())  // "--mass: 1 required kg missing"
       message = message.substr(0, message.find(':')) + ": needs a value";
+    if (message.find("At Most 1 required") != std::string::npos)
+      message = message.substr(0, message.find(':')) + ": is stated more than once";
     constexpr std::size_t line = 400;
     print_message("rotor: " + message.substr(0, line));
     status = 1;

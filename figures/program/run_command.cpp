@@ -46,7 +46,11 @@ Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
     require_digits_to_be_known(options, run);
   }
   result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
-  if (!options.columns.empty()) result.columns = parse_columns(options.columns);
+  if (!options.columns.empty()) try {
+      result.columns = parse_columns(options.columns);
+    } catch (const InputError& error) {
+      throw InputError("--columns: {}", error.what());
+    }
   if (result.columns.empty()) result.columns = all_columns();
   return result;
 }

@@ -69,8 +69,8 @@ std::map<int, SceneData> compute(const std::map<int, Scene>& scenes) {
   for (const auto& [number, scene] : scenes)
     for (const SceneRun& run : scene.runs) {
       if (tables[n].rows() == 0)
-        throw InputError("{}: no part of the run \"{}\" lies in the window", scene.file.string(),
-                         run.name);
+        throw InputError("{}: no part of the run \"{}\" lies in the window{}", scene.file.string(),
+                         run.name, scene.window.from_rolling_onset ? ": it does not roll" : "");
       data[number].curves.push_back({run.name, thinned(tables[n], thinning - sampling)});
       data[number].results.push_back(job_of[n++]->summary);
     }

@@ -60,11 +60,12 @@ std::string outcome_of(const Json& run, bool in_rpm) {
   const auto* const words = std::find_if(outcomes.begin(), outcomes.end(),
                                          [&](const OutcomeInWords& of) { return of.name == name; });
   std::string sentence = fmt::format("The rotor {}", words->sentence);
-  if (words->outcome == Outcome::rolling)
-    sentence +=
-        fmt::format(" {} ms after the first contact, at {}",
-                    four_digits(1e3 * (number("rolling_onset_s") - number("first_contact_s"))),
-                    in_print(run, "rolling_onset_speed_Hz", in_rpm));
+  if (words->outcome == Outcome::rolling) {
+    const double time_s = number("rolling_onset_s") - number("first_contact_s");
+    const auto [unit, in_si] = unit_of("_s", time_s, in_rpm);
+    sentence += fmt::format(" {}{} after the first contact, at {}", four_digits(time_s / in_si),
+                            unit, in_print(run, "rolling_onset_speed_Hz", in_rpm));
+  }
   if (words->outcome == Outcome::no_contact)
     sentence += fmt::format("; the clearance is {} mm",
                             four_digits(1e3 * (run["inputs"]["stator_radius"].get<double>() -
@@ -83,7 +84,7 @@ void print_all(const Json& object, std::FILE* to, const std::string& indent, boo
   for (const auto& [key, value] : object.items()) {
     const std::string name = indent + key;
     const auto print = [&](const std::string& text) { fmt::print(to, "{:<32} {}\n", name, text); };
-    if (key == "errors" || key == "events") continue;  // for JSON
+    if (key == "errors" || key == "events" || key == "short") continue;  // for JSON
     if (value.is_object()) {
       fmt::print(to, "{}\n", name);
       print_all(value, to, indent + "  ", key == "inputs");
@@ -110,7 +111,11 @@ void print_brief(const Json& run, bool in_rpm, std::FILE* to) {
   fmt::print(to, "\n");
   for (const auto& [key, label, is_in_table] : results_in_words)
     if (const std::string name(key); !run.at(name).is_null())
-      fmt::print(to, "  {:<31} {}\n", label, in_print(run, name, in_rpm));
+      fmt::print(to, "  {:<31} {}\n",
+                 name == "max_displacement_m" && run.at("mass_loss_reached") == true
+                     ? fmt::format("{} after loss", label)
+                     : label,
+                 in_print(run, name, in_rpm));
   fmt::print(to, "  {}\n", equations_in_words(run.at("equations").get<std::string>()));
   if (run.contains("energy_J")) print_all(Json{{"energy_J", run["energy_J"]}}, to, "  ");
   fmt::print(to, "\nAll results: --all, or --json with all digits.\n");

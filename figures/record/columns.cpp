@@ -21,7 +21,7 @@ double whirl_frequency(InstantView& view) {
 }
 
 constexpr std::array table = {
-    Column{"time_s", "time; two rows with the same time are before and after an event",
+    Column{"time_s", "time; rows with the same time are before and after an event",
            [](InstantView& v) { return v.at().time_s; }},
     Column{"q1_m", "O along x of the rotating axes",
            [](InstantView& v) { return v.at().state[0]; }},
@@ -59,7 +59,8 @@ constexpr std::array table = {
              const Vector<double> at = v.displacement_in_stator_frame();
              return std::atan2(at.y(), at.x());
            }},
-    Column{"motor_power_W", "power of the motor",
+    Column{"motor_power_W",
+           "power of the motor; 0 at constant speed, which is held whatever power that takes",
            [](InstantView& v) { return v.supports().motor_power(v.motion(), v.at().motor_on); }},
     Column{"support_damping_power_W", "power of the supports' dampers, negative",
            [](InstantView& v) { return v.supports().damping_power(v.motion()); }},

@@ -82,12 +82,16 @@ std::string complaint(const Comparison& comparison, int digits, const Interrupti
 RunResult result_of(const Comparison& comparison, const Scenario& scenario) {
   Scenario computed = scenario;
   computed.tolerance = comparison.tolerance / Comparison::finer;
-  return {computed, comparison.values, {{}, comparison.counters}, {}};
+  return {computed, comparison.values, {{}, comparison.counters}, {}, comparison.is_course_sure};
 }
 
 Json to_json(const Comparison& comparison, const Scenario& scenario, int digits) {
   Json json = to_json(result_of(comparison, scenario));
   add(comparison.summary, json);
+  if (!comparison.is_course_sure)
+    for (const char* key :
+         {"outcome", "touch_downs_to_rolling", "touch_downs", "touch_downs_before_loss"})
+      json[key] = nullptr;
   Json short_ones = Json::array();
   for (const auto& [value, has] : short_of_digits(comparison, digits))
     short_ones.push_back({{"value", value}, {"digits", has}});

@@ -31,7 +31,7 @@ double speed_at_loss(const Scenario& scenario) {
 
 double ring_damping_ratio(const Parameters& p) {
   const double mass = MassLoss<double>(p).after.mass;
-  const auto [stiffness, damping] = Ring<double>(p).law.linear("the ring's damping ratio");
+  const auto [stiffness, damping] = Ring<double>(p).law.required_linear();
   return damping / (2 * std::sqrt(stiffness * mass));
 }
 

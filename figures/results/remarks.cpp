@@ -37,6 +37,8 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
         {fmt::format("inertia = {} kg m^2 is {:.2g} times mass = {} kg times rotor_radius = {} m "
                      "squared; a disk has 0.5, a ring 1",
                      p.inertia, ratio, p.mass, p.rotor_radius)});
+  if (constexpr double most = 5; p.friction > most)  // dry rubber has 1 to 2; 5 % would be 0.05
+    all.push_back({fmt::format("friction = {} exceeds {}; it is no percentage", p.friction, most)});
   const double clearance = Ring<double>(p).clearance;
   if (clearance > p.rotor_radius)
     all.push_back(

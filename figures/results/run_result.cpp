@@ -36,6 +36,11 @@ Json one_of(const Names& names) {
   return {{"type", "string"}, {"enum", names}};
 }
 
+Json with(Json names, const Json& more) {
+  names.push_back(more);
+  return names;
+}
+
 Json remarks_of(const RunResult& result) {
   Json sentences = Json::array();
   for (const Remark& remark : remarks(result)) sentences.push_back(remark.sentence);
@@ -44,10 +49,6 @@ Json remarks_of(const RunResult& result) {
 
 const std::vector<Metadata>& metadata() {
   using A = RunResult;
-  const auto with = [](Json names, const Json& more) {
-    names.push_back(more);
-    return names;
-  };
   static const std::vector<Metadata> all = {
       {"stop_on",
        "Where the run was to stop early. A run that stopped at its outcome or at rolling has null "
@@ -114,11 +115,12 @@ std::string meanings_of_outcomes() {
 /// The schema of a result of this type.
 template <class T>
 Json allowed(T Summary::* /*of*/, bool may_be_open) {
-  if constexpr (std::is_same_v<T, Outcome>) return one_of(all_names<Outcome>());
+  if constexpr (std::is_same_v<T, Outcome>) return {{"enum", with(all_names<Outcome>(), nullptr)}};
   Json types = Json::array({std::is_same_v<T, bool>   ? "boolean"
                             : std::is_same_v<T, long> ? "integer"
                                                       : "number"});
-  if (may_be_open || std::is_same_v<T, std::optional<double>>) types.push_back("null");
+  const bool counts = std::is_same_v<T, long>;  // which --digits may not know
+  if (may_be_open || counts || std::is_same_v<T, std::optional<double>>) types.push_back("null");
   return {{"type", types}};
 }
 
@@ -259,9 +261,11 @@ std::vector<Remark> remarks(const RunResult& result) {
                      p.unbalance_factor, p.eccentricity),
          Of::missed_loss});
   else if (p.loses_mass && !summary.mass_loss_reached)
-    all.push_back({fmt::format("the mass loss at {} s was not reached; the run ends at {:.6g} s",
-                               p.mass_loss_time, summary.final_time_s),
-                   Of::missed_loss});
+    all.push_back(
+        {fmt::format("the mass loss at {} s was not reached by {:.6g} s", p.mass_loss_time,
+                     p.mass_loss_time > result.scenario.until ? result.scenario.until
+                                                              : summary.final_time_s),
+         Of::missed_loss});
   if (early.stop_on && !early.stop_reached) {
     const bool spins_freely = early.stop_on == StopOn::rest && !result.end.last.touches();
     all.push_back(
@@ -274,13 +278,11 @@ std::vector<Remark> remarks(const RunResult& result) {
          Of::missed_stop});
   }
   using enum Outcome;
-  const bool is_open =
-      summary.outcome == sliding || summary.outcome == bouncing || summary.outcome == undecided;
+  const bool is_open = summary.outcome == sliding || summary.outcome == bouncing ||
+                       summary.outcome == undecided || summary.outcome == stalled;
   if (is_open && !early.stop_on && !early.interrupted)
-    all.push_back(
-        {fmt::format("at {:.6g} s, the end of the run, the outcome may still change; "
-                     "state a later until",
-                     summary.final_time_s)});
+    all.push_back({fmt::format("at {:.6g} s, the end of the run, the outcome may still change",
+                               summary.final_time_s)});
   if (const double start = result.scenario.start_speed_Hz;
       p.drive == Drive::motor && start > 0 && start != p.motor_off_Hz && p.torque > 0)
     all.push_back({fmt::format(
@@ -309,7 +311,7 @@ std::vector<Remark> remarks(const RunResult& result) {
                    Of::limit});
   // At mu = 0.05 each multiplies errors by 2.7 in the mean: so many use up the tolerance.
   const double many = -std::log(result.scenario.tolerance);
-  if (static_cast<double>(summary.touch_downs) > many)
+  if (!result.is_course_sure && static_cast<double>(summary.touch_downs) > many)
     all.push_back(
         {fmt::format("with {} touch-downs, differences in the last digits may lead to another "
                      "course; a sample of runs shows it",

@@ -28,6 +28,7 @@ struct RunResult {
   Summary summary;
   RunEnd end;
   EarlyEnd early;
+  bool is_course_sure = false;  ///< by estimated digits
 };
 
 /// Continues a run from a checkpoint to its end, or to where it is to stop. `others` are shown

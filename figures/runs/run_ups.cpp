@@ -166,11 +166,13 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) try {
         speed_Hz, scenario.start_speed_Hz);
   if (!reached.time_s)
     throw InputError(
-        "mass_loss_speed_hz = {} Hz: is not reached; up to {:.6g} s{} the rotor reaches at most "
+        "mass_loss_speed_hz = {} Hz: is not reached{}; up to {:.6g} s the rotor reaches at most "
         "{:.6g} {}{}",
-        speed_Hz, reached.looked_until_s, reached.touches ? ", when it touches the ring," : "",
-        reached.greatest_Hz * (in_rpm ? 60 : 1), in_rpm ? "rpm" : "Hz",
-        speed_Hz > p.motor_off_Hz ? "; above motor_off_hz the motor is off" : "");
+        speed_Hz, reached.touches ? " before the rotor touches the ring" : "",
+        reached.looked_until_s, reached.greatest_Hz * (in_rpm ? 60 : 1), in_rpm ? "rpm" : "Hz",
+        reached.touches             ? "; state mass_loss_time"
+        : speed_Hz > p.motor_off_Hz ? "; above motor_off_hz the motor is off"
+                                    : "");
   p.mass_loss_time = *reached.time_s;
   if (p.mass_loss_time == 0) scenario.mass_loss_speed_Hz.reset();
   if (!states_end) scenario.until += p.mass_loss_time;

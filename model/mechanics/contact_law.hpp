@@ -66,12 +66,9 @@ class ContactLaw {
   bool has_dashpot() const { return damping() > 0; }
   /// Whether the force is linear in the indentation and its rate, and so smooth at a touch-down.
   bool is_linear() const { return exponent_ == 1; }
-  /// For a formula that holds only for a linear ring. Throws std::domain_error, naming the formula,
-  /// for others.
-  const LinearContact<S>& linear(const char* formula) const {
-    if (!is_linear())
-      throw std::domain_error(std::string(formula) +
-                              ": holds only for a ring with contact_exponent = 1");
+  /// For the closed forms. Throws std::domain_error for a ring that is not linear.
+  const LinearContact<S>& required_linear() const {
+    if (!is_linear()) throw std::domain_error("the closed forms need contact_exponent = 1");
     return linear_;
   }
 

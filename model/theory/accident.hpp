@@ -72,7 +72,7 @@ struct Accident {
     const Ring<double> ring(p);
     const double m = body.mass, e_1 = body.eccentricity, r = ring.rotor_radius, c = ring.clearance;
     const double k = p.support_stiffness;
-    const auto [k_t, d_t] = ring.law.linear("the laws of the accident");
+    const auto [k_t, d_t] = ring.law.required_linear();
     const double natural = natural_frequency(k, m), d = p.support_damping;
     const double jumps = equations.velocity_jump == VelocityJump::twice ? 2 : 1;
     const double limit =

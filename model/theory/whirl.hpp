@@ -19,8 +19,8 @@ class Whirl {
         stiffness_(p.support_stiffness),
         damping_(p.support_damping),
         ring_(p),
-        contact_stiffness_(ring_.law.linear("the whirl along the ring").stiffness),
-        contact_damping_(ring_.law.linear("the whirl along the ring").damping) {}
+        contact_stiffness_(ring_.law.required_linear().stiffness),
+        contact_damping_(ring_.law.required_linear().damping) {}
 
   /// Backward sliding whirl in contact grows above this rate and dies below it, rad/s.
   double separatrix_rate(double friction) const {
@@ -96,8 +96,8 @@ class Whirl {
     return indentation >= 0 ? std::optional(ring_.clearance + indentation) : std::nullopt;
   }
 
-  /// The least friction at which a small disturbance of that circle grows, by Routh and Hurwitz;
-  /// infinite if none up to 10 does as long as there is a circle.
+  /// The least friction, looked for in steps of 2 %, at which a small disturbance of that circle
+  /// grows, by Routh and Hurwitz; infinite if none up to 10 does as long as there is a circle.
   double stable_synchronous_friction(double speed) const {
     constexpr double most = 10, ratio = 1.02;
     double low = 0, high = 1e-6;
@@ -105,13 +105,21 @@ class Whirl {
       low = high;
       high *= ratio;
     }
-    if (!synchronous_radius(speed, high) || high >= most)
-      return std::numeric_limits<double>::infinity();
-    for (int halving = 0; halving < 60; ++halving) {
-      const double middle = (low + high) / 2;
-      (disturbances_decay(speed, middle) ? low : high) = middle;
-    }
-    return high;
+    const auto up_to = [&](const auto& holds) {
+      double from = low, to = high;
+      for (int halving = 0; halving < 60; ++halving) {
+        const double middle = (from + to) / 2;
+        (holds(speed, middle) ? from : to) = middle;
+      }
+      return to;
+    };
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (high >= most) return infinite;
+    const auto exists = [this](double w, double mu) { return bool(synchronous_radius(w, mu)); };
+    const double end = exists(speed, high) ? infinite : up_to(exists);
+    const double stable = up_to([this](double w, double mu) { return disturbances_decay(w, mu); });
+    constexpr double rounding = 1e-6;  // where two circles meet and both end
+    return stable < (1 - rounding) * end ? stable : infinite;
   }
 
  private:

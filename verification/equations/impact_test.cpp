@@ -114,7 +114,7 @@ TEST(ContactLaw, IsRefusedByFormulasThatNeedALinearOne) {
   hertz.reference_indentation = 1e-4;
   EXPECT_THROW(Whirl{hertz}, std::domain_error);
   EXPECT_THROW(Accident(hertz, Equations::published, 900), std::domain_error);
-  EXPECT_THROW(ContactLaw<double>(hertz).linear("a formula"), std::domain_error);
+  EXPECT_THROW(ContactLaw<double>(hertz).required_linear(), std::domain_error);
 }
 
 /// An oblique impact on a nearly straight wall: the stiffer the ring, the shorter the contact.

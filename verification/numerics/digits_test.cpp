@@ -84,6 +84,7 @@ TEST(Digits, DecideWhetherAGlancingContactOccursUnlessItIsNearerThanTheirError) 
     EXPECT_EQ(finely.values.touch_downs > 0, off < 0);
     const Comparison coarsely = found(off, Precision::double_, 1e-7);
     EXPECT_FALSE(coarsely.is_course_sure) << off;
+    EXPECT_EQ(to_json(coarsely, wide, 3)["touch_downs"], nullptr) << off;
     for (const NamedEstimate& value : coarsely.summary)
       EXPECT_TRUE(value.error == 0 || std::isinf(value.error)) << value.name;
   }

@@ -46,7 +46,7 @@ inline std::optional<std::map<std::string, double>> numbers_of(double exponent,
   if (touch_downs == 0 || !linear.at_peak()) return std::nullopt;
   Parameters p = linear.scenario().parameters;
   const Ring<double> ring(p);
-  const auto [k_t, d_t] = ring.law.linear("the linear ring");
+  const auto [k_t, d_t] = ring.law.required_linear();
   const double mass = MassLoss<double>(p).after.mass;
   const double velocity =
       ring.rim_point(linear.touch_down_before_rolling(touch_downs - 1)->motion()).normal_velocity;

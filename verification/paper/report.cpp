@@ -70,9 +70,8 @@ int show_claim(const std::filesystem::path& data, const std::string& id) {
     if (!n.reason.empty()) fmt::print("  reason: {}\n", n.reason);
     std::istringstream figures(n.figures);
     for (int figure = 0; figures >> figure;)
-      fmt::print(
-          "  shown by: make fig{0:02}; build/rotor run figures/paper/fig{0:02}.toml\n",
-          figure);
+      fmt::print("  shown by: make fig{0:02}; build/rotor run figures/paper/fig{0:02}.toml\n",
+                 figure);
   }
   for (const Turned& turned : turned_by_other_rules(of_claim(numbers, id)))
     fmt::print("{}, {} equations: {}, but by other rules {}\n", turned.number.id,

@@ -130,7 +130,7 @@ TEST_F(RunCommand, PrintsErrorsBesideTheNumbersIfDigitsAreAskedFor) {
   EXPECT_EQ(before["touch_downs_before_loss"], summary(narrow)["touch_downs_before_loss"]);
   EXPECT_TRUE(has(before["remarks"].dump(), "before the mass loss"));
   EXPECT_TRUE(has(rotor("run --digits 3 --until 0.1").output,
-                  "rotor: the mass loss at 29.1 s was not reached; the run ends at 0.1 s\n"));
+                  "rotor: the mass loss at 29.1 s was not reached by 0.1 s\n"));
   for (const char* key : {"outcome", "touch_downs", "touch_downs_before_loss", "mass_loss_reached",
                           "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
     EXPECT_EQ(sure[key], plain[key]) << key;

@@ -66,8 +66,9 @@ Json mass_loss_json() {
           {"off_axis_um", 1e6 * before.mass_centre().norm()}};
 }
 
-/// In percent with its standard error, or of how many if it is the same in all.
-std::string with_error(double percent, double count) {
+/// A rounded share in percent with its standard error, or of how many if it is the same in all.
+std::string with_error(double share, double count) {
+  const double percent = 100 * std::round(share * count) / count;
   if (percent == 0 || percent == 100) return fmt::format("{:.0f} % of {:.0f}", percent, count);
   const double error = std::sqrt(percent * (100 - percent) / count);
   return fmt::format("{:.{}f} +- {:.{}f} %", percent, error < 0.05 ? 2 : 1, error,
@@ -89,8 +90,7 @@ Json rows_by(const std::filesystem::path& csv, const std::vector<const char*>& k
       const Json number = Json::parse(row[column], nullptr, false);
       (*of)[column] = number.is_number() ? number : Json(row[column]);
     }
-    if (of->contains("runs"))
-      (*of)["agree"] = with_error(100 * of->at("agree").get<double>(), of->at("runs"));
+    if (of->contains("runs")) (*of)["agree"] = with_error(of->at("agree"), of->at("runs"));
   }
   return all;
 }

@@ -92,6 +92,10 @@ TEST(SynchronousCircle, HasItsBorderOfStabilityWhereJiangAndUlbrichHaveIt) {
     EXPECT_NEAR(Whirl(dimensionless(0.01)).stable_synchronous_friction(border.speed), border.stable,
                 0.5e-4)
         << border.speed;
+  Parameters p = unbalanced(4142.96, 0);  // whose circle ends at mu = 0.7424
+  p.mass = 5.6656, p.support_stiffness = 35105.3, p.support_damping = 30.6275;
+  p.eccentricity = 0.512964e-3, p.contact_stiffness = 1.87337e9, p.stator_radius = 60.869114e-3;
+  EXPECT_NEAR(Whirl(p).stable_synchronous_friction(498.3858), 0.7414, 1e-4);
 }
 
 // The circle is a solution of the engine's equations, too.

@@ -1,12 +1,12 @@
 // Written by `make approve` from figures/input/words.hpp.
 export const outcomes = {
- "no_contact": "does not touch the ring",
+ "no_contact": "does not touch the ring up to the end of the run",
  "undecided": "has not touched the ring so far, but contact is possible",
  "freed": "has touched the ring and is clear of it again",
  "bouncing": "bounces, and further contacts are possible",
- "sliding": "slides along the ring without leaving it",
+ "sliding": "slides along the ring",
  "rolling": "has come to roll along the ring",
- "stalled": "is stalled below 1.5 times its critical speed: the motor cannot raise it"
+ "stalled": "is stalled below 1.5 times its critical speed"
 };
 export const results = {
  "speed_at_mass_loss_Hz": "speed at the mass loss",
