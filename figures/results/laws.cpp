@@ -136,7 +136,7 @@ const std::vector<Law>& all_laws() {
        "largest normal force up to the first maximum in rolling, if the rotor rolls; (4)",
        [](const P& p) { return json_of(p.law.peak_force()); }},
       {"law_unbalance_share",
-       "moment of the unbalance over that of friction; neglected by (3), (4)",
+       "kappa e_x1/(mu r); neglected by (3), (4)",
        [](const P& p) { return json_of(p.law.unbalance_share); }},
       {"law_trusted",
        "whether the rotor is in the tested region; model/theory/README.md has the share of random "
