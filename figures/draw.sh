@@ -33,22 +33,26 @@ if [ "${output##*.}" = svg ]; then
       }
       return 1
     }
-    function print_short(path, words, count, n, at, last) {
-      count = split(path, words, " ")
-      for (n = 1; n <= count; ++n)
-        if (split(substr(words[n], 2), at, ",") == 2) { x[n] = int(10*at[1] + 0.5); y[n] = int(10*at[2] + 0.5) }
+    function add(text, more, n, at) {    # to words, the first count of which are a path
+      more = split(text, parts, " ")
+      for (n = 1; n <= more; ++n) {
+        words[++count] = parts[n]
+        if (split(substr(parts[n], 2), at, ",") == 2) { x[count] = int(10*at[1] + 0.5); y[count] = int(10*at[2] + 0.5) }
+      }
+    }
+    function print_short(n, last) {
       for (n = 1; n <= count; ++n) {
         if (words[n] ~ /^M/) printf "M%s", step(x[n], y[n])
         else if (words[n] ~ /^Z/) { printf "Z"; continue }
-        else if (words[n + 1] ~ /^L/ && n - last < 40 && passes(last, n + 1)) continue
+        else if (n < count && words[n + 1] ~ /^L/ && n - last < 40 && passes(last, n + 1)) continue
         else printf "%s%s", n % 40 ? "l" : "\nl", step(x[n] - x[last], y[n] - y[last])
         last = n
       }
     }
     !/<path id=/ && (at = index($0, " d=\047")) {    # the shapes of points stay
       printf "%s", substr($0, 1, at + 3); $0 = substr($0, at + 4)
-      for (path = ""; !(end = index($0, "\047")) && (getline line) > 0; $0 = line) path = path $0
-      print_short(path substr($0, 1, end - 1)); $0 = substr($0, end)
+      for (count = 0; !(end = index($0, "\047")) && (getline line) > 0; $0 = line) add($0)
+      add(substr($0, 1, end - 1)); print_short(); $0 = substr($0, end)
     }
     match($0, /<g transform="[^"]*"/) {
       group = $0; place = substr($0, RSTART, RLENGTH); getline

@@ -315,10 +315,10 @@ std::span<const NamedInput> named_inputs() {
           [](Spec& s, Text name) {
             s.equations = parse_name<Equations>(name == "consistent" ? "corrected" : name);
           }},
-      NamedInput{"velocity_jump", name_of(standard.equations.velocity_jump),
+      NamedInput{"velocity_jump", "by --equations",
                  "once or twice: how often the mass loss adds Delta_vy to the velocity of C",
                  [](Spec& s, Text name) { s.velocity_jump = parse_name<VelocityJump>(name); }},
-      NamedInput{"gravity_moment", name_of(standard.equations.gravity_moment),
+      NamedInput{"gravity_moment", "by --equations",
                  "whole (as printed) or balanced by the springs except for the part due to the "
                  "eccentricity",
                  [](Spec& s, Text name) { s.gravity_moment = parse_name<GravityMoment>(name); }},

@@ -57,8 +57,10 @@ TomlFile::TomlFile(const std::filesystem::path& file) : file_(file), content_(co
   try {
     root_ = toml::parse(content_, file_.string());
   } catch (const toml::parse_error& error) {
-    throw InputError("{}:{}: {}", file_.string(), error.source().begin.line,
-                     one_line(error.description()));
+    const std::string what = one_line(error.description());
+    const bool is_word = what.find("value type") != what.npos || what.find("'inf'") != what.npos;
+    throw InputError("{}:{}: {}{}", file_.string(), error.source().begin.line, what,
+                     is_word ? "; text needs quotes" : "");
   }
 }
 

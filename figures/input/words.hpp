@@ -37,7 +37,7 @@ inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
      {Outcome::rolling, "rolling", "#bf5b98", "#d77db4", "has come to roll along the ring",
       "rolling has set in, whatever followed"},
      {Outcome::stalled, "stalled", "#333333", "#ebebe6",
-      "is stalled below 1.5 times its critical speed",
+      "is below 1.5 times its critical speed, and its motor does not speed it up",
       "the speed is below 1.5 times the critical speed, over ten natural periods the motor raised "
       "it "
       "by less than a tenth of what it would without resistance, and no backward whirl along the "
@@ -97,6 +97,7 @@ inline constexpr auto results_in_words = std::to_array<ResultInWords>({
     {"peak_normal_force_N", "largest normal force", true},
     {"peak_time_s", "time of the largest force"},
     {"max_displacement_m", "largest displacement"},
+    {"contact_time_s", "time in contact"},
     {"peak_bearing_force_N", "bearing force without weight"},
     {"whirl_frequency_Hz", "mean whirl in the last rolling"},
     {"rolling_until_s", "end of rolling"},

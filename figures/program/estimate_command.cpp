@@ -27,6 +27,7 @@ void estimate_rotor(const CaseOptions& options) {
       numbers.emplace("start_speed_" + unit, at_loss.mapped());
     }
   auto runs = Json::array();
+  std::vector<std::string> failures;
   RunUps none;
   const Scene scene = scene_of(at_loss_speed, none);
   for (const SceneRun& run : scene.runs) {
@@ -35,21 +36,23 @@ void estimate_rotor(const CaseOptions& options) {
     if (one_of_many) row["run"] = run.name;
     try {
       row.update(laws(run.scenario));
-    } catch (const std::exception& error) {
-      const std::string of_run = one_of_many ? run.name + ": " : "";
-      throw InputError("{}{}{}", options.scene.empty() ? "" : options.scene + ": ", of_run,
-                       error.what());
+    } catch (const std::exception& error) {  // the other runs are not affected
+      failures.push_back(fmt::format("{}{}{}", options.scene.empty() ? "" : options.scene + ": ",
+                                     one_of_many ? run.name + ": " : "", error.what()));
+      continue;
     }
     row["equations"] = name_of(run.scenario.equations);
     runs.push_back(row);
     for (const Remark& remark : remarks_on_laws(run.scenario))
       print_message("rotor: " + (one_of_many ? run.name + ": " : "") + remark.sentence);
   }
-  if (options.json)
-    fmt::print("{}\n", (runs.size() == 1 ? runs.front() : Json{{"runs", runs}}).dump(2));
+  if (options.json && !runs.empty())
+    fmt::print("{}\n", (scene.runs.size() == 1 ? runs.front() : Json{{"runs", runs}}).dump(2));
   for (const Json& row : runs)
     if (!options.json) print_all(row, stdout);
-  say_what_is_assumed(scene.runs);
+  if (!runs.empty()) say_what_is_assumed(scene.runs);
+  for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
+  if (!failures.empty()) throw std::runtime_error(failures.back());
 }
 
 }  // namespace rotor

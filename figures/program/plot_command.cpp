@@ -35,11 +35,6 @@ std::string conditions_of(const Scene& scene) {
     };
     std::optional<double> shared = stated(runs.front());
     if (!shared || !all_have([&](const SceneRun& run) { return stated(run) == shared; })) continue;
-    const double drawn_until_s = scene.window.from_s + scene.window.length_s;
-    if (quantity.name == "until" && !scene.window.from_rolling_onset && drawn_until_s < *shared) {
-      add(fmt::format("drawn until {:.6g} s", drawn_until_s));
-      continue;
-    }
     const bool is_length = quantity.unit == "m";
     const std::string_view unit = is_length                   ? "mm"
                                   : quantity.unit == "kg m^2" ? "kg m²"
@@ -47,6 +42,10 @@ std::string conditions_of(const Scene& scene) {
     add(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
                     *shared / (is_length ? 1e-3 : 1), unit.empty() ? "" : " ", unit));
   }
+  const double drawn_until_s = scene.window.from_s + scene.window.length_s;
+  if (!scene.window.from_rolling_onset &&
+      all_have([&](const SceneRun& run) { return drawn_until_s < run.scenario.until; }))
+    add(fmt::format("drawn until {:.6g} s, results of the whole run", drawn_until_s));
   return all;
 }
 

@@ -43,8 +43,9 @@ std::string in_print(const Json& run, const std::string& key, bool in_rpm, bool 
   if (!run.at(key).is_number_float()) return text_of(run, key);
   auto value = run.at(key).get<double>();
   const double loss_s = run.at("inputs").at("mass_loss_time").get<double>();
-  const bool is_after_loss = key.ends_with("_s") && run.at("mass_loss_reached") == true &&
-                             value >= loss_s && !run.contains("errors");
+  const bool is_after_loss = key.ends_with("_s") && key != "contact_time_s" &&
+                             run.at("mass_loss_reached") == true && value >= loss_s &&
+                             !run.contains("errors");
   if (is_after_loss) value -= loss_s;
   const auto [unit, in_si] = unit_of(key, value, in_rpm);
   const auto sure = sure_text(run, key, in_si);

@@ -181,10 +181,10 @@ void run_sweep(const SweepOptions& stated) {
       known = std::move(finished.rows);
     } else if (static_cast<long>(finished.rows.size() + refused) == sweep.points() &&
                !fs::exists(options.out + ".journal")) {
-      print_message(fmt::format(
-          "rotor: {} has all points of this sweep, {} of them refused; --retry computes "
-          "those again, and --force all",
-          name, refused));
+      print_message(
+          fmt::format("rotor: {} has all points of this sweep, {} of them refused; {}"
+                      "--force computes all again",
+                      name, refused, refused > 0 ? "--retry computes those, " : ""));
       return require_results(!finished.rows.empty(), name);
     }
   }

@@ -57,7 +57,7 @@ std::vector<std::string> doubts_about(const Scenario& scenario, double speed, co
   if (two_pi * scenario.start_speed_Hz < critical && critical < speed)
     below("the ratio of the displacement in the run-up to the clearance",
           run_up_displacement(p) / ring.clearance, 0.75);
-  if (speed < two_pi * p.motor_off_Hz)
+  if (speed > 0 && speed < two_pi * p.motor_off_Hz)
     below("the share of its speed that the motor adds in a natural period",
           p.torque / (body.inertia * speed) * two_pi / critical, 0.06);
   if (!law.contact_s) return doubts;
@@ -99,7 +99,9 @@ struct Law {
 const std::vector<Law>& all_laws() {
   using P = Prediction;
   static const std::vector<Law> all = {
-      {"law_outcome", "no_contact, rolling (above the frictions below), or undecided",
+      {"law_outcome",
+       "no_contact, rolling (friction above law_whirl_friction and the lesser of both of forward "
+       "rub), or undecided",
        [](const P& p) {
          return Json(name_of(!p.law.contact_s ? Outcome::no_contact
                              : p.rolls        ? Outcome::rolling
@@ -120,7 +122,8 @@ const std::vector<Law>& all_laws() {
        [](const P& p) { return json_of(p.law.impact_force); }},
       {"law_whirl_friction", "friction above which rebounds may lead to backward whirl; (2)",
        [](const P& p) { return json_of(p.law.whirl_friction); }},
-      {"law_forward_friction", "friction up to which there is forward rub; null: up to any",
+      {"law_forward_friction",
+       "friction up to which there is forward rub; null: up to any, unless it is unstable",
        [](const P& p) { return json_of(p.law.forward_friction); }},
       {"law_stable_forward_friction",
        "friction up to which forward rub at constant speed returns after a small disturbance; "
@@ -135,8 +138,7 @@ const std::vector<Law>& all_laws() {
       {"law_peak_force_N",
        "largest normal force up to the first maximum in rolling, if the rotor rolls; (4)",
        [](const P& p) { return json_of(p.law.peak_force()); }},
-      {"law_unbalance_share",
-       "kappa e_x1/(mu r); neglected by (3), (4)",
+      {"law_unbalance_share", "kappa e_x1/(mu r); neglected by (3), (4)",
        [](const P& p) { return json_of(p.law.unbalance_share); }},
       {"law_trusted",
        "whether the rotor is in the tested region; model/theory/README.md has the share of random "

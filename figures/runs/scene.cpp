@@ -27,9 +27,10 @@ class SceneReader : TomlFile {
     if (root.empty()) fail(root, "scene", "states nothing");
     if (root.contains("axis") || root.contains("sample"))
       throw InputError("{}: is a sweep, which rotor sweep runs", path().string());
-    for (const char* key : {"stop_on", "budget"})
-      if (root.contains(key))
-        fail_at(root, key, "is a key of sweeps; of a run it is the option {}", option_of(key));
+    for (const toml::table* in : {&root, &table(root, "parameters")})
+      for (const char* key : {"stop_on", "budget"})
+        if (in->contains(key))
+          fail_at(*in, key, "is a key of sweeps; of a run it is the option {}", option_of(key));
     expect_keys(root, {"title", "columns", "window", "parameters", "run"});
     Scene scene;
     scene.file = path();

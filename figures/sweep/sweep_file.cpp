@@ -77,7 +77,10 @@ class SweepReader : TomlFile {
       const auto name = item.value_or<std::string>("");
       if (!contains(allowed, name))
         fail(item, "columns", "there is no result \"{}\"{}", shown(name),
-             choices(name, allowed, "rotor run --json-schema and rotor estimate --help list them"));
+             choices(
+                 name, allowed,
+                 "rotor run --json-schema and rotor estimate --help list them; remarks and refusal "
+                 "are in each row"));
       add_new(all, name, item, "columns");
     }
     return all;

@@ -17,7 +17,7 @@ TEST(ApprovedGallery, ShowsEachFigureWithItsCommandItsVerdictsAndItsNumbers) {
   std::string text = R"(# The figures
 
 Redrawn from the equations as printed and from the corrected ones: in blue and in brown. This page is written by
-`make approve`. The paper's printed curves were not available: its numbers are grey in the pictures.
+`make approve`. The paper's printed curves were not available.
 )";
   for (const Figure& figure : paper_figures()) {
     const Json of_figure = claims_of(figure.number, claims), verdicts = verdicts_json(of_figure);

@@ -6,7 +6,7 @@ export const outcomes = {
  "bouncing": "bounces, and further contacts are possible",
  "sliding": "slides along the ring",
  "rolling": "has come to roll along the ring",
- "stalled": "is stalled below 1.5 times its critical speed"
+ "stalled": "is below 1.5 times its critical speed, and its motor does not speed it up"
 };
 export const results = {
  "speed_at_mass_loss_Hz": "speed at the mass loss",
@@ -19,6 +19,7 @@ export const results = {
  "peak_normal_force_N": "largest normal force",
  "peak_time_s": "time of the largest force",
  "max_displacement_m": "largest displacement",
+ "contact_time_s": "time in contact",
  "peak_bearing_force_N": "bearing force without weight",
  "whirl_frequency_Hz": "mean whirl in the last rolling",
  "rolling_until_s": "end of rolling",
