@@ -58,9 +58,9 @@ TomlFile::TomlFile(const std::filesystem::path& file) : file_(file), content_(co
     root_ = toml::parse(content_, file_.string());
   } catch (const toml::parse_error& error) {
     const std::string what = one_line(error.description());
-    const bool is_word = what.find("value type") != what.npos || what.find("'inf'") != what.npos;
+    const auto has = [&](const char* text) { return what.find(text) != std::string::npos; };
     throw InputError("{}:{}: {}{}", file_.string(), error.source().begin.line, what,
-                     is_word ? "; text needs quotes" : "");
+                     has("value type") || has("'inf'") ? "; text needs quotes" : "");
   }
 }
 

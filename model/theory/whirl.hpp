@@ -119,7 +119,8 @@ class Whirl {
     const double end = exists(speed, high) ? infinite : up_to(exists);
     const double stable = up_to([this](double w, double mu) { return disturbances_decay(w, mu); });
     constexpr double rounding = 1e-6;  // where two circles meet and both end
-    return stable < (1 - rounding) * end ? stable : infinite;
+    if (stable < (1 - rounding) * end) return stable;
+    return infinite;
   }
 
  private:
