@@ -25,6 +25,7 @@ void estimate_rotor(const CaseOptions& options) {
       for (const char* replaced : {"start_speed_hz", "start_speed_rpm", "mass_loss_time"})
         numbers.erase(replaced);
       numbers.emplace("start_speed_" + unit, at_loss.mapped());
+      at_loss_speed.stated.loses_mass = true;
     }
   auto runs = Json::array();
   std::vector<std::string> failures;

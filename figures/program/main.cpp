@@ -183,8 +183,9 @@ void add_options(CLI::App& command, SweepOptions& options) {
       ->default_str(fmt::format("none; {} with digits", usual_budget_s));
   command.add_flag("--retry", options.retry,
                    "keep the rows of the results that are no refusals, and compute the others");
-  command.add_flag("--force", options.force,
-                   "replace results that are complete or of another sweep; a journal is resumed");
+  command.add_flag(
+      "--force", options.force,
+      "replace results that are complete or of another sweep; its own journal is resumed");
   command.footer(
       "Example:\n"
       "  rotor sweep friction.toml --out results.csv");

@@ -71,7 +71,7 @@ std::optional<double> distance(const RunOptions& options, const Scene& scene) {
   if (scene.window.from_rolling_onset)
     throw InputError("--every: needs a window that starts at a stated time");
   const double length_s = end_of(scene) - scene.window.from_s;
-  constexpr double most_rows = 1e9;
+  constexpr double most_rows = 1e7;
   if (!(length_s > 0)) refuse_empty_trace(options);
   if (!(*options.every_s > 0 && length_s / *options.every_s < most_rows))
     throw InputError("--every {}: must be above 0 s, and large enough for less than {} rows",

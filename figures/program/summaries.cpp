@@ -140,11 +140,15 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
   };
   add("run", "run");
   add("outcome", "outcome");
+  const Json& first = runs.front().at("equations");
+  if (std::ranges::any_of(runs, [&](const Json& run) { return run.at("equations") != first; }))
+    add("equations", "equations");
   for (const auto& [key, label, is_in_table] : results_in_words)
     if (is_in_table) add(std::string(key), label);
   for (const std::string& line : lines)
     fmt::print(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   if (has_times_after_loss) fmt::print(to, "\n+: after the mass loss\n");
+  if (runs.front().contains("errors")) fmt::print(to, "\ntimes since the start of the run\n");
 }
 
 void say_what_is_assumed(const std::vector<SceneRun>& runs) {

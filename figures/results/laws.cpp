@@ -100,8 +100,8 @@ const std::vector<Law>& all_laws() {
   using P = Prediction;
   static const std::vector<Law> all = {
       {"law_outcome",
-       "no_contact, rolling (friction above law_whirl_friction and the lesser of both of forward "
-       "rub), or undecided",
+       "no_contact, rolling (law_rolling_speed_Hz exists, and the friction is above "
+       "law_whirl_friction and the lesser limit of forward rub), or undecided",
        [](const P& p) {
          return Json(name_of(!p.law.contact_s ? Outcome::no_contact
                              : p.rolls        ? Outcome::rolling
@@ -111,8 +111,7 @@ const std::vector<Law>& all_laws() {
        [](const P& p) { return json_of(p.speed, two_pi); }},
       {"law_contact_speed_Hz",
        "rough speed from which a rotor well above its critical speed touches the ring, null if "
-       "below "
-       "the critical speed; (1)",
+       "below the critical speed after the loss; (1)",
        [](const P& p) { return json_of(p.law.contact_speed, two_pi); }},
       {"law_reach_m", "largest displacement without a ring, if the speed stays that at the loss",
        [](const P& p) { return json_of(p.law.reach); }},

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/mechanics/contact.hpp"
+#include "model/mechanics/mass_loss.hpp"
 
 namespace rotor {
 
@@ -40,6 +41,15 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
   if (constexpr double most = 5; p.friction > most)  // dry rubber has 1 to 2; 5 % would be 0.05
     all.push_back({fmt::format("friction = {} exceeds {}; it is no percentage", p.friction, most)});
   const double clearance = Ring<double>(p).clearance;
+  // Relative to the clearance; 0.4 % for the paper's rotor. From here on it may decide on contact.
+  constexpr double little = 0.05;
+  const double rise = MassLoss<double>(p).lost_mass * p.gravity / p.support_stiffness;
+  if (scenario.loses_mass() && rise > little * clearance)
+    all.push_back(
+        {fmt::format("without the lost mass the position of rest is {:.3g} m higher, which "
+                     "is not modelled",
+                     rise),
+         Remark::Of::limit});
   if (clearance > p.rotor_radius)
     all.push_back(
         {fmt::format("the clearance, {:.6g} m, exceeds the rotor's radius; lengths are in metres",
