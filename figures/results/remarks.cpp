@@ -43,8 +43,11 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
   const double clearance = Ring<double>(p).clearance;
   // Relative to the clearance; 0.4 % for the paper's rotor. From here on it may decide on contact.
   constexpr double little = 0.05;
+  if (p.support_stiffness == 0 && p.gravity > 0)
+    all.push_back(
+        {"without support_stiffness the weight has no position of rest", Remark::Of::limit});
   const double rise = MassLoss<double>(p).lost_mass * p.gravity / p.support_stiffness;
-  if (scenario.loses_mass() && rise > little * clearance)
+  if (p.support_stiffness > 0 && scenario.loses_mass() && rise > little * clearance)
     all.push_back(
         {fmt::format("without the lost mass the position of rest is {:.3g} m higher, which "
                      "is not modelled",

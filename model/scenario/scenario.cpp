@@ -131,11 +131,6 @@ void check_numbers(const Scenario& scenario) {
   require(p.eccentricity < p.rotor_radius,
           "eccentricity = {} m: must be smaller than rotor_radius = {} m", p.eccentricity,
           p.rotor_radius);
-  require(
-      p.support_stiffness > 0 || p.gravity == 0,
-      "support_stiffness = 0 N/m and gravity = {} m/s^2: without stiffness there is no position "
-      "of rest under the weight, on which to centre the ring; state gravity = 0",
-      p.gravity);
   require(p.contact_exponent == 1 || p.reference_indentation > 0,
           "contact_exponent = {} and reference_indentation = {} m: the indentation at which "
           "contact_stiffness holds must be greater than 0 m",
