@@ -195,8 +195,8 @@ bool ScenarioSpec::states(std::string_view input) const {
 }
 
 bool ScenarioSpec::states_rpm() const {
-  return std::ranges::any_of(numbers,
-                             [](const auto& number) { return number.first.ends_with("_rpm"); });
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [](const auto& number) { return number.first.ends_with("_rpm"); });
 }
 
 ScenarioSpec ScenarioSpec::overridden_by(const ScenarioSpec& other) const {
