@@ -70,6 +70,11 @@ void print_message(std::string_view message) {
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 
+void report_failures(const std::vector<std::string>& failures) {
+  for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
+  if (!failures.empty()) throw std::runtime_error(failures.back());
+}
+
 std::optional<double> number_in(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos)
     return std::nullopt;  // strtod would accept blanks, nan, hexadecimal

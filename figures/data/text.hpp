@@ -19,6 +19,9 @@ std::string shown(std::string_view text);
 
 /// Prints a message on standard error, in one line. A failure to write it is ignored.
 void print_message(std::string_view message);
+/// Prints all of them but the last, which it throws as std::runtime_error; nothing if there are
+/// none.
+void report_failures(const std::vector<std::string>& failures);
 
 /// The text as a number, if it is one from end to end, and one that a double can hold.
 std::optional<double> number_in(const std::string& text);

@@ -65,7 +65,9 @@ TomlFile::TomlFile(const std::filesystem::path& file) : file_(file), content_(co
 }
 
 void TomlFile::refuse(const toml::node& at, std::string_view key, std::string_view reason) const {
-  throw InputError("{}:{}: {}: {}", file_.string(), at.source().begin.line, shown(key), reason);
+  const std::string prefix = shown(key) + ": ";
+  throw InputError("{}:{}: {}{}", file_.string(), at.source().begin.line,
+                   reason.starts_with(prefix) ? "" : prefix, reason);
 }
 
 void TomlFile::expect_keys(const toml::table& table, const Keys& allowed) const {

@@ -37,7 +37,8 @@ inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
      {Outcome::rolling, "rolling", "#bf5b98", "#d77db4", "has come to roll along the ring",
       "rolling has set in, whatever followed"},
      {Outcome::stalled, "stalled", "#333333", "#ebebe6",
-      "is below 1.5 times its critical speed, and its motor does not speed it up",
+      "is below 1.5 times its critical speed and gains less than a tenth of what its motor would "
+      "add",
       "the speed is below 1.5 times the critical speed, over ten natural periods the motor raised "
       "it "
       "by less than a tenth of what it would without resistance, and no backward whirl along the "

@@ -34,26 +34,26 @@ void estimate_rotor(const CaseOptions& options) {
   for (const SceneRun& run : scene.runs) {
     Json row;
     const bool one_of_many = scene.runs.size() > 1;
+    const std::string of_run = one_of_many ? run.name + ": " : "";
     if (one_of_many) row["run"] = run.name;
     try {
       row.update(laws(run.scenario));
     } catch (const std::exception& error) {  // the other runs are not affected
       failures.push_back(fmt::format("{}{}{}", options.scene.empty() ? "" : options.scene + ": ",
-                                     one_of_many ? run.name + ": " : "", error.what()));
+                                     of_run, error.what()));
       continue;
     }
     row["equations"] = name_of(run.scenario.equations);
     runs.push_back(row);
     for (const Remark& remark : remarks_on_laws(run.scenario))
-      print_message("rotor: " + (one_of_many ? run.name + ": " : "") + remark.sentence);
+      print_message("rotor: " + of_run + remark.sentence);
   }
   if (options.json && !runs.empty())
     fmt::print("{}\n", (scene.runs.size() == 1 ? runs.front() : Json{{"runs", runs}}).dump(2));
   for (const Json& row : runs)
     if (!options.json) print_all(row, stdout);
   if (!runs.empty()) say_what_is_assumed(scene.runs);
-  for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
-  if (!failures.empty()) throw std::runtime_error(failures.back());
+  report_failures(failures);
 }
 
 }  // namespace rotor

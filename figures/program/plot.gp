@@ -18,9 +18,11 @@ do for [i = 1:runs] {
   set linetype i linecolor rgb lighter(tint(i), 0.25*(earlier(i) % 3)) linewidth 1.3
   eval sprintf("set linetype %d dashtype %s", i, dashes[earlier(i) % 4 + 1])
 }
+differ = sum [i = 1:runs] (of("equations", i) ne of("equations", 1))
+says_set(set) = (set eq "mixed" ? "mixed equations" : short_of(set)).", at most "
 in_N(force) = force < 1e3 ? sprintf("%.4g N", force) : force < 1e6 ? sprintf("%.4g kN", force/1e3) : sprintf("%.4g MN", force/1e6)
 result(i) = (peak_N = of("peak_normal_force_N", i), outcome_words[outcome_code(of("outcome", i)) + 1]. \
-  (peak_N == peak_N ? ", largest force ".in_N(peak_N) : ""))
+  (peak_N == peak_N ? ", ".(differ ? says_set(of("equations", i)) : "largest force ").in_N(peak_N) : ""))
 
 # Places are pixels from the upper left corner; widths of letters are those of png, the widest. The orbit of a single run
 # is the fourth panel; of several that is their key, and the orbits are below, in rows.

@@ -24,8 +24,6 @@ std::string conditions_of(const Scene& scene) {
   };
   if (all_have([&](const SceneRun& run) { return run.scenario.equations == equations; }))
     add(std::string(equations_in_words(name_of(equations))));
-  else
-    add("equations differ: as printed blue, corrected brown");
   if (all_have([](const SceneRun& run) {
         return run.scenario.parameters.drive == Drive::constant_speed;
       }))

@@ -248,8 +248,7 @@ void run_rotor(const RunOptions& options) {
     for (const Json& run : runs) is_brief ? print_brief(run, in_rpm, to) : print_all(run, to);
   for (const std::string& message : messages) print_message("rotor: " + message);
   if (!runs.empty()) say_what_is_assumed(scene.runs);
-  for (std::size_t n = 1; n < failures.size(); ++n) print_message("rotor: " + failures[n - 1]);
-  if (!failures.empty()) throw std::runtime_error(failures.back());
+  report_failures(failures);
 }
 
 }  // namespace rotor

@@ -88,10 +88,10 @@ RunResult result_of(const Comparison& comparison, const Scenario& scenario) {
 Json to_json(const Comparison& comparison, const Scenario& scenario, int digits) {
   Json json = to_json(result_of(comparison, scenario));
   add(comparison.summary, json);
-  if (!comparison.is_course_sure)
-    for (const char* key :
-         {"outcome", "touch_downs_to_rolling", "touch_downs", "touch_downs_before_loss"})
-      json[key] = nullptr;
+  for (const auto& field : summary_fields<double>)
+    if (!comparison.is_course_sure && (std::holds_alternative<Outcome Summary::*>(field.value) ||
+                                       std::holds_alternative<long Summary::*>(field.value)))
+      json[std::string(field.key)] = nullptr;
   Json short_ones = Json::array();
   for (const auto& [value, has] : short_of_digits(comparison, digits))
     short_ones.push_back({{"value", value}, {"digits", has}});

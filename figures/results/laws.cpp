@@ -126,8 +126,7 @@ const std::vector<Law>& all_laws() {
        [](const P& p) { return json_of(p.law.forward_friction); }},
       {"law_stable_forward_friction",
        "friction up to which forward rub at constant speed returns after a small disturbance; "
-       "null: "
-       "wherever there is forward rub",
+       "null: wherever there is forward rub",
        [](const P& p) { return json_of(p.law.stable_forward_friction); }},
       {"law_rolling_speed_Hz", "rotation speed at the onset of rolling, if the rotor rolls; (3)",
        [](const P& p) { return json_of(p.law.rolling_speed, two_pi); }},

@@ -39,7 +39,8 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
                      "squared; a disk has 0.5, a ring 1",
                      p.inertia, ratio, p.mass, p.rotor_radius)});
   if (constexpr double most = 5; p.friction > most)  // dry rubber has 1 to 2; 5 % would be 0.05
-    all.push_back({fmt::format("friction = {} exceeds {}; it is no percentage", p.friction, most)});
+    all.push_back(
+        {fmt::format("friction = {} exceeds {}; it is not in per cent", p.friction, most)});
   const double clearance = Ring<double>(p).clearance;
   // Relative to the clearance; 0.4 % for the paper's rotor. From here on it may decide on contact.
   constexpr double little = 0.05;

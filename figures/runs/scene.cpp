@@ -13,10 +13,6 @@
 namespace rotor {
 namespace {
 
-std::string without_prefix(const std::string& text, const std::string& prefix) {
-  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
-}
-
 class SceneReader : TomlFile {
  public:
   SceneReader(const std::filesystem::path& file, Overrides overrides, RunUps& run_ups)
@@ -71,8 +67,7 @@ class SceneReader : TomlFile {
           throw InputError("{}, with {}: {}", option_of(input), path().string(), error.what());
       for (const toml::table* in : {&own, &table(root(), "parameters")})
         for (const std::string& input : inputs)
-          if (in->contains(input))
-            fail_at(*in, input, "{}", without_prefix(error.what(), input + ": "));
+          if (in->contains(input)) fail_at(*in, input, "{}", error.what());
       fail(own.empty() ? root() : own, name, "{}", error.what());
     }
   }

@@ -14,9 +14,9 @@ namespace {
 constexpr double safety = 20;
 
 template <class S>
-double apart(const S& a, const S& b) {  // rounded upwards
+double apart(const S& a, const S& b) {
   using std::abs;
-  return static_cast<double>(S(abs(a - b))) * (1 + std::numeric_limits<double>::epsilon());
+  return static_cast<double>(S(abs(a - b)));
 }
 
 /// Each value of the finer computation with its error. Even where both happen to agree, steps may

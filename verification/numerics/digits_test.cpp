@@ -85,6 +85,7 @@ TEST(Digits, DecideWhetherAGlancingContactOccursUnlessItIsNearerThanTheirError) 
     const Comparison coarsely = found(off, Precision::double_, 1e-7);
     EXPECT_FALSE(coarsely.is_course_sure) << off;
     EXPECT_EQ(to_json(coarsely, wide, 3)["touch_downs"], nullptr) << off;
+    EXPECT_EQ(finely.events[0].values[1].error, finely.events[0].values[2].error);  // q1, q2
     for (const NamedEstimate& value : coarsely.summary)
       EXPECT_TRUE(value.error == 0 || std::isinf(value.error)) << value.name;
   }

@@ -58,9 +58,8 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
 
 // Values that do not vary. gnuplot prints nothing.
 TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
-  for (const std::string parameters :
-       {"support_stiffness = 0\ngravity = 0\nstart_speed_hz = 50\nuntil = 0.01\n",
-        "torque = 0\nno_mass_loss = true\nuntil = 0.01\n"}) {
+  for (const std::string parameters : {"support_stiffness = 0\nstart_speed_hz = 50\nuntil = 0.01\n",
+                                       "torque = 0\nno_mass_loss = true\nuntil = 0.01\n"}) {
     write("s.toml", "[parameters]\nequations = \"corrected\"\n" + parameters);
     EXPECT_EQ(rotor("plot s.toml 2>messages").output, "s.svg\n") << parameters;
     EXPECT_FALSE(has(content("messages"), "gnuplot"));

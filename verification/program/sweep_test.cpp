@@ -127,9 +127,9 @@ TEST_F(SweepCommand, WritesTheColumnsThatItIsAskedFor) {
 // Without stiffness the supports do not vibrate, as the closed forms assume.
 TEST_F(SweepCommand, LeavesOutWhatALawDoesNotSay) {
   for (const std::string parameters : {"start_speed_hz = 150\n", "no_mass_loss = true\n"}) {
-    write("s.toml",
-          "columns = [\"outcome\", \"law_reach_m\"]\n[parameters]\ngravity = 0\nuntil = 1e-3\n" +
-              parameters + "[[axis]]\nquantity = \"support_stiffness\"\nvalues = [0, 9e4]\n");
+    write("s.toml", "columns = [\"outcome\", \"law_reach_m\"]\n[parameters]\nuntil = 1e-3\n" +
+                        parameters +
+                        "[[axis]]\nquantity = \"support_stiffness\"\nvalues = [0, 9e4]\n");
     EXPECT_EQ(rotor("sweep s.toml --force --out r.csv").status, 0);
     const auto rows = results("r.csv");
     ASSERT_EQ(rows.size(), 2U);

@@ -6,7 +6,7 @@ export const outcomes = {
  "bouncing": "bounces, and further contacts are possible",
  "sliding": "slides along the ring",
  "rolling": "has come to roll along the ring",
- "stalled": "is below 1.5 times its critical speed, and its motor does not speed it up"
+ "stalled": "is below 1.5 times its critical speed and gains less than a tenth of what its motor would add"
 };
 export const results = {
  "speed_at_mass_loss_Hz": "speed at the mass loss",
