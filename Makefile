@@ -189,8 +189,6 @@ install: build ## start: install the program and what it needs: make install PRE
 	@cmake --install $(BUILD) --prefix $(call quote,$(PREFIX)) | sed -n 's/^-- [A-Z][a-z-]*: \(.*bin\/rotor\)$$/\1/p'
 
 figures: pictures ## start: redraw Figs. 2-17 into build/figures
-	@[ "$(FORMAT)$(FIG)$(EQUATIONS)" != svgboth ] || [ ! -e $(BUILD)/report/index.html ] || \
-	  [ -z "$$(find $(OUT) -maxdepth 1 -name 'fig*.svg' -newer $(BUILD)/report/index.html)" ] || verification/report/report.sh $(BUILD)
 pictures: $(ASKED:%=$(DRAWN)/%.$(FORMAT))
 $(FIGURES): %: $(DRAWN)/%.$(FORMAT)
 
@@ -252,10 +250,12 @@ claim: build ## paper: print all that is known about one claim: make claim ID=sp
 	$(call build-target,report-numbers)
 	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
 
-report: build | $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine) ## start: make the page, build/report/index.html: one file, no network
+# With the engine where that is asked for, so that it is never an older one.
+ENGINE := $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine)
+report: build | $(ENGINE) ## start: make the page, build/report/index.html: one file, no network
 	$(call build-target,report-page report-numbers map-theory)
 	@$(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=both
-	@verification/report/report.sh $(BUILD)
+	@verification/report/report.sh $(BUILD) $(ENGINE)
 check-report: report ## code: check the page in a browser, its links and its spelling
 	@verification/report/check.sh $(BUILD)
 

@@ -10,14 +10,6 @@ failed=0
 verification/tests.sh "$build" verification | tee "$report/tests.txt" || failed=1
 "$build/report-numbers" $data "$report" | tee "$report/report.txt" || failed=1
 "$build/random-rotors" 200 "$report" | tee -a "$report/report.txt" || failed=1
-# The reviewer's page, if its pictures have been drawn.
-drawn=1
-for scene in figures/paper/fig[0-9][0-9].toml; do
-  [ -e "$build/figures/$(basename "$scene" .toml).svg" ] || drawn=0
-done
-if [ $drawn = 1 ]; then
-  verification/report/report.sh "$build" || failed=1
-fi
 
 # The answer.
 echo

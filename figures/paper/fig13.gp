@@ -11,7 +11,7 @@ set xtics 14.15,0.03 format ""
 set ylabel "ρ, mm"
 set ytics 1
 eval level(clearance_of("run"), clearance)
-set label sprintf("clearance %g mm", clearance_of("run")) at graph 0.985,first clearance_of("run") right offset 0,0.7
+set label sprintf("clearance %g mm", clearance_of("run")) at graph 0.985,first clearance_of("run") right offset 0,-0.7
 do for [set in sets] {
   eval use(set)
   eval label_curve(short_of(set).(touches(0) ? sprintf(": touches the ring at %.4f s", number("run", "first_contact_s")) : \

@@ -13,7 +13,7 @@ eval level(clearance_of("a"), clearance)
 rho(name) = of_run(name, "rho_m")*1e3
 eval table(0.51, 0.86, 14)
 eval row(1, "f at t_1", sprintf("%g Hz", paper_Hz)); eval row(2, sprintf("%g Hz reached at", paper_Hz), "")
-eval row(3, "largest ρ, Graph a", "no contact"); eval row(4, "largest ρ, Graph b", "no contact")
+eval row(3, "largest ρ, a", "no contact"); eval row(4, "largest ρ, b", "no contact")
 do for [set in sets] {
   eval use(set)
   eval ours_in(1, sprintf("%.1f Hz", number("a", "speed_at_mass_loss_Hz")))

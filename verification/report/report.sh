@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What `make report` does once everything is built and drawn: collects the files of the page in a folder,
-# and writes the page: report.sh BUILD
+# and writes the page: report.sh BUILD [engine]
 set -euo pipefail
-build=$1 out=$1/report
+build=$1 engine=${2:-} out=$1/report
 mkdir -p "$out"
 # The coarse map of the first screen, made again if program or map have changed.
 map=$build/maps/page
@@ -21,7 +21,7 @@ gnuplot -e "theory = '$map/theory.csv'; rows = 1; forms = 5; along_x(v) = v; alo
   begun { printf "]}"; begun = 0 }
   END { print begun ? "]}]" : "]" }' >"$out/lines.json"
 rm -f "$out/engine.wasm.gz.base64"
-[ ! -e "$build/explore/engine.wasm" ] ||
+[ -z "$engine" ] ||
   gzip --no-name --best --stdout "$build/explore/engine.wasm" | base64 -w 0 >"$out/engine.wasm.gz.base64"
 # Unexpected verdicts fail `make verify`, not the page, which shows them.
 "$build/report-numbers" reference-data "$out" >/dev/null || true

@@ -5,6 +5,7 @@ import { inWords, rowAt, stateAt, whirlAt } from "./motion.js";
 
 const gap = 0.22; // drawn width of the clearance, relative to the ring's radius
 const trail_s = 0.004; // length of the trail of O
+const caption = 22; // height of the words below, in pixels
 
 export class RotorView {
   #canvas;
@@ -30,8 +31,8 @@ export class RotorView {
     this.#words.textContent = inWords(now, loss_s);
     if (this.#canvas.clientWidth === 0) return;
     const { ctx, width, height } = cleared(this.#canvas);
-    ctx.translate(width / 2, height / 2);
-    const ring = 0.39 * Math.min(width, height), radius = ring * (1 - gap);
+    ctx.translate(width / 2, (height - caption) / 2);
+    const ring = 0.39 * Math.min(width, height - caption), radius = ring * (1 - gap);
     const clearance_m = summary.inputs.stator_radius - summary.inputs.rotor_radius;
     const pixels_per_m = (ring * gap) / clearance_m;
     const at = ({ x_a_m, y_a_m }) => [y_a_m * pixels_per_m, x_a_m * pixels_per_m];
@@ -52,7 +53,7 @@ export class RotorView {
     if (touches) paintForce(ctx, now, ring, summary.peak_normal_force_N, ink);
     ctx.fillStyle = colour("quiet");
     ctx.textAlign = "center";
-    ctx.fillText(`clearance drawn ${((summary.inputs.stator_radius * gap) / clearance_m).toFixed(1)} times as wide`, 0, height / 2 - 6);
+    ctx.fillText(`clearance drawn ${((summary.inputs.stator_radius * gap) / clearance_m).toFixed(1)} times as wide`, 0, (height + caption) / 2 - 6);
   }
 }
 
@@ -128,7 +129,7 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
   else {
     const side = points[12][0] > 0 ? -1 : 1, { clientWidth: wide, clientHeight: high } = ctx.canvas; // away from the arrow
     ctx.textAlign = side < 0 ? "left" : "right";
-    ctx.fillText(text, (side * wide) / 2, 12 - high / 2);
+    ctx.fillText(text, (side * wide) / 2, 12 - (high - caption) / 2);
   }
   ctx.font = "12px system-ui, sans-serif";
 }
