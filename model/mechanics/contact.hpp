@@ -102,11 +102,13 @@ struct Ring {
     return law.is_linear() ? law.linear().stiffness : law.tangent_stiffness(clearance / 100);
   }
 
-  /// A time that is short beside that since the indentation was zero, or until it is, s; infinite
-  /// if the force is smooth there.
+  /// A time that is short beside that since the indentation was zero, or until it is, s, but
+  /// changes it by far more than rounding; infinite if the force is smooth there.
   S smooth_time(const RimPoint<S>& k) const {
     if (law.is_linear()) return std::numeric_limits<S>::infinity();
-    return k.indentation / (k.normal_velocity > 0 ? 2 * k.normal_velocity : -3 * k.normal_velocity);
+    const S depth =
+        std::max<S>(k.indentation, 20'000 * std::numeric_limits<S>::epsilon() * clearance);
+    return depth / (k.normal_velocity > 0 ? 2 * k.normal_velocity : -3 * k.normal_velocity);
   }
 
   /// Energy of the ring's spring, J.

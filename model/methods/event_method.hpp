@@ -189,11 +189,9 @@ class EventMethod {
       }
       ++counters_.steps;
       limit_steps(until_s, end_s, chart.speed(stop.x));
-      if constexpr (ContactChartOf<Chart, S>)
-        check_.add_step(stop.time, chart.speed(start_.x), chart.speed(stop.x),
-                        chart.rim_point(stop.x).indentation);
-      else
-        check_.add_step(stop.time, chart.speed(start_.x), chart.speed(stop.x));
+      S indentation(0);
+      if constexpr (ContactChartOf<Chart, S>) indentation = chart.rim_point(stop.x).indentation;
+      check_.add_step(stop.time, chart.speed(start_.x), chart.speed(stop.x), indentation);
       if (!last) step = next_step;
       show_step(taken, at_, end_s, observer);
       at_.time_s = end_s;

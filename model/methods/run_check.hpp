@@ -18,8 +18,8 @@ namespace rotor {
 template <class S>
 class RunCheck {
  public:
-  /// `truncation`: allowed for the error of a step, relative to the clearance and to the energy, or
-  /// to that of the supports at the clearance if that is more.
+  /// `truncation`: allowed for the error of a step, relative to the clearance, and to the energy
+  /// (at least that of the supports at the clearance) plus the work of the ring's force along that.
   explicit RunCheck(const S& truncation) : truncation_(truncation) {}
 
   /// That of error control: over 1,000 random rotors at a tolerance of 1e-3 the energy grew by at
@@ -27,8 +27,7 @@ class RunCheck {
   static S truncation_of(const S& tolerance) {
     return 10 * tolerance + 1000 * std::numeric_limits<S>::epsilon();
   }
-  /// That of fixed steps, which have no error control, and the most of all: the energy may not
-  /// double.
+  /// That of fixed steps, without error control, and the most of all: the energy may not double.
   static constexpr double fixed_steps = 0.5;
 
   /// Counts from an instant on, such as just after an event.
@@ -59,7 +58,8 @@ class RunCheck {
             share = min(S(fixed_steps), S(truncation_ * static_cast<S>(steps_)));
     const S grown = now - energy_ - rotor.motor_torque() * (at.state[2] - from_.state[2]);
     const S all =
-        max({now, energy_, rotor.supports.spring_energy(Vector<S>(rotor.ring.clearance, S(0)))});
+        max({now, energy_, rotor.supports.spring_energy(Vector<S>(rotor.ring.clearance, S(0)))}) +
+        rotor.ring.law.spring_force(deepest_) * rotor.ring.clearance;
     if (!at.body.has_constant_speed() &&
         !(grown <=
           gravity_work(rotor) + share * all + rounding(rotor, at) + rounding(rotor, from_)))

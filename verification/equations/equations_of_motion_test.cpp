@@ -12,6 +12,7 @@
 #include "verification/support/newton.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/random_inputs.hpp"
+#include "verification/support/summary_of.hpp"
 
 namespace rotor {
 namespace {
@@ -139,6 +140,10 @@ TEST(NewtonsLaws, RestartNoRollingAtALossOfNoMass) {
     EXPECT_EQ(recorded->before_mass_loss().contact, ContactState::rolling);
     EXPECT_EQ(recorded->events().back().event, Event::mass_loss);
   }
+  SummaryObserver whirls(scenario);
+  run_by_newton(scenario, {1e-12, 12, 100'000}, whirls);
+  EXPECT_NEAR(*whirls.summary().whirl_frequency_Hz / *summary_of(scenario).whirl_frequency_Hz, 1,
+              1e-6);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
 #include "verification/support/balance.hpp"
+#include "verification/support/command_line.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/read_csv.hpp"
 
@@ -29,6 +30,23 @@ TEST(StressedRotors, AreFollowedToTheEndAndKeepTheBalanceOfTheirEnergy) {
     }
     EXPECT_GE(run.count(Event::touch_down), number("least_touch_downs"));
   }
+}
+
+using RightRuns = CommandLine;
+
+TEST_F(RightRuns, AreNotRefused) {
+  // A stiff ring's force makes energy of errors of length.
+  summary(
+      "--clearance 0.00084 --contact-damping 0 --friction 0.67 --start-velocity-x 0.025 "
+      "--start-velocity-y 0.025 --support-damping 0 --support-stiffness 4.3e+03 --tolerance "
+      "2.8e-11 --torque 0.17 --gravity-moment balanced --until 0.05");
+  // A graze indents the ring by less than rounding in a step that is as short as its start asks.
+  summary(
+      "--clearance 0.001318606 --contact-damping 0 --contact-exponent 2.5 --contact-stiffness "
+      "2e+11 --eccentricity 1.52674602661979e-05 --gravity 1.41 --inertia 0.00966 --lost-mass "
+      "0.0351380648 --mass 3.844426 --motor-off-hz 22 --reference-indentation 2.4e-06 "
+      "--rotor-radius 0.07494440624994043 --start-speed-rpm 2893.787 --support-damping 978.2138 "
+      "--support-stiffness 5106.73077017 --tolerance 1.1e-12 --until 0.03");
 }
 
 }  // namespace

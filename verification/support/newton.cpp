@@ -212,9 +212,9 @@ class Run {
       at_ = opposite.lose_mass(at_, scenario_.equations);
       x_ = in_stator_axes(at_.state);
       laws_.body = at_.body;
-      count_whirl_from_here();
       if (at_.contact != ContactState::free) resume_contact();
     }
+    count_whirl_from_here();
     show(Event::mass_loss);
   }
 
