@@ -28,7 +28,7 @@ inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
       "has not touched the ring so far, but contact is possible",
       "there was no contact, but one is possible"},
      {Outcome::freed, "freed", "#a5d4b8", "#33604c",
-      "has touched the ring and is clear of it again",
+      "has touched the ring, and cannot reach it again at its speed",
       "there were contacts, but the free rotor cannot reach the ring at this speed"},
      {Outcome::bouncing, "bouncing", "#62b08c", "#48917a",
       "bounces, and further contacts are possible", "there were contacts, and more are possible"},

@@ -34,7 +34,7 @@ first_of(p) = sprintf("< awk '!/^#/ && (!n++ || n > %d) { print } n > %d { exit 
 forms = shows eq "force" ? 6 : 5
 load figures."/maps/lines.gp"
 line(i) = line_style[i]." linecolor rgb law_tint"
-white = "with lines linecolor rgb '#ffffff' linewidth 4, '' using (nth_word(1)):(nth_word(2))"    # beneath a line
+white = "linecolor rgb '#ffffff' linewidth 3.5"    # beneath all lines
 pin = "with points pointtype 7 pointsize 1 linecolor rgb event_tint, '' using 1:2 with points pointtype 7 pointsize 0.5 linecolor rgb '#ffffff'"
 array seen[6] = [0, 0, 0, 0, 0, 0]
 nth_word(n) = real(word(strcol(1), n))  # a table has no commas
@@ -62,42 +62,44 @@ if (shows eq "outcome") {
     result, result, data)))
   if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }
 }
+found = system(sprintf("awk -F, '!/^#/ && n++ { print $%d == \"\" ? \"%s\" : $%d }' '%s' | sort -u | tr '\n' ' '", \
+  result, shows eq "outcome" ? "stalled" : "none", result, data))
 top = 0.88; bottom = rows == 2 ? 0.2 : 0.33
 height = (top - bottom)/rows
 low = rows == 2 ? 0.03 : 0.06
 do for [p = 0:2*rows - 1] {
   at_left = p % 2 == 0; at_bottom = p/2 == rows - 1
-  set lmargin at screen at_left ? 0.09 : 0.555
-  set rmargin at screen at_left ? 0.515 : 0.98
+  set lmargin at screen at_left ? 0.095 : 0.56
+  set rmargin at screen at_left ? 0.505 : 0.97
   set tmargin at screen top - height*(p/2) - 0.03
   set bmargin at screen top - height*(p/2 + 1) + 0.02
   stats first_of(p) using (titled = name_of_panel(0), column(abscissa)) nooutput
   set title titled offset 0,-0.6
   set format x (at_bottom ? numbers(x_log) : ""); set format y (at_left ? numbers(y_log) : "")
   set xlabel (at_bottom ? x_name : "") offset 0,0.4
-  set ylabel (at_left ? y_name : "") offset 0.5,0
+  set ylabel (at_left ? y_name : "") offset 0,0
   if (shows eq "force" && p == 2*rows - 1) {
     set colorbox horizontal user origin screen 0.3, screen (rows == 2 ? 0.115 : 0.22) size screen 0.4, screen 0.018
-    set cblabel "largest normal force, kN; white: no contact, or no result" offset 0,0.8
+    set cblabel "largest normal force, kN".(strstrt(" ".found, " none ") ? "; white: none" : "") offset 0,(rows == 2 ? 0.5 : 0.8)
   }
-  drawn = ""
+  edges = ""; drawn = ""
   do for [i = 1:forms] {
     its = sprintf("$line_%d_%d", p, i)
     eval sprintf("contours = sum [k = 1:|%s|] (%s[k][1:9] eq '# Contour')", its, its)
     if (contours) {
-      drawn = drawn.sprintf(", %s using (nth_word(1)):(nth_word(2)) %s with lines %s", its, white, line(i))
+      along = sprintf(", %s using (nth_word(1)):(nth_word(2)) with lines ", its)
+      edges = edges.along.white; drawn = drawn.along.line(i)
       seen[i] = 1
     }
   }
   if (pins) { drawn = drawn.", $cases using 1:2 ".pin }
-  eval "plot rows_of(p) using (along_x($2)):(along_y($3)):(its(0)) with image ".(panel > 4096 || format eq "png" ? "" : "pixels").drawn
+  eval "plot rows_of(p) using (along_x($2)):(along_y($3)):(its(0)) with image ".(panel > 4096 || format eq "png" ? "" : "pixels").edges.drawn
 }
 
 # What the colours and lines mean.
 unset title; unset border; unset tics; unset xlabel; unset ylabel; unset logscale
 set xrange [0:1]; set yrange [0:1]
 set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0
-found = system(sprintf("awk -F, '!/^#/ && n++ { print $%d == \"\" ? \"stalled\" : $%d }' '%s' | sort -u | tr '\n' ' '", result, result, data))
 lines = ""; colours = ""
 do for [i = 1:forms] {
   if (seen[i]) { lines = lines.sprintf("keyentry with lines %s title '%s', ", line(i), line_words[i]) }
@@ -106,13 +108,13 @@ if (pins) { lines = lines."keyentry with points pointtype 6 pointsize 0.8 linewi
 do for [c = 0:6] {
   if (strstrt(" ".found, " ".outcome_name[c + 1]." ")) {
     colours = colours.sprintf("keyentry with boxes fillcolor rgb '%s' fillstyle solid border linecolor rgb event_tint title '%s', ", \
-      outcome_tint[c + 1], outcome_words[c + 1].(outcome_name[c + 1] eq "freed" ? ": touched the ring, cannot reach it again" : \
+      outcome_tint[c + 1], outcome_words[c + 1].(outcome_name[c + 1] eq "freed" ? ": cannot reach the ring again" : \
       outcome_name[c + 1] eq "stalled" ? ", or no result" : ""))
   }
 }
 set key Left reverse spacing 1.05 noopaque font small
 set tmargin at screen 0.4; unset colorbox
-set key at screen 0.5, screen low center center samplen 2.5 maxrows (rows == 2 ? 2 : 3) width -6
+set key at screen 0.5, screen low center center samplen 4 maxrows (rows == 2 ? 2 : 3) width -6
 if (strlen(lines)) { eval "plot ".lines."NaN notitle" }
 set key at screen 0.5, screen (rows == 2 ? 0.1 : 0.19) center center samplen 1 maxrows 3 width -6
 if (shows eq "outcome") { eval "plot ".colours."NaN notitle" }

@@ -13,4 +13,5 @@ done
 paste -d, <(grep -v '^#' "$name-$own.csv") <(grep -v '^#' "$name-$strict.csv") | LC_ALL=C awk -F, -v own="$own" -v strict=$strict '
   NR == 1 { for (n = 1; n <= NF; ++n) if ($n == "outcome") place[++found] = n; next }
   { ++points; others += $place[1] != $place[2] }
-  END { printf "tolerance %s; at %s, %.2g %% of %d points have another outcome\n", own, strict, 100*others/points, points }'
+  function power(of) { sub(/^1e/, "10^{", of); return of "}" }
+  END { printf "tolerance %s; at %s, %.2g %% of %d points have another outcome\n", power(own), power(strict), 100*others/points, points }'

@@ -11,7 +11,7 @@ fixed_data = data; fixed_steps = steps
 do for [set in sets] {
   eval use(set)
   do for [name in runs] {
-    at_Hz = name eq "mu = 0.08" ? 100 : 88
+    at_Hz = name eq "mu = 0.08" ? 100 : 78
     stats data using (follow(-of_run(name, "speed_Hz"), of_run(name, "time_s"), -at_Hz)) nooutput
     of_run_and_set = friction(name).", ".short_of(set)
     if (name eq "mu = 0.08") { eval label_curve(of_run_and_set, crossing, at_Hz, is_printed(set) ? "left offset 1,0.5" : "right offset -1,-0.5") }

@@ -15,8 +15,9 @@ do for [set in sets] {
   unset label; unset arrow
   onset = number("run", "rolling_onset_s"); t0 = NaN; q0 = NaN; crossings = 0
   stats data using (cross(column("time_s"), column("q1_m"))) nooutput
-  set title sprintf("{/:Bold %s}: q_1 has %.0f Hz in its first %d periods of rolling, f is %.1f Hz at the onset; paper: about 770 Hz", \
-    words_of(set), (crossings - 1)/(last - first), crossings - 1, number("run", "rolling_onset_speed_Hz")) \
+  f_q = (crossings - 1)/(last - first); f = number("run", "rolling_onset_speed_Hz")
+  set title sprintf("{/:Bold %s}: q_1 has %.1f Hz in %d periods, less f = %.1f Hz at the onset: %.1f Hz; {/:Normal paper: about 770 Hz}", \
+    words_of(set), f_q, crossings - 1, f, f_q - f) \
     textcolor rgb tint_of(set) offset 0,-0.5
   eval mark_instant(sprintf("rolling from %.4f s", onset), onset)
   eval level(3.5, published).says("paper: ρ ≈ 3.5 mm", 0.985, 3.5, "right offset 0,0.7 boxed")

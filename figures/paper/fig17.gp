@@ -24,7 +24,7 @@ do for [set in sets] {
   eval label_curve(short_of(set), is_printed(set) ? a_pos_max_y : t_1, is_printed(set) ? a_max_y : 1.75, \
     is_printed(set) ? "center offset 0.2,0.7" : "right offset -0.5,0")
 }
-set label "{/:Italic a}" at 3.2,0.72 center offset 0,0.7
+set label "{/:Italic a}" at 3.2,0.72 center offset 0,1.1
 set label "{/:Italic b}" at 2.42,0.45 right offset -0.6,0
 plot [1:4] [0:3.3] @each_set using (of_run("a", "time_s")):(rho("a")) @layered, \
      @each_set using (of_run("b", "time_s")):(rho("b")) with lines linestyle layer(set) dashtype (9, 5) notitle

@@ -102,7 +102,7 @@ says_law = ""; law_place = "graph 0.985,first %g right offset 0,-0.7"
 mark_law(run) = (says_law = equations eq word(sets, 1) ? "" : says_law, number(run, "law_outcome") ne "rolling" ? "" : \
   (kN = 1e-3*number(run, "law_peak_force_N"), \
   says_law = says_law.(says_law eq "" ? "largest force by the closed form: " : ", ").sprintf("%.0f kN %s", kN, short_of(equations)), \
-  sprintf("set arrow from %.17g,%g rto graph 0.04,0 nohead linestyle law; ", number(run, "peak_time_s"), -kN). \
+  sprintf("set arrow from %.17g,%g rto graph 0.015,0 nohead linestyle law; ", number(run, "peak_time_s"), -kN). \
   sprintf("set label 99 says_law at ".law_place." textcolor rgb law_tint", -kN)))
 label_curve(text, x, y, place) = sprintf("set label '%s' at %.17g,%.17g %s textcolor rgb '%s' boxed", \
   text, x, y, place, tint_of(equations))

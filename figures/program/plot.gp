@@ -12,10 +12,11 @@ if (heading eq "") { heading = "Normal force, speed, displacement and orbit of O
 
 # A run has the colour of its equations, or black if they are corrected in part; several of a set shades and dashes of it.
 earlier(i) = (of("equations", i) eq "mixed") + sum [k = 1:i] (k < i && of("equations", k) eq of("equations", i))
+alike(i) = sum [k = 1:runs] (of("equations", k) eq of("equations", i))
 tint(i) = of("equations", i) eq "mixed" ? event_tint : tint_of(of("equations", i))
 array dashes[4] = ["solid", "(9,5)", "(3,3)", "(9,3,2,3)"]
 do for [i = 1:runs] {
-  set linetype i linecolor rgb lighter(tint(i), 0.25*(earlier(i) % 3)) linewidth 1.3
+  set linetype i linecolor rgb lighter(tint(i), 0.7*earlier(i)/greater(3, alike(i))) linewidth 1.3
   eval sprintf("set linetype %d dashtype %s", i, dashes[earlier(i) % 4 + 1])
 }
 differ = sum [i = 1:runs] (of("equations", i) ne of("equations", 1))
@@ -94,16 +95,17 @@ set xlabel "t, s" offset 0,0.4
 set ylabel "F_n, kN" offset -0.5,0
 eval force_axis
 eval panel(left, 0.5*wide - right, top, top + height)
-plot for [i = 1:runs] data(i, "normal_force_N") using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i
+if (!changes(least_normal_force_N, most_normal_force_N)) { unset ytics; set label "no contact in this time" at graph 0.5,graph 0.5 center offset 0,0.7 }
+plot for [i = runs:1:-1] data(i, "normal_force_N") using (column("time_s")):(column("normal_force_N")/1e3) with lines linetype i
 unset label; unset arrow
 set ylabel "f, ".speed_unit
 eval speed_axis
 eval panel(0.5*wide + left, wide - right, top, top + height)
-plot for [i = 1:runs] data(i, "speed_Hz") using (column("time_s")):(per_Hz*column("speed_Hz")) with lines linetype i
+plot for [i = runs:1:-1] data(i, "speed_Hz") using (column("time_s")):(per_Hz*column("speed_Hz")) with lines linetype i
 set ylabel "ρ, mm"
 eval rho_axis
 eval panel(left, 0.5*wide - right, top + height + 73, top + 2*height + 73)
-plot for [i = 1:runs] data(i, "rho_m") using (column("time_s")):(column("rho_m")*1e3) with lines linetype i, \
+plot for [i = runs:1:-1] data(i, "rho_m") using (column("time_s")):(column("rho_m")*1e3) with lines linetype i, \
   for [k = 1:runs] gap(k) with lines linestyle clearance # not i: `do for [i ...]` loses it in gnuplot 6.0
 set size ratio -1
 eval right_axis

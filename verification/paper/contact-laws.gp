@@ -17,6 +17,6 @@ do for [i = 1:2] {
   set xlabel (i == 1 ? "time after the mass loss, ms: first impact" : "time after the mass loss, ms") offset 0,0.4
   name(n) = folder."/".(n == 1 ? "" : word(same, i))."-".word(names, n).".csv"
   plot for [n = 1:3] name(n) using (1e3*(column("time_s") - loss)):(-1e-3*column("normal_force_N")) with lines \
-    linestyle (30 + n) title sprintf("n = %s", word(names, n))
+    linestyle (30 + n) title sprintf("F ∝ Δ^{%s}", word(names, n))
 }
 unset multiplot

@@ -18,7 +18,7 @@ do for [i = 1:2] {
   set xlabel (of[i].": law") offset 0,0.4
   set ylabel "run" offset 1,0
   plot data every 17 using (column(law)/units[i]):(y(run, units[i], limit, 1e9)) with points pointtype 7 pointsize 0.22 \
-      linecolor rgb "#e69f00" title sprintf("κ e_{x1}/(μ r) above %g", limit), \
+      linecolor rgb "#e69f00" title sprintf("share of the unbalance κ e_{x1}/(μ r) above %g", limit), \
     data every 17 using (column(law)/units[i]):(y(run, units[i], 0, limit)) with points pointtype 7 pointsize 0.22 \
       linecolor rgb event_tint title sprintf("up to %g", limit), \
     x with lines linecolor rgb law_tint notitle, \

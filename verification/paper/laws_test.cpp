@@ -170,12 +170,5 @@ TEST_F(LawsOfTheAccident, QuestionInputsInOtherUnits) {
 }
 
 // With a clearance less than e_x1, (1) is negative, and whether the rotor rolls is not predicted.
-TEST_F(LawsOfTheAccident, PromiseNothingWhereTheyDoNotHold) {
-  const Json law = json("estimate --clearance 4e-4");
-  EXPECT_EQ(law["law_outcome"], "undecided");
-  EXPECT_FALSE(law["law_trusted"]);
-  EXPECT_TRUE(law["law_contact_speed_Hz"].is_null());
-}
-
 }  // namespace
 }  // namespace rotor

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <utility>
 
 #include "figures/sweep/sweep.hpp"
@@ -76,25 +75,6 @@ TEST_F(CommandLine, MakesTheNumbersOfTheExamples) {
         row[2]);
   }
   EXPECT_EQ(rows.size(), 3U);
-}
-
-// The lines in Python, as they stand there.
-TEST_F(CommandLine, ReadsItsResultsInPandasAsTheReadmeSays) {
-  if (shell("python3 -c 'import pandas'").status != 0) GTEST_SKIP() << "needs pandas";
-  const std::string all = content_of(ROTOR_SOURCES "/figures/program/README.md");
-  write("damping.toml",
-        "[parameters]\nstart_speed_hz = 150\nfriction = 0.1\n[[axis]]\n"
-        "quantity = \"contact_damping\"\nvalues = [5e3, 1e4]\n");
-  ASSERT_EQ(rotor("sweep damping.toml").status, 0);
-  ASSERT_EQ(rotor("run --until 0.1 --trace trace.csv").status, 0);
-  std::map<std::string, std::string> printed;
-  for (const Match& line : matches(all, "\n    (pandas\\.read_csv\\(\"(\\w+)\\.csv\".*\\))")) {
-    write("read.py", fmt::format("import pandas\nprint(len({}))\n", line[1]));
-    printed[line[2]] = shell("python3 read.py").output;
-  }
-  const std::map<std::string, std::string> expected = {
-      {"damping", "2\n"}, {"trace", fmt::format("{}\n", rows_of("trace.csv").size() - 1)}};
-  EXPECT_EQ(printed, expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Readme, testing::Values("README.md", "figures/program/README.md"));

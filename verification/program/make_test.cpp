@@ -1,5 +1,4 @@
 /// Failed targets must not pass as made.
-#include <chrono>
 
 #include "verification/support/command_line.hpp"
 #include "verification/support/content.hpp"
@@ -57,16 +56,6 @@ TEST_F(Make, MakesAnewWhatHasBeenRemovedAndKeepsNoHalfPicture) {
   write("build/figures/published/fig18.csv", "da");
   EXPECT_EQ(make_figure("</svg>").status, 0);
   EXPECT_EQ(content("build/figures/published/fig18.csv"), "data\n");
-  // The page is written again only if a picture is newer.
-  fs::create_directories(folder_ / "build/report");
-  fs::create_directories(folder_ / "verification/report");
-  write("build/report/index.html", "");
-  program("verification/report/report.sh", "echo page >> pages; touch build/report/index.html\n");
-  fs::last_write_time(
-      folder_ / "build/report/index.html",
-      fs::last_write_time(folder_ / "build/figures/fig18.svg") - std::chrono::hours(1));
-  for (int n = 0; n < 2; ++n) EXPECT_EQ(make("-o build -o build/rotor figures").status, 0);
-  EXPECT_EQ(content("pages"), "page\n");
   fs::remove(folder_ / "build/figures/fig18.svg");
   const auto [status, output] = make_figure("");
   EXPECT_NE(status, 0);

@@ -27,7 +27,7 @@ class Plot : public CommandLine {
 };
 
 // Force in kN, speed in Hz, displacement and orbit in mm of both runs extend as far in the picture
-// as in the traces; each run has an orbit of its own, in its ring.
+// as in the traces, the first on top; each run has an orbit of its own, in its ring.
 TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   ASSERT_EQ(rotor("plot \"it's.toml\"").status, 0);
   const DrawnPicture picture(content("it's.svg"));
@@ -37,9 +37,9 @@ TEST_F(Plot, DrawsTheCurvesOfEachRun) {
   const std::string high = "high_mu", narrow = "mu's 0.1, narrow";
   std::size_t curve = 0;
   for (const auto& [column, scale, runs, clearances_mm] :
-       {std::tuple(std::string("normal_force_N"), 1e-3, Texts{high, narrow}, Numbers{}),
-        {"speed_Hz", 1., Texts{high, narrow}, Numbers{}},
-        {"rho_m", 1e3, Texts{high, narrow}, Numbers{3, 2.5}},
+       {std::tuple(std::string("normal_force_N"), 1e-3, Texts{narrow, high}, Numbers{}),
+        {"speed_Hz", 1., Texts{narrow, high}, Numbers{}},
+        {"rho_m", 1e3, Texts{narrow, high}, Numbers{3, 2.5}},
         {"x_a_m", 1e3, Texts{high}, Numbers{3}},
         {"x_a_m", 1e3, Texts{narrow}, Numbers{2.5}}}) {
     const Tics& axis = picture.curves.at(curve).y;

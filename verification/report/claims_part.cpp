@@ -22,14 +22,17 @@ std::string words_of(const Number& number) {
 }
 bool is_statement(const Number& number) { return words_of(number) != number.says; }
 
+bool is_tiny(double size) { return size != 0 && size < 1e-6; }
+
 /// In a unit, without superfluous digits; in powers of ten if the paper has them.
 std::string shown(const std::optional<double>& value, const Number& number) {
   if (!value || !std::isfinite(*value)) return "–";
   if (is_statement(number)) return *value == 1 ? "yes" : "no";
   const double size = std::abs(*value);
   const bool in_powers = number.printed.find('e') != std::string::npos;
-  return (size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
-          : size >= 1e4                          ? fmt::format("{:.0f}", *value)
+  return (is_tiny(size) && !in_powers              ? "below 1e-06"
+          : size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
+          : size >= 1e4                            ? fmt::format("{:.0f}", *value)
           : in_powers && size < 1e-2
               ? fmt::format("{:.2e}", *value)
               : fmt::format("{:.{}g}", *value, number.printed.empty() ? 3 : 4)) +
@@ -58,9 +61,10 @@ std::string rule_of(const Number& number) {
 /// The range of population (b).
 std::string range_of(const Stored& stored) {
   const Spread& spread = stored.spread;
-  return std::isfinite(spread.low) && spread.draws > 0
-             ? fmt::format("{:.4g} to {:.4g}", spread.low, spread.high)
-             : "";
+  if (!std::isfinite(spread.low) || spread.draws == 0) return "";
+  return is_tiny(std::max(-spread.low, spread.high))
+             ? "below 1e-06"
+             : fmt::format("{:.4g} to {:.4g}", spread.low, spread.high);
 }
 
 /// How far a value is from the number as printed, which needs no rule.
@@ -212,11 +216,10 @@ Json verdicts_json(const Json& claims) {
     all[set] = {{"reproduced", reproduced},
                 {"within_rounding", rounding},
                 {"refuted", refuted},
-                {"mark", claims.empty()               ? "none"
-                         : reproduced + rounding == 0 ? "refuted"
-                         : refuted > 0                ? "partly"
-                         : rounding > 0               ? "rounding"
-                                                      : "reproduced"},
+                {"mark", claims.empty() ? "none"
+                         : refuted > 0  ? "refuted"
+                         : rounding > 0 ? "rounding"
+                                        : "reproduced"},
                 {"says", says}};
   }
   return all;

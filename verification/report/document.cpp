@@ -76,8 +76,8 @@ Json document(const Sources& sources) {
               {"version", version()},
               {"commit_date", sources.commit_date}};
   for (Json& figure : all["figures"])
-    figure["caption"] =
-        words.at("captions").value(figure.at("number").get<std::string>(), figure.at("title"));
+    for (const auto& [key, of] : {std::pair("caption", "captions"), {"seen", "seen"}})
+      figure[key] = words.at(of).value(figure.at("number").get<std::string>(), figure.at("title"));
   return all;
 }
 

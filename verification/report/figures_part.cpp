@@ -8,8 +8,7 @@
 namespace rotor {
 namespace {
 
-/// A picture from gnuplot as part of a page: as wide as possible, with unique names, and described
-/// by its caption.
+/// A picture from gnuplot as part of a page: as wide as possible, with unique names.
 std::string inline_svg(std::string svg, const std::string& name) {
   svg = svg.substr(svg.find("<svg"));
   svg = replaced(svg, " id=\"gnuplot_[^\"]*\"", "");
@@ -17,9 +16,8 @@ std::string inline_svg(std::string svg, const std::string& name) {
   svg = replaced(svg, "href='#([^']*)'", "href='#" + name + "-$1'");
   svg = replaced(svg, "url\\(#([^)]*)\\)", "url(#" + name + "-$1)");
   svg = replaced(svg, "<svg[^>]*viewBox=\"([^\"]*)\"[^>]*>",
-                 "<svg viewBox=\"$1\" role=\"img\" aria-labelledby=\"" + name +
-                     "-caption\" xmlns=\"http://www.w3.org/2000/svg\" "
-                     "xmlns:xlink=\"http://www.w3.org/1999/xlink\">");
+                 "<svg viewBox=\"$1\" xmlns=\"http://www.w3.org/2000/svg\" "
+                 "xmlns:xlink=\"http://www.w3.org/1999/xlink\">");
   return replaced(svg, "[ \t]*\n\\s*", "\n");
 }
 

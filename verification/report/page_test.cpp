@@ -28,19 +28,6 @@ TEST(ReportTexts, StateNoResultThemselves) {
   }
 }
 
-TEST(WithNumbers, PutsInWhatAPlaceAsksFor) {
-  const Json values = {{"peak", {{"N", 454836}, {"before_N", nullptr}}},
-                       {"drop", -1.25},
-                       {"share", 0.025},
-                       {"printed", "455"}};
-  EXPECT_EQ(with_numbers(Json("{{peak.N.k1}} kN, {{share.p1}} %, {{share.m0}} g"), values),
-            "454.8 kN, 2.5 %, 25 g");
-  EXPECT_EQ(with_numbers(Json("{{peak.before_N.k1}}"), values), "none");
-  EXPECT_EQ(with_numbers(Json("{{drop.f2}} of {{printed}}"), values), "\u22121.25 of 455");
-  EXPECT_THROW(with_numbers(Json("{{peak.MN.k1}}"), values), std::invalid_argument);
-  EXPECT_THROW(with_numbers(Json("{{peak.N}}"), values), std::invalid_argument);
-}
-
 TEST(Render, EscapesAndPrintsSymbols) {
   const auto rendered = [](const std::string& text) {
     return render("{{text}}", {}, {{"text", text}});

@@ -8,7 +8,7 @@ import { climaxOf, inMilliseconds, inWords, stateAt, whirlAt } from "./script/mo
 import { numbersOf, sentence } from "./script/outcome.js";
 import { column, Recorded } from "./script/recorded.js";
 import { forceTip } from "./script/rotor.js";
-import { addressOf, commandOf, inSet, setOf, settingsIn } from "./script/settings.js";
+import { addressOf, commandOf, inSet, leftOutOf, setOf, settingsIn } from "./script/settings.js";
 import { results } from "./script/words.js";
 
 const summary = {
@@ -102,6 +102,7 @@ test("a run is shown at its largest force, or where O is farthest out after the 
 
 test("an address keeps settings, and its command is that of one program", () => {
   assert.deepEqual(settingsIn(addressOf({ friction: "0.2", clearance: "1e-3" })), { friction: "0.2", clearance: "1e-3" });
+  assert.deepEqual(leftOutOf("#friction=1e999&clearance=1e-3&claims"), ["friction=1e999"]);
   for (const hash of ["#friction=0.2&x%3Btouch%20p%3B%23=1", "#friction=0.2%3Btouch%20p", "#%24(touch p)=&clearance=1`p`",
     "#until=29.2%0Atouch%20p%0A&a%0Ap=1", "#friction='&clearance='", "#--=%1b[2J&\u202e=1"])
     assert.match(commandOf(settingsIn(hash)), /^build\/rotor run( --[a-z-]+ [\w.+-]+)* --json$/);

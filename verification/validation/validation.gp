@@ -19,7 +19,7 @@ limit = atan(0.092*1.98*3.5)*180/pi    # of sliding throughout: tan = mu (1 + re
 set arrow from limit, graph 0.2 to limit, graph 1 nohead linestyle clearance
 set label "sticks" at limit - 1.5, 0.95 right
 set label "slides throughout" at limit + 1.5, 0.95
-plot folder."/rebounds.csv" using "angle_deg":"tangential_restitution" with lines linecolor rgb event_tint linewidth 1.3 \
+plot folder."/rebounds.csv" using "angle_deg":"tangential_restitution" with lines linestyle 20 linewidth 2 \
     title "engine, no tangential compliance", \
   reference_data."/measured-rebounds.csv" using "angle_deg":"tangential_restitution" with points pointtype 6 \
     pointsize 1.3 linewidth 2 linecolor rgb event_tint title "measured: Kharaz, Gorham and Salman 2001"

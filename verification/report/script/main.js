@@ -6,7 +6,7 @@ import { numbersOf, sentence } from "./outcome.js";
 import { Plots } from "./plots.js";
 import { Recorded } from "./recorded.js";
 import { RotorView } from "./rotor.js";
-import { addressOf, commandOf, inSet, setOf, sets, settingsIn } from "./settings.js";
+import { addressOf, commandOf, inSet, leftOutOf, setOf, sets, settingsIn } from "./settings.js";
 import { showSteps } from "./steps.js";
 
 const at = (id) => document.getElementById(id);
@@ -15,7 +15,7 @@ const recorded = new Recorded(runs);
 const engine = isEmbedded() ? new Engine() : null;
 document.body.classList.toggle("has-engine", engine !== null);
 
-let options = settingsIn(location.hash);
+let options = settingsIn(location.hash), leftOut = leftOutOf(location.hash);
 let picture = null, others = [], playing = false, last_ms = null, time_s = 0;
 
 // ---- pictures
@@ -25,17 +25,21 @@ const plots = new Plots(at("plots"), (to_s) => { play(false); goTo(to_s); });
 /// Shows settings, then the curves of the other equations beside them; replaces all earlier requests.
 async function refresh() {
   const asked_ms = performance.now(), mine = options;
+  let off = false; // the map
   at("command").textContent = commandOf(options);
   for (const set of sets) at(set).checked = setOf(options) === set;
   for (const input of at("inputs").elements) if (input.name) {
-    input.value = options[input.name] ?? input.defaultValue;
-    input.previousElementSibling.textContent = input.value;
+    const asked = options[input.name] ?? input.defaultValue;
+    input.value = asked;
+    input.previousElementSibling.textContent = Number((asked * (input.dataset.per ?? 1)).toPrecision(6));
+    off = off || Number(asked) !== Number(input.defaultValue);
   }
+  document.body.classList.toggle("off-map", off);
   if (!picture) show(recorded.answer({}), {}); // a refused address leaves the paper's run
   const answer = recorded.answer(mine) ?? (engine ? await engine.ask(mine)
     : { refusal: "This page has no engine; make deps-explore explore embeds it. Only the pins of the map are recorded." });
   if (answer === null) return;
-  at("status").textContent = answer.refusal ?? ""; // why the pictures do not match the settings
+  at("status").textContent = answer.refusal ?? (leftOut.length ? `Not understood: ${leftOut.join(", ")}.` : ""); // why the pictures do not match
   document.body.classList.toggle("stale", Boolean(answer.refusal));
   if (answer.refusal) return;
   performance.measure("engine run", { start: asked_ms });
@@ -87,6 +91,7 @@ function goTo(to_s) {
 
 function use(wanted) {
   options = wanted;
+  leftOut = [];
   history.replaceState(null, "", addressOf(options));
   refresh();
 }
@@ -94,6 +99,7 @@ function use(wanted) {
 window.addEventListener("hashchange", () => {
   if (at(location.hash.slice(1))) return openTarget();
   options = settingsIn(location.hash);
+  leftOut = leftOutOf(location.hash);
   refresh();
 });
 for (const set of sets) at(set).addEventListener("change", () => use(inSet(options, set)));

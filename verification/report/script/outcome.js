@@ -2,6 +2,7 @@
 import { outcomes, results } from "./words.js";
 
 export const inKilonewton = (force_N) => `${(force_N / 1e3).toFixed(1)} kN`;
+const lasting = (time_s) => (time_s < 1 ? `${Number((1e3 * time_s).toPrecision(3))} ms` : `${time_s.toPrecision(3)} s`);
 const inSeconds = (time_s) => `${time_s.toFixed(4)} s`;
 
 export function sentence(summary) {
@@ -13,7 +14,7 @@ export function sentence(summary) {
       (peak_normal_force_N === null ? "." : `, and presses on the ring with up to ${inKilonewton(peak_normal_force_N)}.`));
   if (rolling_onset_s !== null)
     parts.push(`Rolling sets in at ${inSeconds(rolling_onset_s)}, ` +
-      `${Number((1e3 * (rolling_onset_s - first_contact_s)).toPrecision(3))} ms after the first contact.`);
+      `${lasting(rolling_onset_s - first_contact_s)} after the first contact.`);
   return parts.concat(summary.remarks.map((remark) => `Remark: ${remark}.`)).join(" ");
 }
 

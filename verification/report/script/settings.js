@@ -12,6 +12,10 @@ export function settingsIn(hash) {
   return options;
 }
 
+/// What an address has besides settings, such as friction=abc.
+export const leftOutOf = (hash) => [...new URLSearchParams(hash.slice(1))].filter(([option, text]) => text && !(option in settingsIn(hash)))
+  .map((setting) => setting.join("="));
+
 export const addressOf = (options) => "#" + new URLSearchParams(options);
 
 export const sets = ["published", "corrected"];

@@ -39,7 +39,7 @@ const steps = {
   roll: {
     panel: "velocity", guesses: "roll-answer", stops: [1, 10, 100, 1000],
     part: (run) => [run.summary.rolling_onset_s - 4e-3, run.summary.rolling_onset_s + 4e-3],
-    says: (run, corrected, now, value) => `${guessed(value)} times`,
+    says: (run, corrected, now, value) => (guessed(value) === 1 ? "once" : `${guessed(value)} times`),
   },
   force: {
     panel: "force", cases: losses.slice(1), names: atLoss, compares: true,
@@ -52,15 +52,18 @@ const steps = {
 class Stage {
   #rotor;
   #plots;
+  #curve;
   #key;
   constructor(figure) {
     const [rotor, curve] = figure.querySelectorAll("canvas");
+    this.#curve = curve;
     this.#key = figure.querySelector(".sets");
     this.#rotor = new RotorView(rotor, figure.querySelector(".now"));
     this.#plots = new Plots(curve);
   }
   show(picture, corrected, { panel, compares }, part) {
     this.#plots.panels = [stepPanels[panel]];
+    this.#curve.ariaLabel = `${stepPanels[panel].title} over time`;
     this.#plots.show(compares ? [picture, corrected] : [picture], part, part[0]);
     this.#key.hidden = !compares;
     this.#rotor.picture = picture;

@@ -2,7 +2,7 @@
 export const outcomes = {
  "no_contact": "does not touch the ring up to the end of the run",
  "undecided": "has not touched the ring so far, but contact is possible",
- "freed": "has touched the ring and is clear of it again",
+ "freed": "has touched the ring, and cannot reach it again at its speed",
  "bouncing": "bounces, and further contacts are possible",
  "sliding": "slides along the ring",
  "rolling": "has come to roll along the ring",
