@@ -1,6 +1,7 @@
 /// Limits of the cost of runs, in evaluations: unlike times they are the same on all machines. One
 /// takes some 300 instructions, and twice as many where the synchronous motion is subtracted, so
-/// that more of them can be worth less: a limit may rise if valgrind counts fewer instructions.
+/// that more of them can be worth less: a limit may rise if valgrind counts fewer instructions at
+/// the same error.
 #include <gtest/gtest.h>
 
 #include "model/results/summary.hpp"
@@ -45,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Cost{"run-up", 0.3, 99, 29.1, 35188, 0, 1},
                     Cost{"rub at mu = 0.3", 0.3, 29.1, 29.2, 17399, 16778, 20},
                     Cost{"rub at mu = 0.2", 0.2, 29.1, 29.35, 39505, 38359, 35},
-                    Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 22992, 19030, 121},
+                    Cost{"rub at mu = 0.08", 0.08, 29.1, 29.35, 23457, 19030, 121},
                     Cost{"no contact", 0.3, 9.4, 10.4, 5668, 0, 0}));
 
 // 13,600 rad of rotation: with steps that followed it, the numbers were 55,000 and 130,000.
@@ -76,7 +77,7 @@ TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
     return simulation.counters().right_hand_sides - run_up.counters().right_hand_sides;
   };
   EXPECT_LT(static_cast<double>(right_hand_sides(summary)),
-            1.1 * static_cast<double>(right_hand_sides(nobody)));
+            1.12 * static_cast<double>(right_hand_sides(nobody)));
 }
 
 }  // namespace
