@@ -10,7 +10,8 @@ for tolerance in "$own" $strict; do
     "$map" >"$name-$tolerance.toml"
   "$rotor" sweep "$name-$tolerance.toml" --force --out "$name-$tolerance.csv" >/dev/null 2>"$name.log" || { cat "$name.log" >&2; exit 1; }
 done
-paste -d, <(grep -v '^#' "$name-$own.csv") <(grep -v '^#' "$name-$strict.csv") | LC_ALL=C awk -F, -v own="$own" -v strict=$strict '
+without_texts() { sed '/^#/d; s/"[^"]*"/-/g' "$1"; }    # which may have commas
+paste -d, <(without_texts "$name-$own.csv") <(without_texts "$name-$strict.csv") | LC_ALL=C awk -F, -v own="$own" -v strict=$strict '
   NR == 1 { for (n = 1; n <= NF; ++n) if ($n == "outcome") place[++found] = n; next }
   { ++points; others += $place[1] != $place[2] }
   function power(of) { sub(/^1e/, "10^{", of); return of "}" }

@@ -13,7 +13,8 @@ cat <<'HEAD'
 # thirds of their ranges on a logarithmic scale, numbered from 0; the column boxes has their number and the worst one.
 equations,quantity,share_from,share_to,runs,q05,q25,median,q75,q95,agree,boxes
 HEAD
-cat "$@" | grep -v '^#' | awk -F, '
+# A text in quotes may have commas.
+cat "$@" | sed '/^#/d; s/"[^"]*"/-/g' | awk -F, '
   $1 ~ /^equations/ { delete column; for (i = 1; i <= NF; ++i) { column[$i] = i; heading[i] = $i }; next }
   function of(name) { return $column[name] }
   function row(quantity, from, to, ratio) { printf "%s,%s,%s,%s,%s\n", $1, quantity, from, to, ratio }
