@@ -32,7 +32,7 @@ do for [p = 0:3] {
   if (at_left) { unset colorbox } else {
     set colorbox user origin screen 0.86, graph 0 size screen 0.025, graph 1
   }
-  eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image pixels", \
-    first, first + panel - 1, at_bottom ? "standard_error" : "rolling_share")
+  eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image %s", \
+    first, first + panel - 1, at_bottom ? "standard_error" : "rolling_share", format eq "png" ? "" : "pixels")
 }
 unset multiplot

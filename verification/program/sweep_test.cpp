@@ -147,7 +147,7 @@ TEST_F(SweepCommand, IsComparedWithAnotherWhateverItsRemarksSay) {
         "[parameters]\nequations = \"corrected\"\nstart_speed_hz = 150\nuntil = 0.01\ntolerance = "
         "1e-8\n"
         "[[axis]]\nquantity = \"support_stiffness\"\nvalues = [1e3, 15e2]\n");
-  EXPECT_EQ(shell(ROTOR_SOURCES "/figures/maps/tolerance.sh $rotor m.toml .").output,
+  EXPECT_EQ(shell("\"" ROTOR_SOURCES "/figures/maps/tolerance.sh\" $rotor m.toml .").output,
             "tolerance 10^{-8}; at 10^{-11}, 0 % of 2 points have another outcome\n");
   EXPECT_TRUE(has(content("m-some-1e-8.csv"), ", which is not modelled\""));
 }
