@@ -62,8 +62,8 @@ if (shows eq "outcome") {
     result, result, data)))
   if (greatest > darkest) { set cbtics 1,10,0.1*darkest; set cbtics add (sprintf("%d and more", darkest) darkest) }
 }
-found = system(sprintf("awk -F, '!/^#/ && n++ { print $%d == \"\" ? \"%s\" : $%d }' '%s' | sort -u | tr '\n' ' '", \
-  result, shows eq "outcome" ? "stalled" : "none", result, data))
+found = system(sprintf("awk -F, '!/^#/ && n++ { print $%d == \"\" ? \"%s\" : %s }' '%s' | sort -u | tr '\n' ' '", \
+  result, shows eq "outcome" ? "stalled" : "none", shows eq "outcome" ? sprintf("$%d", result) : "0", data))
 top = 0.88; bottom = rows == 2 ? 0.2 : 0.33
 height = (top - bottom)/rows
 low = rows == 2 ? 0.03 : 0.06

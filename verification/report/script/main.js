@@ -15,7 +15,7 @@ const recorded = new Recorded(runs);
 const engine = isEmbedded() ? new Engine() : null;
 document.body.classList.toggle("has-engine", engine !== null);
 
-let options = settingsIn(location.hash), leftOut = leftOutOf(location.hash);
+let options = settingsIn(location.hash);
 let picture = null, others = [], playing = false, last_ms = null, time_s = 0;
 
 // ---- pictures
@@ -39,6 +39,7 @@ async function refresh() {
   const answer = recorded.answer(mine) ?? (engine ? await engine.ask(mine)
     : { refusal: "This page has no engine; make deps-explore explore embeds it. Only the pins of the map are recorded." });
   if (answer === null) return;
+  const leftOut = leftOutOf(location.hash);
   at("status").textContent = answer.refusal ?? (leftOut.length ? `Not understood: ${leftOut.join(", ")}.` : ""); // why the pictures do not match
   document.body.classList.toggle("stale", Boolean(answer.refusal));
   if (answer.refusal) return;
@@ -91,7 +92,6 @@ function goTo(to_s) {
 
 function use(wanted) {
   options = wanted;
-  leftOut = [];
   history.replaceState(null, "", addressOf(options));
   refresh();
 }
@@ -99,7 +99,6 @@ function use(wanted) {
 window.addEventListener("hashchange", () => {
   if (at(location.hash.slice(1))) return openTarget();
   options = settingsIn(location.hash);
-  leftOut = leftOutOf(location.hash);
   refresh();
 });
 for (const set of sets) at(set).addEventListener("change", () => use(inSet(options, set)));
