@@ -1,339 +1,179 @@
-# The front door: `make help` lists all targets. CMake builds, gnuplot draws.
+# The front door. CMake and Ninja know what each figure, map, page and table depends on; gnuplot draws.
+# `make help` prints the lines with two #.
 
-override SHELL := bash
-.SHELLFLAGS    := -eo pipefail -c
+# Options are those of the command line: `:=` ignores what is exported.
+FORMAT    := svg
+EQUATIONS := both
+FIG       :=
+POINTS    := 400
+CASES     :=
+ID        :=
+RUNS      := 1000
+SEED      := 1
+HAND      := 50
+COUNT     := 100
+UNDER     :=
+TESTS     :=
+PREFIX    := /usr/local
+CXX       := c++
 
-# Options are those of the command line. What is exported decides neither what is made nor what is tested.
-OPTIONS := FORMAT EQUATIONS FIG POINTS SEED HAND COUNT UNDER RUNS CASES ID TESTS PREFIX PYTHON CXX
-$(if $(findstring e,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),$(error make -e: exported variables must not replace those of the Makefile))
-$(foreach name,$(OPTIONS),$(if $(filter environment,$(origin $(name))),$(warning \
-  exported $(name)=$(value $(name)) is ignored; write make $(name)=... instead)$(eval unexport $(name))$(eval undefine $(name))))
-unexport $(filter GTEST_% ROTOR_%,$(.VARIABLES))
-
-FORMAT    ?= svg
-EQUATIONS ?= both
-FIG       ?=
-POINTS    ?= 400
-SEED      ?= 1
-HAND      ?= 50
-COUNT     ?= 100
-UNDER     ?=
-CASES     ?=
-RUNS      ?= 1000
-ID        ?=
-TESTS     ?=
-PREFIX    ?= /usr/local
-PYTHON    ?= $(firstword $(wildcard /usr/bin/python3) python3)
-
-# Options are text: neither make nor a shell runs what is in them. Other variables are no options.
-$(foreach name,$(OPTIONS),$(if $(filter command,$(origin $(name))),$(eval override $(name) := $$(strip $$(value $(name))))))
-$(foreach name,$(filter-out $(OPTIONS),$(shell sed -n 's/^ *\([A-Za-z_]*\) *[:?]*=.*/\1/p' Makefile)),$(if \
-  $(filter command,$(origin $(name))),$(error $(name) is not an option; options are: $(OPTIONS))))
-quote = '$(subst ','\'',$(1))'
-SCENES    := $(sort $(wildcard figures/paper/fig[0-9][0-9].toml))
-FIGURES   := $(SCENES:figures/paper/%.toml=%)
-
-# Another compiler builds in its own folder: make verify CXX=clang++
-BUILD := build
-ifneq ($(filter-out default undefined,$(origin CXX)),)
-  BUILD := build/$(notdir $(lastword $(filter-out -%,$(CXX))))
-  $(if $(shell [[ $(call quote,$(BUILD)) =~ ^build/[A-Za-z][A-Za-z0-9_.+-]*$$ ]] && echo yes),,$(error CXX=$(CXX): must end in the name of a compiler, such as clang++))
-  export CXX
-endif
-ROTOR := $(BUILD)/rotor
-
-# CMake or Ninja has no escape for these.
-hash := \#
-$(foreach char,; " \ [ ] * ? < > | & ' ` ^ $$ $(hash),$(if $(findstring $(char),$(CURDIR)),$(error The path of this checkout, $(CURDIR), has a $(char), which CMake or Ninja cannot handle; move the checkout)))
-
-# Misspelt options are reported before anything is built.
-one_of = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
+# Misspelt ones are refused before anything is built.
+OPTIONS := FORMAT EQUATIONS FIG POINTS CASES ID RUNS SEED HAND COUNT UNDER TESTS PREFIX CXX
+FIGURES := $(patsubst figures/paper/%.toml,%,$(sort $(wildcard figures/paper/fig[0-9][0-9].toml)))
+one_of   = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
+whole    = $(if $(shell echo '$($(1))' | grep -x '0\|[1-9][0-9]\{0,8\}'),,$(error $(1)=$($(1)): must be a whole number))
+figure   = $(or $(filter fig$(1) fig0$(1),$(FIGURES)),$(error FIG=$(FIG): must be among: $(FIGURES:fig%=%)))
+$(if $(findstring e,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),$(error make -e: what is exported must not replace options))
+$(foreach name,$(filter-out $(OPTIONS),$(.VARIABLES)),$(if $(filter command,$(origin $(name))), \
+  $(error $(name) is not an option; options are: $(OPTIONS))))
+$(foreach name,$(OPTIONS),$(foreach char,$$ ',$(if $(findstring $(char),$(value $(name))), \
+  $(error $(name)=$(value $(name)): must be without $(char)))))
 $(call one_of,FORMAT,svg pdf png)
-$(call one_of,EQUATIONS,both published corrected consistent)
-override EQUATIONS := $(EQUATIONS:consistent=corrected)
-NUMBERS := $(FIGURES:fig%=%)
-$(if $(filter-out $(NUMBERS) $(patsubst 0%,%,$(NUMBERS)),$(FIG)),$(error FIG=$(FIG): must be among: $(NUMBERS)))
-whole = $(if $(shell n=$(call quote,$($(1))); [[ $$n =~ ^(0|[1-9][0-9]{0,8})$$ && $$n -ge $(2) ]] && echo yes),,$(error \
-  $(1)=$($(1)): must be a whole number of at least $(2)))
-$(call whole,POINTS,20)$(call whole,SEED,0)$(call whole,HAND,0)$(call whole,COUNT,0)$(call whole,RUNS,1)
+$(call one_of,EQUATIONS,both published corrected)
+$(foreach name,POINTS RUNS SEED HAND COUNT,$(call whole,$(name)))
+$(if $(shell echo '$(CXX)' | grep -x '[A-Za-z0-9_./+ -]*[a-z]++[0-9.-]*'),,$(error CXX=$(CXX): must end in the name of a compiler, such as clang++))
 
-# Data of each set of equations are in a folder of its own, and there a picture of it alone; one of both is above.
-OUT    := $(BUILD)/figures
-SETS   := $(if $(filter both,$(EQUATIONS)),published corrected,$(EQUATIONS))
-DRAWN  := $(OUT)$(if $(filter-out both,$(EQUATIONS)),/$(EQUATIONS))
-ASKED  := $(if $(FIG),$(shell printf '%s\n' $(FIG) | awk '{ printf "fig%02d ", $$1 }'),$(FIGURES))
+# Another compiler than the system's builds in a folder of its own: make verify CXX=clang++
+BUILD := build$(if $(filter-out c++,$(CXX)),/$(notdir $(lastword $(CXX))))
+build  = figures/make/build.sh $(BUILD) $(filter -j%,$(MFLAGS))
+text   = '$(strip $($(1)))'
 
-# What `make deps` installs, and why.
-#   g++ cmake ninja-build     compiler and build
-#   libboost-dev              Odeint steppers, Math (automatic differentiation in tests)
-#   libeigen3-dev             plane vectors
-#   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev
-#                             command line, scene files, JSON summary, messages and CSV
-#   libgtest-dev              tests
-#   libkainjow-mustache-dev   templates of the reviewer's page
-#   gnuplot-nox fonts-dejavu-core
-#                             pictures, and the font in them
-PACKAGES := g++ cmake ninja-build libboost-dev libeigen3-dev libcli11-dev libtomlplusplus-dev \
-            nlohmann-json3-dev libfmt-dev libgtest-dev libkainjow-mustache-dev \
-            gnuplot-nox fonts-dejavu-core
-# The library that the benchmark compares with.
-BENCH_PACKAGES := libgsl-dev
-LINT_PACKAGES  := clang-format clang-tidy python3
-# The program that makes wrong changes needs only Python's standard library.
-MUTANTS_PACKAGES := python3
-# Another compiler; another processor, with a program that runs its programs here.
-CLANG_PACKAGES    := clang libclang-rt-dev
-PORTABLE_PACKAGES := g++-aarch64-linux-gnu qemu-user
-# A browser that checks the reviewer's page, Node.js to drive it, and a dictionary for its words. Node.js
-# from elsewhere includes npm and conflicts with Debian's.
-REPORT_PACKAGES = chromium hunspell hunspell-en-gb $(if $(shell command -v npm),,nodejs npm)
-# The engine in the page: a compiler for browsers, and the parser of its optimiser.
-EXPLORE_PACKAGES := emscripten node-acorn
-# Ball arithmetic with FLINT and Arb.
-PROVE_PACKAGES := libflint-dev libflint-arb-dev
-# A discrete-element code for granular media.
-VALIDATE_PACKAGES := liggghts
+# Pictures of one set of equations are in a folder of its own. An option names figures, or all are drawn.
+PLACE := figures$(if $(filter-out both,$(EQUATIONS)),/$(EQUATIONS))
+ASKED := $(if $(FIG),$(foreach number,$(FIG),$(call figure,$(number))),$(FIGURES))
 
-installed = $(shell dpkg-query -W -f='$${db:Status-Abbrev}$${Package}\n' $(1) 2>/dev/null | sed -n 's/^ii *//p')
-missing   = $(filter-out $(call installed,$(1)),$(1))
-define install
-	@if ! command -v apt-get >/dev/null; then \
-	  echo "This installs with apt-get, which this system does not have. Needed are the equivalents of:"; \
-	  echo "  $(1)"; exit 1; fi >&2
-	@missing="$(call missing,$(1))"; [ -z "$$missing" ] || { \
-	  sudo=$$([ $$(id -u) -eq 0 ] || echo sudo); $$sudo apt-get update -q; \
-	  $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $$missing; }
-endef
+.NOTPARALLEL: # `make -j4 deps figures` in this order: -j is for Ninja
+.PHONY: help deps build install figures $(FIGURES) maps claim verify report check-report explore check-explore engine approve \
+        dist lint sanitize races portable mutants bench-programs bench stress reference ensembles prove validate reasons \
+        contact-laws laws clean
 
-.DELETE_ON_ERROR:
-.DEFAULT_GOAL := help
-.PHONY: help deps need-deps program build install figures pictures $(FIGURES) approve reference ensembles reasons verify report \
-        check-report deps-report claim lint mutants deps-bench bench-programs maps map-theory bench deps-lint \
-        laws contact-laws deps-mutants deps-clang deps-portable deps-explore engine explore check-explore stress \
-        sanitize portable deps-prove prove deps-validate validate clean force
+## make TARGET
+##
+## First:
+help: ## list all targets
+	@sed -n 's/^## \?//p; s/^\([a-z%-]*\):.* ## /  \1\t/p' Makefile | sed 's/%/NAME/' | expand -t 18
 
-help: ## start: list all targets
-	@sed -n 's/^\([a-z0-9-]*\):.*## \([a-z]*\): \(.*\)/\2\t\1\t\3/p' Makefile | awk -F '\t' '\
-	  { lines[$$1] = lines[$$1] sprintf("  %-15s %s\n", $$2, $$3) } \
-	  END { print "make TARGET\n\nFirst:\n" lines["start"] "\nThe paper, its figures and claims:\n" lines["paper"] \
-	    "  figNN           redraw one figure: NN from $(firstword $(NUMBERS)) to $(lastword $(NUMBERS))\n" \
-	    "\nCompute again what is in reference-data:\n" lines["data"] "\nWork on the code:\n" lines["code"] }'
-	@echo "What these need beyond make deps: make deps-NAME, NAME being one of"
-	@echo "  $(sort $(patsubst deps-%:,%,$(shell grep -o '^deps-[a-z]*:' Makefile)))"
-	@echo
-	@echo "Options:"
-	@echo "  FORMAT=svg|pdf|png, EQUATIONS=published|corrected, FIG=\"3 4\"     for figures"
-	@echo "  POINTS=40 along each axis (default 400)                         for maps"
-	@echo "  CASES=\"mu 0.3\": accidents with this in their names             for validate"
-	@echo "  RUNS=100, drawn with SEED=7, to 3, 6, 9 and 12 digits           for stress"
-	@echo "  PREFIX=/usr/local, the default                                  for install"
-	@echo "  TESTS=\"Contact*\": tests with such names                         for sanitize"
-	@echo "  SEED=7 HAND=50 COUNT=100 UNDER=\"model figures\": which changes  for mutants"
+deps: ## install the Debian packages that are missing
+	@figures/make/packages.sh install $@
 
-deps: ## start: install the Debian packages that are missing
-	$(call install,$(PACKAGES))
-deps-bench: deps
-	$(call install,$(BENCH_PACKAGES))
-deps-lint: deps
-	$(call install,$(LINT_PACKAGES))
-deps-mutants: deps
-	$(call install,$(MUTANTS_PACKAGES))
-deps-clang: deps
-	$(call install,$(CLANG_PACKAGES))
-deps-portable: deps
-	$(call install,$(PORTABLE_PACKAGES))
+build: ## build build/rotor, with --digits, which make figures leaves out
+	@$(build) rotor
 
-deps-report: deps
-	$(call install,$(REPORT_PACKAGES))
-	@mkdir -p $(BUILD)/check-report && cp verification/report/package*.json $(BUILD)/check-report
-	@cd $(BUILD)/check-report && npm ci --ignore-scripts --no-audit --no-fund
+install: build ## install the program and what it needs: make install PREFIX=/opt/rotor
+	@cmake --install $(BUILD) --prefix $(call text,PREFIX) >/dev/null && echo $(call text,PREFIX)/bin/rotor
 
-deps-prove: deps
-	$(call install,$(PROVE_PACKAGES))
+figures: ## redraw Figs. 2-17 into build/figures
+	@$(build) --without-digits $(ASKED:%=$(PLACE)/%.$(FORMAT))
 
-deps-validate: deps
-	$(call install,$(VALIDATE_PACKAGES))
+verify: ## run all tests, and give the verdict on each claim
+	@$(build) all && verification/verify.sh $(BUILD)
 
-deps-explore: deps
-	$(call install,$(EXPLORE_PACKAGES))
+report: ## make the page, build/report/index.html: one file, no network
+	@$(build) page-parts && verification/report/report.sh $(BUILD)
 
-# On a system without dpkg, CMake and gnuplot report what is missing.
-need-deps: $(if $(filter deps,$(MAKECMDGOALS)),deps)
-	$(if $(shell mkdir -p $(BUILD) 2>/dev/null && test -w $(BUILD) && echo yes),,$(error $(BUILD): cannot be written))
-	@! command -v dpkg-query >/dev/null || \
-	for package in $(call missing,$(PACKAGES)); do \
-	  echo "Missing package: $$package (make deps installs it)"; missing=1; done >&2; \
-	[ -z "$$missing" ]
+clean: ## remove the folder build
+	rm -rf $(BUILD)
 
-# Silent unless there is something to do or to report. CMake runs again if packages have changed, and
-# `make -j1` runs one compiler. An optional program, $(2), needs $(3); what CMake knew of those is forgotten. Whether
-# rotor has digits stays as it is, unless $(4) is stated.
-home       = CMAKE_HOME_DIRECTORY:INTERNAL=
-elsewhere  = $(shell grep -s ^$(home) $(BUILD)/CMakeCache.txt | grep -vxF $(call quote,$(home)$(CURDIR)))
-configured = $(shell [ $(BUILD)/build.ninja -nt /var/lib/dpkg/status ] && [ $(BUILD)/build.ninja -nt CMakePresets.json ] && \
-  grep -qx ROTOR_WITH:STRING= $(BUILD)/CMakeCache.txt && grep -qx 'ROTOR_DIGITS:BOOL=$(or $(4),.*)' $(BUILD)/CMakeCache.txt && echo yes)
-define build-target
-	$(if $(elsewhere),$(error $(BUILD) was made for another path, $(patsubst $(home)%,%,$(elsewhere)); remove it: make clean))
-	$(if $(and $(2),$(shell command -v dpkg-query),$(call missing,$(3))),$(error Missing packages: $(call missing,$(3)) (make deps-$(2) installs them)))
-	$(if $(and $(if $(2),,all),$(configured)),,@log=$$(flock $(BUILD) cmake --preset release -B $(BUILD) -D ROTOR_WITH=$(2)$(4:%= -D ROTOR_DIGITS=%) -U 'GSL_*' 2>&1) || { \
-	  echo "$$log" >&2; $(if $(2),echo "Install $(3) anew for make $(2)." >&2; )exit 1; })
-	@flock $(BUILD) cmake --build $(BUILD) --target $(1) $(filter -j%,$(MFLAGS))| sed -u '/no work to do\|Re-checking/d'
-endef
+##
+## The paper, its figures and claims:
+maps: ## draw the four reasons for the accident as maps
+	@figures/make/maps.sh $(BUILD) $(POINTS) $(FORMAT) $(filter -j%,$(MFLAGS))
 
-program: need-deps
-	$(call build-target,rotor,,,$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
-build: program ## start: build build/rotor, with --digits, which make figures leaves out
-	$(call build-target,rotor,,,ON)
-$(ROTOR): program
-install: build ## start: install the program and what it needs: make install PREFIX=/opt/rotor
-	@cmake --install $(BUILD) --prefix $(call quote,$(PREFIX)) | sed -n 's/^-- [A-Z][a-z-]*: \(.*bin\/rotor\)$$/\1/p'
+claim: ## print all that is known about one claim: make claim ID=speed; or list them
+	@$(build) report-numbers && $(BUILD)/report-numbers reference-data claim $(call text,ID)
 
-figures: pictures ## start: redraw Figs. 2-17 into build/figures
-pictures: $(ASKED:%=$(DRAWN)/%.$(FORMAT))
-$(FIGURES): %: $(DRAWN)/%.$(FORMAT)
+explore: engine ## make the page with the engine: drag to rerun the accident
+	@$(build) page-parts && verification/report/report.sh $(BUILD) engine
 
-# One process computes all data of a set, in a fraction of a second, and so damaged data are replaced each time.
-# Unchanged data keep their time stamp, and their pictures are not drawn again.
-define compute_data
-	@mkdir -p $(@D) && new=$$(mktemp -d $(@D)/new.XXXXXX) && trap 'rm -rf "$$new"' EXIT && \
-	$(ROTOR) figure --out "$$new" --equations $(notdir $(@D)) 2>&1 | sed '/^data of .* written$$/d' >&2 && \
-	for file in "$$new"/*; do cmp -s "$$file" $(@D)/$${file##*/} || mv "$$file" $(@D)/; done
-endef
-$(foreach set,$(SETS),$(eval $(foreach end,csv var,$(FIGURES:%=$(OUT)/$(set)/%.$(end))) &: $(ROTOR) $(SCENES) force; $$(compute_data)))
+##   fig03           redraw one figure
+$(FIGURES):
+	@$(build) --without-digits $(PLACE)/$@.$(FORMAT)
 
-STYLE := $(filter-out figures/paper/fig%,$(wildcard figures/paper/*.gp))    # what figures share
-$(DRAWN)/%.$(FORMAT): $(foreach set,$(SETS),$(OUT)/$(set)/%.csv $(OUT)/$(set)/%.var) figures/paper/%.gp $(STYLE)
-	@figures/draw.sh $@ "$(foreach set,$(SETS),data_$(set) = '$(OUT)/$(set)/$*.csv';)" figures/paper/$*.gp
-$(DRAWN)/fig13.$(FORMAT) $(DRAWN)/fig14.$(FORMAT): reference-data/printed-inputs.csv reference-data/ensembles.csv
-figures/paper/%.gp:
-	$(if $(wildcard $@),,$(error The scene figures/paper/$*.toml has no script $@ that draws it))
+##
+## Compute again what is in reference-data:
+reference: ## high-precision.csv
+	@$(build) reference && $(BUILD)/reference reference-data/high-precision.csv
 
-# Maps of outcomes over two quantities, coarser ones in a subfolder. An interrupted sweep resumes.
-MAPS         := $(filter-out rounding,$(patsubst figures/maps/%.toml,%,$(wildcard figures/maps/*.toml)))
-MAP_OUT      := $(BUILD)/maps$(if $(filter-out 400,$(POINTS)),/$(POINTS))
-MAP_PICTURES := $(foreach map,$(MAPS),$(MAP_OUT)/$(map)-outcome.$(FORMAT) $(MAP_OUT)/$(map)-force.$(FORMAT))
-maps: $(MAP_PICTURES) $(MAP_OUT)/rounding.$(FORMAT) ## paper: draw the four reasons for the accident as maps (minutes)
-.SECONDARY: $(foreach map,$(MAPS) rounding,$(foreach end,.toml .csv -theory.csv -tolerance.txt,$(MAP_OUT)/$(map)$(end)))
-map-theory: build
-	$(call build-target,map-theory)
-$(BUILD)/map-theory: map-theory
+ensembles: ## ensembles.csv: claims over the rounding of inputs, or one ID
+	@$(build) ensembles && $(BUILD)/ensembles reference-data 1000 \
+	  $(if $(ID),$(call text,ID),$(if $(filter-out 1,$(SEED)),seed $(SEED) $(BUILD)/ensembles-$(SEED).csv))
 
-# A map with an ensemble at each point has a tenth of the points, but at least ten.
-$(MAP_OUT)/%.toml: figures/maps/%.toml
-	@mkdir -p $(@D); sed -e 's/^points = 400$$/points = $(POINTS)/;t' -e "s/^points = 40$$/points = $$(($(POINTS) < 100 ? 10 : $(POINTS) / 10))/" $< > $@
-$(MAP_OUT)/%.csv: $(MAP_OUT)/%.toml $(ROTOR)
-	@$(ROTOR) sweep $< --force --out $@
-# The lines of a coarse map are as fine as those of a full one.
-$(MAP_OUT)/%-theory.csv: figures/maps/%.toml $(BUILD)/map-theory
-	@mkdir -p $(@D); $(BUILD)/map-theory $< > $@
-$(MAP_OUT)/%-tolerance.txt: figures/maps/%.toml figures/maps/tolerance.sh $(ROTOR)
-	@mkdir -p $(@D); figures/maps/tolerance.sh $(ROTOR) $< $(@D) > $@
-$(MAP_OUT)/rounding-shares.csv: $(MAP_OUT)/rounding.csv figures/maps/shares.awk
-	@awk -f figures/maps/shares.awk $< > $@
-MAP_STYLE := figures/maps/map.gp $(STYLE)
-$(MAP_OUT)/%-outcome.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv $(MAP_OUT)/%-tolerance.txt figures/maps/%.gp $(MAP_STYLE)
-	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; note = '$(word 3,$^)'; shows = 'outcome'" figures/maps/$*.gp figures/maps/map.gp
-$(MAP_OUT)/%-force.$(FORMAT): $(MAP_OUT)/%.csv $(MAP_OUT)/%-theory.csv $(MAP_OUT)/%-tolerance.txt figures/maps/%.gp $(MAP_STYLE)
-	@figures/draw.sh $@ "data = '$<'; theory = '$(word 2,$^)'; note = '$(word 3,$^)'; shows = 'force'" figures/maps/$*.gp figures/maps/map.gp
-$(MAP_OUT)/rounding.$(FORMAT): $(MAP_OUT)/rounding-shares.csv $(MAP_OUT)/rounding-tolerance.txt figures/maps/rounding.gp $(STYLE)
-	@figures/draw.sh $@ "data = '$<'; note = '$(word 2,$^)'" figures/maps/rounding.gp
+prove: ## proven.csv: the accident by ball arithmetic
+	@$(build) --with prove prove prover-tests && verification/tests.sh $(BUILD) prover-tests && \
+	  verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
-verify: build ## start: run all tests, and give the verdict on each claim
-	$(call build-target,all)
-	@verification/verify.sh $(BUILD)
+validate: ## independent.csv: accidents by an independent code
+	@$(build) --with validate validate rotor && verification/validation/validate.sh $(BUILD) $(call text,CASES)
 
-verify-%: build # the tests of one folder, such as verify-equations
-	$(call build-target,verify-$* map-theory accident)
-	@verification/tests.sh $(BUILD) verify-$*
+reasons: ## reasons-tried.csv: reasons for the accident on 5000 rotors
+	@$(build) reasons && $(BUILD)/reasons reference-data 1000
 
-claim: build ## paper: print all that is known about one claim: make claim ID=speed; or list them
-	$(call build-target,report-numbers)
-	@$(BUILD)/report-numbers reference-data claim $(call quote,$(ID))
+contact-laws: ## contact-laws.csv: other laws of the ring, with a picture
+	@$(build) contact-laws rotor && verification/paper/contact_laws.sh $(BUILD)
 
-# With the engine where that is asked for, so that it is never an older one.
-ENGINE := $(if $(filter explore check-explore,$(MAKECMDGOALS)),engine)
-report: build | $(ENGINE) ## start: make the page, build/report/index.html: one file, no network
-	$(call build-target,report-page report-numbers map-theory)
-	@$(MAKE) --no-print-directory -s pictures FORMAT=svg FIG= EQUATIONS=both
-	@verification/report/report.sh $(BUILD) $(ENGINE)
-check-report: report ## code: check the page in a browser, its links and its spelling
+laws: ## laws.csv: the closed forms on 50,000 rotors, with a picture
+	@$(build) law-accuracy rotor && verification/paper/laws.sh $(BUILD)
+
+##
+## Work on the code:
+verify-%: ## run the tests of one folder, such as verify-equations
+	@$(build) $@ && verification/tests.sh $(BUILD) $@
+
+check-report: report ## check the page in a browser, its links and its spelling
 	@verification/report/check.sh $(BUILD)
 
-approve: build ## code: rewrite approved texts and tables; read the change
-	$(call build-target,verification)
-	@ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
+check-explore: explore ## check the page with the engine, compared with the program
+	@verification/report/check.sh $(BUILD)
 
-lint: need-deps ## code: check the format, and look for mistakes with clang-tidy
-	@verification/lint.sh $(BUILD)
+engine: # for the page
+	@figures/make/packages.sh check deps && verification/report/engine/build.sh $(BUILD)
 
-sanitize: need-deps ## code: run the tests with sanitizers
-	@cmake --preset sanitize -B $(BUILD)/sanitize >$(BUILD)/sanitize.log 2>&1 || { cat $(BUILD)/sanitize.log >&2; exit 1; }
-	@cmake --build $(BUILD)/sanitize --target verification
-	@verification/tests.sh $(BUILD)/sanitize verification$(if $(TESTS), $(call quote,$(TESTS)))
+approve: ## rewrite approved texts and tables; read the change
+	@$(build) verification && ROTOR_APPROVE=1 $(BUILD)/verification --gtest_brief=1 --gtest_filter='*Approved*' && git diff --stat
 
-engine: need-deps
-	@verification/report/engine/build.sh $(BUILD)
-explore: engine report ## paper: make the page with the engine: drag to rerun the accident
+lint: ## check the format, and look for mistakes with clang-tidy
+	@figures/make/packages.sh check deps && verification/lint.sh $(BUILD)
 
-check-explore: explore check-report ## code: check the page with the engine, compared with the program
+sanitize: ## run the tests with sanitizers
+	@figures/make/build.sh $(BUILD)/sanitize --preset sanitize verification && \
+	  verification/tests.sh $(BUILD)/sanitize verification $(call text,TESTS)
 
-portable: build ## code: build for another processor, and compare to the last bit
+races: ## look for data races between the threads of a sweep
+	@figures/make/build.sh $(BUILD)/races --preset races verify-threads && verification/races.sh $(BUILD)/races
+
+portable: build ## build for another processor, and compare to the last bit
 	@verification/program/portable.sh $(BUILD)
 
-mutants: need-deps ## code: break the program in ways that tests must notice (minutes)
-	@$(call quote,$(PYTHON)) -B verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call quote,$(UNDER))
+dist: explore figures maps ## make one archive: this commit, the page, figures and maps
+	@figures/make/dist.sh $(BUILD) $(POINTS) $(FORMAT)
 
-reference: build ## data: high-precision.csv (minutes)
-	$(call build-target,reference)
-	@$(BUILD)/reference reference-data/high-precision.csv
+mutants: ## break the program in ways that tests must notice
+	@figures/make/packages.sh check deps && verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call text,UNDER)
 
-ensembles: build ## data: ensembles.csv: claims over the rounding of inputs (minutes), or one ID
-	$(call build-target,ensembles)
-	@$(BUILD)/ensembles reference-data 1000 $(if $(ID),$(call quote,$(ID)),$(if $(filter-out 1,$(SEED)),seed $(SEED) $(BUILD)/ensembles-$(SEED).csv))
+bench-programs: ## build the programs of make bench, stress and reference
+	@$(build) --with bench benchmark random-rotors reference random-digits
 
-prove: need-deps ## data: proven.csv: the accident by ball arithmetic (minutes)
-	$(call build-target,prove prover-tests,prove,$(PROVE_PACKAGES))
-	@$(BUILD)/prover-tests --gtest_brief=1
-	@verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
+bench: bench-programs ## measure run time against error of each method, and draw it
+	@verification/benchmark/bench.sh $(BUILD)
 
-# With CASES nothing outside build is written.
-validate: build ## data: independent.csv: accidents by an independent code (minutes)
-	$(if $(and $(shell command -v dpkg-query),$(call missing,$(VALIDATE_PACKAGES))),$(error Missing packages: $(call missing,$(VALIDATE_PACKAGES)) (make deps-validate installs them)))
-	$(call build-target,validate)
-	@mkdir -p $(BUILD)/validation
-	@$(BUILD)/validate $(BUILD)/validation $(if $(CASES),$(BUILD)/validation/cases.csv $(call quote,$(CASES)),reference-data/independent.csv)
-	@$(ROTOR) run --equations corrected --from 29.1 --until 29.1344 --columns time_s,normal_force_N \
-	  --trace $(BUILD)/validation/engine.csv >/dev/null
-	@figures/draw.sh $(if $(CASES),$(BUILD)/validation,verification/validation)/validation.svg \
-	  "folder = '$(BUILD)/validation'" verification/validation/validation.gp
+stress: ## test 5,000 random rotors and estimated digits
+	@$(build) random-rotors random-digits && verification/robustness/stress.sh $(BUILD) $(RUNS) $(SEED)
 
-reasons: build ## data: reasons-tried.csv: reasons for the accident on 5000 rotors
-	$(call build-target,reasons)
-	@$(BUILD)/reasons reference-data 1000
+##
+## What these need beyond make deps, such as make deps-lint:
+deps-%: ## install those of deps-NAME in figures/make/packages.txt
+	@figures/make/packages.sh install $@ deps
 
-contact-laws: build ## data: contact-laws.csv: other laws of the ring, with a picture (minutes)
-	$(call build-target,contact-laws)
-	@$(BUILD)/contact-laws reference-data 100
-	@verification/paper/contact_laws.sh $(ROTOR) $(BUILD)/contact-laws-traces
+deps-report: deps
+	@verification/report/install.sh $(BUILD)
 
-laws: build ## data: laws.csv: the closed forms on 10,000 rotors, with a picture
-	@mkdir -p $(BUILD)/laws && $(ROTOR) sweep verification/paper/laws.toml --force --out $(BUILD)/laws/laws.csv
-	@$(ROTOR) sweep verification/paper/region.toml --force --out $(BUILD)/laws/region.csv
-	@verification/paper/laws.sh $(BUILD)/laws/laws.csv $(BUILD)/laws/region.csv > $(BUILD)/laws/quantiles.csv
-	@mv $(BUILD)/laws/quantiles.csv reference-data/laws.csv
-	@figures/draw.sh model/theory/parity.svg "data = '$(BUILD)/laws/laws.csv'" verification/paper/laws.gp
-
-bench-programs: build ## code: build the programs of make bench, stress and reference
-	$(call build-target,benchmark random-rotors reference random-digits,bench,$(BENCH_PACKAGES))
-bench: bench-programs ## code: measure run time against error of each method, and draw it
-	@mkdir -p $(BUILD)/bench && $(BUILD)/benchmark $(BUILD)/bench
-	@figures/draw.sh verification/benchmark/work-precision.svg "data = '$(BUILD)/bench/work-precision.csv'" \
-	  verification/benchmark/work-precision.gp
-
-stress: build ## code: test 5,000 random rotors and estimated digits (minutes)
-	$(call build-target,random-rotors random-digits)
-	@mkdir -p $(BUILD)/stress-results && $(BUILD)/random-rotors 5000 $(BUILD)/stress-results
-	@$(BUILD)/random-digits $(RUNS) $(SEED)
-
-clean: ## start: remove the folder build
-	rm -rf $(BUILD)
+##
+## Options:
+##   FORMAT=svg|pdf|png, EQUATIONS=published|corrected, FIG="3 4"    for figures
+##   FORMAT=svg|pdf|png, POINTS=40 along each axis (default 400)     for maps, dist
+##   CASES="mu 0.3": accidents with this in their names              for validate
+##   RUNS=100, drawn with SEED=7, to 3, 6, 9 and 12 digits           for stress
+##   PREFIX=/usr/local, the default                                  for install
+##   TESTS="Contact*": tests with such names                         for sanitize
+##   SEED=7 HAND=50 COUNT=100 UNDER="model figures": which changes   for mutants
+##   CXX=clang++: another compiler, in build/clang++                 for all that is built

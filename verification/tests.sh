@@ -7,7 +7,8 @@ build=$1 program=$2
 results=$build/report/${program/#verification/tests}
 mkdir -p "$build/report"
 rm -f "$results"-*.json
-# The plainest locale: nothing may depend on that of the user.
+# Nothing may depend on what the user exports: which tests run, how, and in which locale.
+unset "${!GTEST_@}" "${!ROTOR_@}"
 export LC_ALL=C GTEST_TOTAL_SHARDS=$(nproc) GTEST_BRIEF=1
 pids=()
 for ((shard = 0; shard < GTEST_TOTAL_SHARDS; ++shard)); do

@@ -9,6 +9,21 @@
 #include "figures/data/text.hpp"
 
 namespace rotor {
+namespace {
+
+/// A line that no spreadsheet takes for a formula where it splits the line.
+std::string without_formulas(std::string_view text) {
+  std::string line;
+  for (const char c : one_line(text)) {
+    if (begins_formula(c) && (line.ends_with(',') || line.ends_with(';'))) line += ' ';
+    line += c;
+  }
+  return line;
+}
+
+}  // namespace
+
+bool begins_formula(char c) { return contains(std::string_view("=+-@"), c); }
 
 std::string csv_field(std::string_view text) {
   const bool plain = std::none_of(text.begin(), text.end(), [](char c) {
@@ -23,7 +38,7 @@ std::string csv_field(std::string_view text) {
 std::string csv_head(const std::vector<std::string>& provenance,
                      const std::vector<std::string_view>& headings) {
   std::string head;
-  for (const std::string& line : provenance) head += "# " + one_line(line) + '\n';
+  for (const std::string& line : provenance) head += "# " + without_formulas(line) + '\n';
   return head + fmt::format("{}\n", fmt::join(headings, ","));
 }
 

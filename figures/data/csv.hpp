@@ -32,6 +32,9 @@ struct NamedTable {
   Table table;
 };
 
+/// Whether spreadsheets take a field that begins so for a formula.
+bool begins_formula(char c);
+
 /// A text as a field, in quotes if it needs them.
 std::string csv_field(std::string_view text);
 

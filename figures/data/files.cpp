@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -57,15 +57,26 @@ void remove_if_abandoned(const fs::path& draft) {
 }  // namespace
 
 std::string read_file(const fs::path& file, std::size_t most) {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
+  // A stream of C++ would wait for a pipe's writer even if it is interrupted.
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rbe"),
+                                                               std::fclose);
   std::string text(most, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(most));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (!stream.is_open() || stream.bad())
+  if (stream) text.resize(std::fread(text.data(), 1, most, stream.get()));
+  if (stream && std::ferror(stream.get()) == 0) return text;
+  if (is_interrupted()) throw Interrupted();
+  throw std::runtime_error(
+      fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+}
+
+std::string name_made_from(const fs::path& file, std::string_view ending) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  const std::string absolute = fs::absolute(file, error).string();
+  if ((fs::exists(status) && !fs::is_regular_file(status)) || absolute.starts_with("/dev/") ||
+      absolute.starts_with("/proc/"))
     throw std::runtime_error(
-        fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  return text;
+        fmt::format("--out: must be stated, because {} has no name of its own", shown(absolute)));
+  return file.stem().string().append(ending);
 }
 
 bool is_at(int descriptor, const fs::path& path) {
@@ -189,6 +200,7 @@ void OutputFile::fail(std::string_view reason) const {
 
 void OutputFile::fail_by_errno() const {
   if (errno == EINTR && is_interrupted()) throw Interrupted();
+  if (errno == EPIPE && is_standard_output(named_)) throw ReaderGone();
   fail(std::strerror(errno));
 }
 

@@ -9,15 +9,19 @@
 
 namespace rotor {
 
-/// The content of a file, but not more than the given number of bytes. Throws std::runtime_error
-/// with the file and the reason.
+/// The content of a file, or of a pipe until its end, but not more than the given number of bytes.
+/// Throws std::runtime_error with the file and the reason; Interrupted.
 std::string read_file(const std::filesystem::path& file, std::size_t most);
+
+/// The name of what is made from a file, in the present folder, unless another is stated. Throws
+/// std::runtime_error if the file has no name of its own, such as a pipe.
+std::string name_made_from(const std::filesystem::path& file, std::string_view ending);
 
 /// A file that is being written. A regular file is written as a draft in the same folder, which
 /// replaces it, with its mode, on commit. Until then no existing file changes; without a commit the
 /// draft is removed; if the process is killed, by the next one that writes this file. Links are
 /// followed; folders are not created. A device, a pipe or "-", which is standard output, is written
-/// directly. Throws std::runtime_error with the file and the reason.
+/// directly. Throws std::runtime_error with the file and the reason; ReaderGone.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);

@@ -20,4 +20,7 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted; no file has been written") {}
 };
 
+/// Nobody reads standard output any more: there is nothing left to do or to say.
+struct ReaderGone : Interrupted {};
+
 }  // namespace rotor

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <regex>
 
 #include "model/digits/digits.hpp"
 #include "model/mechanics/contact_law.hpp"
@@ -14,51 +13,57 @@
 namespace rotor {
 namespace {
 
-constexpr std::string_view mass_loss_speed = "mass_loss_speed_hz", start_speed = "start_speed_hz";
-constexpr double unbounded = -std::numeric_limits<double>::infinity();
+constexpr std::string_view mass_loss_speed = "mass_loss_speed_Hz", start_speed = "start_speed_Hz";
+constexpr double greatest_rpm = 60 * greatest_speed;
 
 constexpr std::array alternatives = {
-    InputQuantity{{"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, 0},
-                  "stator_radius"},
+    InputQuantity{
+        {"clearance", "r_a - r", "m", "clearance between rotor and ring", nullptr, least_positive},
+        "stator_radius"},
     InputQuantity{{"lost_mass", "m_u", "kg",
-                   "lost mass (from the rim, opposite to the eccentricity)", nullptr, 0, true},
+                   "lost mass (from the rim, opposite to the eccentricity)", nullptr, 0},
                   "unbalance_factor"},
-    InputQuantity{{mass_loss_speed, "f_1", "Hz", "speed at the mass loss", nullptr, 0},
+    InputQuantity{{mass_loss_speed, "f_1", "Hz", "speed at the mass loss", nullptr, least_positive,
+                   greatest_speed},
                   "mass_loss_time"},
-    InputQuantity{
-        {"mass_loss_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0},
-        mass_loss_speed},
-    InputQuantity{
-        {"motor_off_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0, true},
-        "motor_off_hz"},
-    InputQuantity{
-        {"start_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0, true},
-        start_speed}};
+    InputQuantity{{"mass_loss_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr,
+                   least_positive, greatest_rpm},
+                  mass_loss_speed},
+    InputQuantity{{"motor_off_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0,
+                   greatest_rpm},
+                  "motor_off_Hz"},
+    InputQuantity{{"start_speed_rpm", "", "rpm", "the same in revolutions per minute", nullptr, 0,
+                   greatest_rpm},
+                  start_speed}};
 
 /// Together they are instead of the steady response; those that are not stated are 0.
 constexpr std::array numbers_of_start = {
     InputQuantity{{"start_x", "", "m", "O at the start, down, instead of the steady response",
-                   nullptr, unbounded},
+                   nullptr, -greatest_number},
                   "",
                   &Start::x},
-    InputQuantity{{"start_y", "", "m", "the same to the side", nullptr, unbounded}, "", &Start::y},
     InputQuantity{
-        {"start_velocity_x", "", "m/s", "velocity of O at the start, down", nullptr, unbounded},
-        "",
-        &Start::velocity_x},
-    InputQuantity{{"start_velocity_y", "", "m/s", "the same to the side", nullptr, unbounded},
+        {"start_y", "", "m", "the same to the side", nullptr, -greatest_number}, "", &Start::y},
+    InputQuantity{{"start_velocity_x", "", "m/s", "velocity of O at the start, down", nullptr,
+                   -greatest_speed, greatest_speed},
+                  "",
+                  &Start::velocity_x},
+    InputQuantity{{"start_velocity_y", "", "m/s", "the same to the side", nullptr, -greatest_speed,
+                   greatest_speed},
                   "",
                   &Start::velocity_y}};
 
-constexpr const char* state_one = "{} and {}: one determines the other; state one of them";
+[[noreturn]] void refuse_both(std::string_view one, std::string_view other) {
+  throw ScenarioError({Mention{std::string(one)}, " and ", Mention{std::string(other)},
+                       ": one determines the other; state one of them"});
+}
 
-/// With speeds in Hz only. Throws InputError if one is stated in both units.
+/// With speeds in Hz only. Throws ScenarioError if one is stated in both units.
 ScenarioSpec with_speeds_in_Hz(ScenarioSpec spec) {
   for (const InputQuantity& input : alternatives)
     if (input.quantity.unit == "rpm")
       if (auto stated = spec.numbers.extract(std::string(input.quantity.name))) {
-        if (spec.numbers.contains(input.instead_of))
-          throw InputError(state_one, stated.key(), input.instead_of);
+        if (spec.numbers.contains(input.instead_of)) refuse_both(stated.key(), input.instead_of);
         stated.key() = input.instead_of;
         stated.mapped() /= 60;
         spec.numbers.insert(std::move(stated));
@@ -78,7 +83,8 @@ std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
 
 void state_lost_mass(Parameters& p, double lost_mass) {
   if (!(lost_mass < p.mass))
-    throw InputError("lost_mass = {} kg: must be less than mass = {} kg", lost_mass, p.mass);
+    throw ScenarioError({Mention{"lost_mass", fmt::format("{} kg", lost_mass)},
+                         ": must be less than ", Mention{"mass", fmt::format("{} kg", p.mass)}});
   p.lost_mass = lost_mass;
   p.unbalance_factor =  // that of a balanced rotor would be infinite
       lost_mass > 0 && p.eccentricity > 0 ? MassLoss<double>::unbalance_factor(p) : 1;
@@ -92,13 +98,14 @@ Scenario numbers_of(const ScenarioSpec& stated) {
   for (const InputQuantity& input : input_quantities())  // the others are checked in the scenario
     if (const auto value = number(stated, input.quantity.name);
         value && !input.quantity.in && !input.quantity.allows(*value))
-      throw InputError("{} = {}: must be {}", input.quantity.name, *value, input.quantity.range());
+      throw ScenarioError({input.quantity.with(*value), ": must be " + input.quantity.range()});
   const ScenarioSpec spec = with_speeds_in_Hz(stated);
   for (const InputQuantity& s : input_quantities())
     if (!s.instead_of.empty() && number(spec, s.quantity.name) && number(spec, s.instead_of))
-      throw InputError(state_one, s.quantity.name, s.instead_of);
+      refuse_both(s.quantity.name, s.instead_of);
   if (spec.digits && number(spec, "tolerance"))
-    throw InputError("digits and tolerance: the first determines the second; state one of them");
+    throw ScenarioError({Mention{"digits"}, " and ", Mention{"tolerance"},
+                         ": the first determines the second; state one of them"});
   Scenario scenario;
   for (const Quantity& quantity : quantities())
     if (const auto value = number(spec, quantity.name)) quantity.in(scenario) = *value;
@@ -109,19 +116,15 @@ Scenario numbers_of(const ScenarioSpec& stated) {
     }
   Parameters& p = scenario.parameters;
   p.drive = spec.drive.value_or(p.drive);
-  if (p.drive == Drive::constant_speed) {
-    if (number(spec, mass_loss_speed))
-      throw InputError("drive = constant_speed and {}: state mass_loss_time instead",
-                       mass_loss_speed);
-    p.torque = 0;  // which holds the speed is not known beforehand
-  }
+  if (p.drive == Drive::constant_speed && number(spec, mass_loss_speed))
+    throw ScenarioError({Mention{"drive", "constant_speed"}, " and ",
+                         Mention{std::string(mass_loss_speed)}, ": state mass_loss_time instead"});
   p.loses_mass = spec.loses_mass.value_or(true);
   scenario.equations = equations_of(spec);
   scenario.method = spec.method.value_or(scenario.method);
   if (spec.digits && scenario.method == Method::rk4)
-    throw InputError(
-        "digits and method = rk4: only event can estimate digits; rk4 is of first order at "
-        "contacts");
+    throw ScenarioError({Mention{"digits"}, " and ", Mention{"method", "rk4"},
+                         ": only event can estimate digits; rk4 is of first order at contacts"});
 
   if (const auto clearance = number(spec, "clearance")) {
     p.clearance = *clearance;
@@ -133,8 +136,11 @@ Scenario numbers_of(const ScenarioSpec& stated) {
   const auto until = number(spec, "until");
   if (!p.loses_mass) {
     for (const auto& [name, value] : stated.numbers)
-      if (states_mass_loss(name)) throw InputError("{} and no_mass_loss: state one of them", name);
-    if (!until) throw InputError("no_mass_loss: until, the end of the run, must be stated");
+      if (states_mass_loss(name))
+        throw ScenarioError(
+            {Mention{name}, " and ", Mention{"no_mass_loss"}, ": state one of them"});
+    if (!until)
+      throw ScenarioError({Mention{"no_mass_loss"}, ": until, the end of the run, must be stated"});
   } else if (at_speed || (scenario.start_speed_Hz > 0 && !number(spec, "mass_loss_time"))) {
     p.mass_loss_time = 0;
   }
@@ -232,14 +238,13 @@ Scenario stated_scenario(const ScenarioSpec& spec) {
   Scenario scenario = numbers_of(spec);
   check(scenario);
   if (const auto speed = number(with_speeds_in_Hz(spec), mass_loss_speed)) {
+    const Mention at_loss = find_input_quantity(mass_loss_speed)->quantity.with(*speed);
     if (*speed < scenario.start_speed_Hz)
-      throw InputError("{} = {} Hz: must not be less than {} = {} Hz", mass_loss_speed, *speed,
-                       start_speed, scenario.start_speed_Hz);
+      throw ScenarioError({at_loss, ": must not be less than ", mention_of(scenario, start_speed)});
     if (spec.digits && *speed == scenario.parameters.motor_off_Hz)
-      throw InputError(
-          "digits and {} = {} Hz: the mass loss and the end of the drive, at motor_off_hz, "
-          "coincide; state mass_loss_time",
-          mass_loss_speed, *speed);
+      throw ScenarioError({Mention{"digits"}, " and ", at_loss,
+                           ": the mass loss and the end of the drive, at ", Mention{"motor_off_Hz"},
+                           ", coincide; state mass_loss_time"});
     scenario.mass_loss_speed_Hz = *speed;
   }
   return scenario;
@@ -247,36 +252,25 @@ Scenario stated_scenario(const ScenarioSpec& spec) {
 
 void check_numbers(const ScenarioSpec& spec) { check_numbers(numbers_of(spec)); }
 
-std::string as_stated(std::string message, const ScenarioSpec& spec) {
-  for (const auto& [name, value] : spec.numbers) {
-    const InputQuantity& input = *find_input_quantity(name);
-    const std::string follows(input.instead_of);
-    if (follows.empty() || follows == "mass_loss_time" || spec.numbers.contains(follows)) continue;
-    const std::string_view unit = find_input_quantity(follows)->quantity.unit;
-    const std::regex named(
-        fmt::format("\\b{}\\b( = [^ ,:;]+{}{})?", follows, unit.empty() ? "" : " ", unit));
-    message = std::regex_replace(message, named,
-                                 fmt::format("{} = {} {}", name, value, input.quantity.unit));
-  }
+std::string default_end_in_words() {
+  return fmt::format("{} s after the mass loss", default_rub_s);
+}
+
+Message as_stated(Message message, const ScenarioSpec& spec) {
+  for (Message::Part& part : message.parts)
+    if (auto* const input = std::get_if<Mention>(&part))
+      for (const auto& [name, value] : spec.numbers) {
+        const InputQuantity& stated = *find_input_quantity(name);
+        if (stated.instead_of == input->name && !spec.numbers.contains(input->name)) {
+          *input = stated.quantity.with(value);
+          break;
+        }
+      }
   return message;
 }
 
-std::vector<std::string> inputs_named(const std::string& message) {
-  static const std::regex name("([a-z_]+)( =|:| and )");
-  std::vector<std::string> all;
-  for (std::sregex_iterator at(message.begin(), message.end(), name), end; at != end; ++at)
-    all.push_back((*at)[1]);
-  return all;
-}
-
-bool is_own_rotor(const ScenarioSpec& stated) {
-  const auto states = [&](const char* name) { return stated.numbers.contains(name); };
-  return states("mass") || states("inertia") || states("rotor_radius");
-}
-
 Equations equations_of(const ScenarioSpec& stated) {
-  const Equations usual = is_own_rotor(stated) ? Equations::corrected : Scenario{}.equations;
-  const Equations all = stated.equations.value_or(usual);
+  const Equations all = stated.equations.value_or(Scenario{}.equations);
   return {stated.velocity_jump.value_or(all.velocity_jump),
           stated.gravity_moment.value_or(all.gravity_moment)};
 }
@@ -289,17 +283,20 @@ std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
   const bool is_driven = stated.drive != Drive::constant_speed;
   const bool loses_mass = stated.loses_mass.value_or(true);
   std::vector<std::string> all;
+  bool is_other = false;
   for (const Quantity& quantity : quantities()) {
     const std::string_view name = quantity.name;
-    if (name == start_speed) break;                           // from here on they are of the run
+    if (name == start_speed) break;  // from here on they are of the run
+    is_other = is_other || is_stated(name);
     if (quantity.of(Scenario{}) == quantity.least) continue;  // the paper leaves that out
     const bool matters = name == "unbalance_factor" ? loses_mass
                          : name == "mass_loss_time" ? loses_mass && !is_stated(start_speed)
-                         : name == "motor_off_hz"   ? is_driven && number(stated, "torque") != 0.
+                         : name == "motor_off_Hz"   ? is_driven && number(stated, "torque") != 0.
                          : name == "torque" || name == "inertia" ? is_driven
                                                                  : name != "gravity";
-    if (matters && !is_stated(name)) all.push_back(quantity.text(Scenario{}));
+    if (matters && !is_stated(name)) all.push_back(mention_of(Scenario{}, name).text());
   }
+  if (!is_other) all.clear();
   return all;
 }
 
@@ -308,13 +305,9 @@ std::span<const NamedInput> named_inputs() {
   using Text = std::string_view;
   constexpr Scenario standard{};
   static constexpr std::array all = {
-      NamedInput{
-          "equations", name_of(standard.equations),
-          "published (as printed: twice, whole) or corrected (once, balanced): the default for a "
-          "rotor that states its mass, inertia or rotor radius",
-          [](Spec& s, Text name) {
-            s.equations = parse_name<Equations>(name == "consistent" ? "corrected" : name);
-          }},
+      NamedInput{"equations", name_of(standard.equations),
+                 "published (as printed: twice, whole) or corrected (once, balanced)",
+                 [](Spec& s, Text name) { s.equations = parse_name<Equations>(name); }},
       NamedInput{"velocity_jump", "by --equations",
                  "once or twice: how often the mass loss adds Delta_vy to the velocity of C",
                  [](Spec& s, Text name) { s.velocity_jump = parse_name<VelocityJump>(name); }},
@@ -327,7 +320,7 @@ std::span<const NamedInput> named_inputs() {
                  [](Spec& s, Text name) { s.method = parse_name<Method>(name); }},
       NamedInput{
           "drive", name_of(Parameters{}.drive),
-          "motor (torque, until motor_off_hz) or constant_speed (held from the start, whatever "
+          "motor (torque, until motor_off_Hz) or constant_speed (held from the start, whatever "
           "torque that takes)",
           [](Spec& s, Text name) { s.drive = parse_name<Drive>(name); }}};
   return all;

@@ -43,6 +43,8 @@ struct ScenarioSpec {
   std::optional<Drive> drive;
   std::optional<int> digits;  ///< to be estimated
 
+  bool operator==(const ScenarioSpec&) const = default;
+
   bool states_equations() const { return equations || velocity_jump || gravity_moment; }
   bool states(std::string_view input) const;
   bool states_rpm() const;
@@ -51,25 +53,25 @@ struct ScenarioSpec {
   ScenarioSpec overridden_by(const ScenarioSpec& other) const;
 };
 
-/// Throws InputError, stating what is wrong and what is allowed, if two numbers determine the same
-/// one, if one is missing, or if the scenario is not physical. A mass loss at a stated speed still
-/// has the time 0: a run-up finds its time, see scenario_of() in figures/runs.
+/// Throws ScenarioError, stating what is wrong and what is allowed, if two numbers determine the
+/// same one, if one is missing, or if the scenario is not physical. A mass loss at a stated speed
+/// still has the time 0: a run-up finds its time, see scenario_of() in figures/runs.
 Scenario stated_scenario(const ScenarioSpec& spec);
 
 /// Throws if stated_scenario() would because of a number.
 void check_numbers(const ScenarioSpec& spec);
 
-/// A message about a scenario in the inputs that are stated: "start_speed_rpm = 9000 rpm" instead
-/// of "start_speed_hz = 150 Hz".
-std::string as_stated(std::string message, const ScenarioSpec& spec);
-/// The inputs that it names, in its order: "mass = 5 kg", or "no_mass_loss: state".
-std::vector<std::string> inputs_named(const std::string& message);
+/// The message with the inputs that are stated: "start_speed_rpm = 9000 rpm" instead of
+/// "start_speed_Hz = 150 Hz".
+Message as_stated(Message message, const ScenarioSpec& spec);
 
-/// Whether a rotor is not the paper's: its mass, inertia or radius is stated.
-bool is_own_rotor(const ScenarioSpec& stated);
-/// Those that are stated; of a rotor of one's own otherwise the corrected ones.
+/// "0.25 s after the mass loss"
+std::string default_end_in_words();
+
+/// Those that are stated, otherwise the corrected ones.
 Equations equations_of(const ScenarioSpec& stated);
-/// What a rotor has of the paper's that matters: "inertia = 0.009 kg m^2" and so on.
+/// What matters of the paper's rotor, supports, ring and loss if some of these are stated, but not
+/// all: "inertia = 0.009 kg m^2" and so on.
 std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated);
 
 /// A stated number of digits. Throws InputError, stating what is allowed.

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
 
 namespace rotor {
@@ -23,7 +25,7 @@ long line_with_a_deep_key(const std::string& text) {
   return at == text.end() ? 0 : 1 + std::count(text.begin(), at, '\n');
 }
 
-/// Of a regular file of bounded size.
+/// Of a regular file or a pipe, of bounded size.
 std::string content_of(const std::filesystem::path& file) {
   constexpr std::size_t most = 1U << 20U;
   std::error_code error;
@@ -34,7 +36,8 @@ std::string content_of(const std::filesystem::path& file) {
   const auto status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) refuse("there is no such file");
   if (error) refuse(error.message());
-  if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
+    refuse("it is neither a file nor a pipe");
   if (contains(std::array{".csv", ".json", ".journal"}, file.extension()))
     throw InputError("{}: holds results, not a scene or a sweep", file.string());
   std::string text = read_file(file, most + 1);
@@ -51,7 +54,10 @@ TomlFile::Keys input_keys() {
 
 }  // namespace
 
-TomlFile::TomlFile(const std::filesystem::path& file) : file_(file), content_(content_of(file)) {
+TomlFile::TomlFile(const std::filesystem::path& file) : TomlFile(file, content_of(file)) {}
+
+TomlFile::TomlFile(std::filesystem::path name, std::string content)
+    : file_(std::move(name)), content_(std::move(content)) {
   if (const long line = line_with_a_deep_key(content_); line > 0)
     throw InputError("{}:{}: a key has more than 200 parts", file_.string(), line);
   try {
@@ -90,6 +96,14 @@ std::optional<std::string> TomlFile::text(const toml::table& in, std::string_vie
   auto found = value<std::string>(in, key, "a string in quotes");
   if (found && *found != one_line(*found))
     fail_at(in, key, "must be one line, without control characters; not \"{}\"", shown(*found));
+  return found;
+}
+
+std::optional<std::string> TomlFile::name(const toml::table& in) const {
+  auto found = text(in, "name");
+  if (found && !found->empty() && begins_formula(found->front()))
+    fail_at(in, "name", "must not begin with \"{}\": spreadsheets would take it for a formula",
+            found->front());
   return found;
 }
 

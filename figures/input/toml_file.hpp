@@ -18,8 +18,10 @@ class TomlFile {
  public:
   using Keys = std::vector<std::string_view>;
 
-  /// Reads and parses a regular file of bounded size. All functions throw InputError.
+  /// Reads and parses a file or a pipe of bounded size. All functions throw InputError.
   explicit TomlFile(const std::filesystem::path& file);
+  /// Parses the content of a file that messages refer to by `name`.
+  TomlFile(std::filesystem::path name, std::string content);
 
   const toml::table& root() const { return root_; }
   const std::filesystem::path& path() const { return file_; }
@@ -57,6 +59,8 @@ class TomlFile {
   static std::optional<double> number(const toml::node& node);
   /// One line without control characters, because messages and pictures show it.
   std::optional<std::string> text(const toml::table& in, std::string_view key) const;
+  /// A text with which rows of CSV may begin.
+  std::optional<std::string> name(const toml::table& in) const;
   /// A time in seconds: finite and not below zero.
   std::optional<double> time(const toml::table& in, std::string_view key) const;
   /// The sub-table of that name, empty if there is none.

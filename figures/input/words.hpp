@@ -35,7 +35,7 @@ inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
      {Outcome::sliding, "sliding", "#1f6b52", "#a5e3cb", "slides along the ring",
       "the last contact has lasted longer than a natural period of the contact"},
      {Outcome::rolling, "rolling", "#bf5b98", "#d77db4", "has come to roll along the ring",
-      "rolling has set in, whatever followed"},
+      "rolling, contact without slip that friction holds, has set in, whatever followed"},
      {Outcome::stalled, "stalled", "#333333", "#ebebe6",
       "is below 1.5 times its critical speed and gains less than a tenth of what its motor would "
       "add",
@@ -59,20 +59,30 @@ inline constexpr auto others_in_words =
                                      {"event", "#000000", "#ffffff", "events", "event"}});
 
 /// Where a closed form equals what it is compared with, as maps show it: its column of map-theory,
-/// its width and pattern of dashes and gaps.
+/// its width and pattern of dashes and gaps, and the outcomes with the motion that it assumes.
 struct LineInWords {
   std::string_view name;
   double width;
   std::string_view dashes, words;
+  std::array<Outcome, 2> assumed;
 };
 
-inline constexpr auto lines_in_words =
-    std::to_array<LineInWords>({{"greatest", 2, "", "closed forms: border of contact"},
-                                {"bound", 1.6, "5,4", "limit of possible contact"},
-                                {"steady", 1.6, "1,4", "steady response reaches the ring"},
-                                {"forward", 1.6, "14,4", "limit of lasting forward rub"},
-                                {"rebound", 1.6, "10,4,2,4", "limit of backward whirl by rebounds"},
-                                {"peak", 1.6, "14,4,2,4,2,4", "largest force of 300 kN"}});
+inline constexpr std::array free_motion = {Outcome::no_contact, Outcome::undecided};
+inline constexpr auto lines_in_words = std::to_array<LineInWords>(
+    {{"greatest", 2, "", "closed forms: border of contact", free_motion},
+     {"bound", 1.6, "5,4", "limit of possible contact", free_motion},
+     {"steady", 1.6, "1,4", "steady response reaches the ring", free_motion},
+     {"forward", 1.6, "14,4", "limit of lasting forward rub", {Outcome::sliding, Outcome::sliding}},
+     {"rebound",
+      1.6,
+      "10,4,2,4",
+      "limit of backward whirl by rebounds",
+      {Outcome::bouncing, Outcome::freed}},
+     {"peak",
+      1.6,
+      "14,4,2,4,2,4",
+      "largest force of 300 kN",
+      {Outcome::rolling, Outcome::rolling}}});
 
 /// What summaries call equations by their name, "mixed" and "corrected" included.
 constexpr std::string_view equations_in_words(std::string_view name) {
@@ -97,7 +107,7 @@ inline constexpr auto results_in_words = std::to_array<ResultInWords>({
     {"rolling_onset_force_N", "force at the onset of rolling"},
     {"peak_normal_force_N", "largest normal force", true},
     {"peak_time_s", "time of the largest force"},
-    {"max_displacement_m", "largest displacement"},
+    {"peak_displacement_m", "largest displacement"},
     {"contact_time_s", "time in contact"},
     {"peak_bearing_force_N", "bearing force without weight"},
     {"whirl_frequency_Hz", "mean whirl in the last rolling"},
@@ -108,11 +118,14 @@ inline constexpr auto results_in_words = std::to_array<ResultInWords>({
 
 /// A name with spaces, without the unit of a speed.
 inline std::string name_in_words(std::string_view name) {
-  for (const std::string_view unit : {"_hz", "_rpm"})
+  for (const std::string_view unit : {"_Hz", "_rpm"})
     if (name.ends_with(unit)) name.remove_suffix(unit.size());
   std::string words(name);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
 }
+
+/// The content of figures/paper/palette.gp, in which gnuplot reads these.
+std::string palette_of_gnuplot();
 
 }  // namespace rotor

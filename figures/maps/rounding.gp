@@ -1,11 +1,11 @@
-# The share of rotors that roll, over the rounding of the inputs that are not on the axes, and its standard error
-# for random draws. The caller sets what style.gp needs; data are the output of shares.awk, and
+# The share of rotors that roll, over the rounding of what rounding.toml samples, and its standard error
+# for random draws. The caller sets what style.gp needs; data are shares by map-statistics, and
 # note what tolerance.sh says of the map.
 eval "set terminal ".square
 stats data using (1) nooutput name "all"
 panel = int(all_records)/2
 stats data every ::0::0 using "draws" nooutput name "draws"
-set multiplot title sprintf("{/:Bold Backward rolling over the rounding of the other inputs}: %d draws at each point", draws_max). \
+set multiplot title sprintf("{/:Bold Backward rolling over the rounding of rotor, supports, ring and lost mass}: %d draws at each point", draws_max). \
   "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
 set tics front out; set xtics 40
 unset grid; unset key; unset colorbox
@@ -32,7 +32,7 @@ do for [p = 0:3] {
   if (at_left) { unset colorbox } else {
     set colorbox user origin screen 0.86, graph 0 size screen 0.025, graph 1
   }
-  eval sprintf("plot data every ::%d::%d using (column('start_speed_hz')):(column('friction')):(column('%s')) with image %s", \
+  eval sprintf("plot data every ::%d::%d using (column('start_speed_Hz')):(column('friction')):(column('%s')) with image %s", \
     first, first + panel - 1, at_bottom ? "standard_error" : "rolling_share", format eq "png" ? "" : "pixels")
 }
 unset multiplot

@@ -1,7 +1,5 @@
-# Reasons one and three: high speed at the mass loss, small clearance.
-heading = "Speed at the mass loss and clearance"
-abscissa = "start_speed_hz"; x_name = "speed at the mass loss, Hz"
-ordinate = "clearance";      y_name = "clearance, mm"; y_unit = 1e-3
+# The mass is lost at the start. Cases of the paper.
+x_name = "speed at the mass loss, Hz"
 $cases << END
 150,3
 100,3

@@ -1,7 +1,5 @@
-# Reasons one and four: high speed at the mass loss, high friction.
-heading = "Speed at the mass loss and friction"
-abscissa = "start_speed_hz"; x_name = "speed at the mass loss, Hz"
-ordinate = "friction";       y_name = "coefficient of friction μ"
+# The mass is lost at the start. Cases of the paper.
+x_name = "speed at the mass loss, Hz"
 $cases << END
 150,0.3
 150,0.2

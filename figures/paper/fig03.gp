@@ -1,7 +1,7 @@
 # F_n for high, intermediate and low friction.
 set title caption(3, "Radial component F_n of the impact force", \
   sprintf("%s, f_{max} = %g Hz, %s; pale: %s by the %s, steps of %g μs", loss("mu = 0.3"), \
-    number("mu = 0.3", "motor_off_hz"), stiffness("mu = 0.3"), short_of(equations), by_method("mu = 0.3 by rk4"), \
+    number("mu = 0.3", "motor_off_Hz"), stiffness("mu = 0.3"), short_of(equations), by_method("mu = 0.3 by rk4"), \
     1e6*number("mu = 0.3 by rk4", "step_rub")))
 fixed_data = data; fixed_steps = steps
 law_place = "first 29.158,first %g left offset 0,-0.5"

@@ -15,7 +15,7 @@ set label sprintf("clearance %g mm", clearance_of("run")) at graph 0.985,first c
 do for [set in sets] {
   eval use(set)
   eval label_curve(short_of(set).(touches(0) ? sprintf(": touches the ring at %.4f s", number("run", "first_contact_s")) : \
-    sprintf(": no contact, largest ρ %.2f mm", 1e3*number("run", "max_displacement_m"))), \
+    sprintf(": no contact, largest ρ %.2f mm", 1e3*number("run", "peak_displacement_m"))), \
     touches(0) ? 14.152 : free_s, 3.95, "left")
 }
 plot [14.15:14.3] [0:4.4] @each_set using "time_s":(column("rho_m")*1e3) @layered

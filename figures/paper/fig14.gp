@@ -17,7 +17,7 @@ eval row(1, "largest ρ", "no contact"); eval row(2, "draws of t_1 that stay cle
 eval row(3, "draws of all inputs that do", "")
 do for [set in sets] {
   eval use(set)
-  largest = 1e3*number("run", "max_displacement_m")
+  largest = 1e3*number("run", "peak_displacement_m")
   stats reference_data."/ensembles.csv" using (share("contacts_9", "a")) name "of_t_1" nooutput
   stats reference_data."/ensembles.csv" using (share("contacts_9", "b")) name "of_all" nooutput
   eval ours_in(1, sprintf("%.3f mm", largest))

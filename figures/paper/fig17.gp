@@ -20,7 +20,7 @@ do for [set in sets] {
   stats data using (follow(of_run("a", "speed_Hz"), of_run("a", "time_s"), paper_Hz)) nooutput
   eval ours_in(2, sprintf("%.2f s", crossing))
   stats data using (of_run("a", "time_s")):(rho("a")) name "a" nooutput
-  eval ours_in(3, sprintf("%.2f mm", a_max_y)); eval ours_in(4, sprintf("%.2f mm", 1e3*number("b", "max_displacement_before_loss_m")))
+  eval ours_in(3, sprintf("%.2f mm", a_max_y)); eval ours_in(4, sprintf("%.2f mm", 1e3*number("b", "peak_displacement_before_loss_m")))
   eval label_curve(short_of(set), is_printed(set) ? a_pos_max_y : t_1, is_printed(set) ? a_max_y : 1.75, \
     is_printed(set) ? "center offset 0.2,0.7" : "right offset -0.5,0")
 }

@@ -89,7 +89,7 @@ x_0 = NaN; y_0 = NaN; crossing = NaN
 follow(x, y, at) = (x_0 < at && x >= at ? crossing = y_0 + (y - y_0)*(at - x_0)/(x - x_0) : 0, x_0 = x, y_0 = y, 0)
 
 # What is drawn by eval: a line at a value, and with words of the paper; an instant with its name; the time at which a run
-# passes the critical speed; at the peak of a run, its height by the closed form, if that predicts rolling; and the name
+# passes the critical speed; at the peak of a run that rolls, its height by the closed form; and the name
 # of a curve. Labels are drawn before the curves, so that their white edges hide none.
 level(y, style) = sprintf("set arrow from graph 0,first %g to graph 1,first %g nohead linestyle %d; ", y, y, style)
 says(text, x, y, place) = sprintf("set label '%s' at graph %g,first %g %s textcolor rgb paper_tint; ", text, x, y, place)
@@ -99,9 +99,9 @@ mark_instant(name, t) = sprintf("set arrow from %.17g,graph 0 to %.17g,graph 1 n
 find_critical(run) = sprintf("stats data using (follow(of_run('%s', 'speed_Hz'), of_run('%s', 'time_s'), %.17g)) nooutput", \
   run, run, number(run, "critical_speed_Hz"))
 says_law = ""; law_place = "graph 0.985,first %g right offset 0,-0.7"
-mark_law(run) = (says_law = equations eq word(sets, 1) ? "" : says_law, number(run, "law_outcome") ne "rolling" ? "" : \
-  (kN = 1e-3*number(run, "law_peak_force_N"), \
-  says_law = says_law.(says_law eq "" ? "largest force by the closed form: " : ", ").sprintf("%.0f kN %s", kN, short_of(equations)), \
+mark_law(run) = (says_law = equations eq word(sets, 1) ? "" : says_law, kN = 1e-3*number(run, "law_peak_force_N"), \
+  number(run, "outcome") ne "rolling" || !(kN > 0) ? "" : \
+  (says_law = says_law.(says_law eq "" ? "estimate of the largest force: " : ", ").sprintf("%.0f kN %s", kN, short_of(equations)), \
   sprintf("set arrow from %.17g,%g rto graph 0.015,0 nohead linestyle law; ", number(run, "peak_time_s"), -kN). \
   sprintf("set label 99 says_law at ".law_place." textcolor rgb law_tint", -kN)))
 label_curve(text, x, y, place) = sprintf("set label '%s' at %.17g,%.17g %s textcolor rgb '%s' boxed", \

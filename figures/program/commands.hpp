@@ -11,6 +11,7 @@
 #include "figures/program/drawing.hpp"
 #include "figures/results/json.hpp"
 #include "figures/runs/scene.hpp"
+#include "figures/sweep/part.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {
@@ -24,16 +25,20 @@ struct FigureOptions {
 
 struct PlotOptions {
   ScenarioSpec stated;
-  std::string file;  ///< a scene
+  std::string file;  ///< a scene, or the results of a sweep
   std::string out;   ///< if empty, the file's name with .svg
   std::optional<double> from_s, until_s;
+  std::vector<std::string> columns;  ///< of a sweep; the usual ones if empty
+  std::string drafts;                ///< folder for what gnuplot needs, instead of a picture
 };
 
 struct SweepOptions {
   std::string file;
-  std::string out;                 ///< the file's name with .csv, if empty
+  std::string out;                 ///< the file's name with .csv, and the part, if empty
   int jobs = 0;                    ///< threads; 0: as many as there are cores
   std::optional<double> budget_s;  ///< of each point
+  std::optional<Part> part;        ///< the only one to compute
+  bool join = false;               ///< write the results from those of all parts
   bool retry = false;              ///< keep the rows of earlier results that are no refusals
   bool force = false;              ///< compute results again that are complete
 };
@@ -43,10 +48,10 @@ struct CaseOptions {
   ScenarioSpec stated;
   std::string scene, run_name;
   bool json = false;
+  bool all = false;  ///< print every result as text
 };
 
 struct RunOptions : CaseOptions {
-  bool all = false;           ///< print every result as text
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
@@ -59,23 +64,13 @@ struct RunOptions : CaseOptions {
 
 void write_figures(const FigureOptions& options);
 void plot(const PlotOptions& options);
+void plot_sweep(const PlotOptions& options);
 void run_sweep(const SweepOptions& stated);
 void run_rotor(const RunOptions& options);
 void estimate_rotor(const CaseOptions& options);
 
 /// The scene with the runs that were requested.
 Scene scene_of(const CaseOptions& options, RunUps& run_ups);
-
-/// What the runs of a scene give.
-struct SceneData {
-  std::vector<NamedTable> curves;
-  std::vector<Summary> results;
-};
-
-/// By the scenes' numbers: runs what the scenes need, and thins the curves.
-/// Throws Interrupted when it is interrupted, and InputError if no part of a run lies in a window
-/// or digits are requested.
-std::map<int, SceneData> compute(const std::map<int, Scene>& scenes);
 
 /// Names and values; those of a part follow its name. Inputs have fifteen digits.
 void print_all(const Json& object, std::FILE* to, const std::string& indent = "",
@@ -85,11 +80,14 @@ void print_all(const Json& object, std::FILE* to, const std::string& indent = ""
 /// kN; speeds in revolutions per minute if they are stated so.
 void print_brief(const Json& run, bool in_rpm, std::FILE* to);
 
+/// The closed forms of one run or several in these units, each with its assumption.
+void print_laws(const Json& runs, bool in_rpm, std::FILE* to);
+
 /// Several runs: one row each, with the most important results in these units.
 void print_table(const Json& runs, bool in_rpm, std::FILE* to);
 
-/// Says on standard error which of the paper's values are in a rotor of one's own.
-void say_what_is_assumed(const std::vector<SceneRun>& runs);
+/// Says on standard error which values are the paper's, if others are stated; not of its scenes.
+void say_what_is_assumed(const Scene& scene);
 void say_what_is_assumed(const Sweep& sweep);
 
 }  // namespace rotor

@@ -79,7 +79,33 @@ void require_picture(const fs::path& out, const std::string& scene) {
   FileTransaction(scene).open(out);
 }
 
-void draw(const fs::path& out, const Drafts& drafts) {
+void write_drafts(const fs::path& folder, const Drafts& drafts) {
+  FileTransaction files;
+  for (const auto& [name, text] : drafts) files.write(folder / name, text);
+  files.commit();
+}
+
+void Items::add(const std::string& item) {
+  constexpr std::size_t most = 140;  // letters of a line
+  const std::size_t line = text_.size() - (text_.rfind('\n') + 1);
+  text_ += (text_.empty() ? "" : line + item.size() > most ? ",\n" : ", ") + item;
+}
+
+std::string unit_in_words(const Quantity& quantity) {
+  return quantity.unit == "m"        ? "mm"
+         : quantity.unit == "kg m^2" ? "kg m²"
+                                     : std::string(quantity.unit);
+}
+
+double unit_of(const Quantity& quantity) { return quantity.unit == "m" ? 1e-3 : 1; }
+
+std::string with_unit(const Quantity& quantity, double value) {
+  const std::string unit = unit_in_words(quantity);
+  return fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name), value / unit_of(quantity),
+                     unit.empty() ? "" : " ", unit);
+}
+
+void draw(const fs::path& out, const std::string& script, const Drafts& drafts) {
   const Draft folder = new_folder();
   const auto remove = [](const Draft* draft) {
     std::error_code ignored;
@@ -87,16 +113,14 @@ void draw(const fs::path& out, const Drafts& drafts) {
     ::close(draft->descriptor);
   };
   const std::unique_ptr<const Draft, decltype(remove)> removed_at_the_end(&folder, remove);
-  FileTransaction files;
-  for (const auto& [name, text] : drafts) files.write(folder.path / name, text);
-  files.commit();
+  write_drafts(folder.path, drafts);
   const fs::path picture = fs::path("picture").replace_extension(out.extension());
   const std::string figures = figures_folder().string();
   int status = 0;
   try {
-    status = status_of({figures + "/draw.sh", picture.string(), "load 'settings.gp'",
-                        figures + "/program/plot.gp"},
-                       folder.path);
+    status = status_of(
+        {figures + "/draw.sh", picture.string(), "load 'settings.gp'", figures + '/' + script},
+        folder.path);
   } catch (const std::system_error& error) {
     throw std::runtime_error(
         fmt::format("{}/draw.sh cannot be started: {}", figures, error.what()));

@@ -1,6 +1,7 @@
 #include "figures/program/commands.hpp"
 #include "figures/results/json.hpp"
 #include "figures/results/laws.hpp"
+#include "figures/results/remarks.hpp"
 
 namespace rotor {
 
@@ -22,37 +23,42 @@ void estimate_rotor(const CaseOptions& options) {
   auto& numbers = at_loss_speed.stated.numbers;
   for (const std::string unit : {"hz", "rpm"})
     if (auto at_loss = numbers.extract("mass_loss_speed_" + unit)) {  // reached without a run-up
-      for (const char* replaced : {"start_speed_hz", "start_speed_rpm", "mass_loss_time"})
+      for (const char* replaced : {"start_speed_Hz", "start_speed_rpm", "mass_loss_time"})
         numbers.erase(replaced);
       numbers.emplace("start_speed_" + unit, at_loss.mapped());
       at_loss_speed.stated.loses_mass = true;
     }
   auto runs = Json::array();
   std::vector<std::string> failures;
+  bool in_rpm = false;
   RunUps none;
   const Scene scene = scene_of(at_loss_speed, none);
+  const bool one_of_many = scene.runs.size() > 1;
   for (const SceneRun& run : scene.runs) {
     Json row;
-    const bool one_of_many = scene.runs.size() > 1;
-    const std::string of_run = one_of_many ? run.name + ": " : "";
     if (one_of_many) row["run"] = run.name;
     try {
       row.update(laws(run.scenario));
     } catch (const std::exception& error) {  // the other runs are not affected
       failures.push_back(fmt::format("{}{}{}", options.scene.empty() ? "" : options.scene + ": ",
-                                     of_run, error.what()));
+                                     one_of_many ? run.name + ": " : "", error.what()));
       continue;
     }
+    row["remarks"] = Json::array();
+    for (const Remark& remark : remarks_on_rotor(run.scenario, row["law_speed_at_loss_Hz"]))
+      row["remarks"].push_back(
+          (options.json ? remark.message : as_stated(remark.message, run.stated)).text());
     row["equations"] = name_of(run.scenario.equations);
+    in_rpm = in_rpm || run.stated.states_rpm();
     runs.push_back(row);
-    for (const Remark& remark : remarks_on_laws(run.scenario))
-      print_message("rotor: " + of_run + remark.sentence);
   }
   if (options.json && !runs.empty())
-    fmt::print("{}\n", (scene.runs.size() == 1 ? runs.front() : Json{{"runs", runs}}).dump(2));
-  for (const Json& row : runs)
-    if (!options.json) print_all(row, stdout);
-  if (!runs.empty()) say_what_is_assumed(scene.runs);
+    fmt::print("{}\n", (one_of_many ? Json{{"runs", runs}} : runs.front()).dump(2));
+  else if (options.all)
+    for (const Json& row : runs) print_all(row, stdout);
+  else if (!runs.empty())
+    print_laws(runs, in_rpm, stdout);
+  if (!runs.empty()) say_what_is_assumed(scene);
   report_failures(failures);
 }
 

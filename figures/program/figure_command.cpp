@@ -6,6 +6,7 @@
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/provenance.hpp"
+#include "figures/results/scene_data.hpp"
 
 namespace rotor {
 namespace {
@@ -37,7 +38,7 @@ std::map<int, Scene> read_scenes(const FigureOptions& options) {
 
 void write_figures(const FigureOptions& options) {
   const std::map<int, Scene> scenes = read_scenes(options);
-  const auto data = compute(scenes);
+  const auto data = compute_data(scenes);
   FileTransaction files;
   for (const auto& [number, scene] : scenes) {
     const std::string file = (fs::path(options.out) / fmt::format("fig{:02}", number)).string();

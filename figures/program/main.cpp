@@ -15,6 +15,7 @@
 #include "figures/results/estimated_result.hpp"
 #include "figures/results/laws.hpp"
 #include "figures/results/version.hpp"
+#include "figures/sweep/join.hpp"
 
 namespace rotor {
 namespace {
@@ -149,7 +150,8 @@ void add_options(CLI::App& command, FigureOptions& options) {
 }
 
 void add_options(CLI::App& command, PlotOptions& options) {
-  add_name(command, "file", options.file, "scene file (TOML)")->required();
+  add_name(command, "file", options.file, "scene file (TOML), or results of a sweep (.csv)")
+      ->required();
   add_name(command, "--out", options.out,
            "picture: .svg, .pdf or .png (default: the file's name with .svg)");
   add_seconds(command, "--from", options.from_s,
@@ -157,10 +159,21 @@ void add_options(CLI::App& command, PlotOptions& options) {
               "mass loss; 0 if --until is before that)");
   add_seconds(command, "--until", options.until_s,
               "end of what is drawn (default: the end of the window or the run)");
+  command
+      .add_option("--columns", options.columns,
+                  "results of a sweep to draw, comma-separated (default: outcome, largest force, "
+                  "speed at the onset of rolling)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_name(command, "--drafts", options.drafts,
+           "write the data of a sweep's picture, and settings.gp for gnuplot, into this existing "
+           "folder instead",
+           "a folder");
   add_options(command, options.stated);
   command.footer(
-      "Example:\n"
-      "  rotor plot my-rotor.toml --until 0.05");
+      "Examples:\n"
+      "  rotor plot my-rotor.toml --until 0.05\n"
+      "  rotor plot damping.csv --columns outcome");
 }
 
 void add_options(CLI::App& command, SweepOptions& options) {
@@ -181,8 +194,26 @@ void add_options(CLI::App& command, SweepOptions& options) {
   add_seconds(command, "--budget", options.budget_s,
               "time allowed for each point, instead of the file's budget")
       ->default_str(fmt::format("none; {} with digits", usual_budget_s));
-  command.add_flag("--retry", options.retry,
-                   "keep the rows of the results that are no refusals, and compute the others");
+  CLI::Option* const part = add_text(
+      command, "--part",
+      [&options](const std::string& text) {
+        options.part = part_in(text);
+        if (!options.part)
+          throw InputError("must be K/N, such as 3/64, K from 1 to N and N at most {}, not \"{}\"",
+                           Part::most, shown(text));
+      },
+      "compute only part K of N equal ones, into NAME.K-of-N.csv");
+  part->type_name("K/N");
+  CLI::Option* const retry =
+      command.add_flag("--retry", options.retry,
+                       "keep the rows of the results that are no refusals, and compute the others");
+  command
+      .add_flag("--join", options.join,
+                "write the results from those of all parts, which are next to them")
+      ->excludes(part)
+      ->excludes(retry)
+      ->excludes("--jobs")
+      ->excludes("--budget");
   command.add_flag(
       "--force", options.force,
       "replace results that are complete or of another sweep; its own journal is resumed");
@@ -196,7 +227,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 4> headings = {
     {{"mass", "Rotor"},
      {"contact_stiffness", "Contact and ring"},
      {"unbalance_factor", "Mass loss"},
-     {"start_speed_hz", "Run and method"}}};
+     {"start_speed_Hz", "Run and method"}}};
 constexpr const char* const of_loss = headings[2].second;
 constexpr const char* const of_run = headings[3].second;
 
@@ -221,7 +252,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
         meaning);
     added->type_name(quantity.unit.empty() ? "N" : std::string(quantity.unit))->group(heading);
     if (quantity.name == "until")
-      added->default_str("0.25 s after the mass loss");
+      added->default_str(default_end_in_words());
     else if (quantity.name == "mass_loss_time")
       added->default_str(fmt::format("{}, or 0 if the start has a speed", quantity.of(Scenario{})));
     else if (quantity.in)
@@ -235,6 +266,7 @@ void add_options(CLI::App& command, CaseOptions& options) {
   add_options(command, options.stated);
   command.option_defaults()->group("Output");
   command.add_flag("--json", options.json, "print the results as JSON");
+  command.add_flag("--all", options.all, "print every result by its key, in SI units");
 }
 
 void add_options(CLI::App& command, RunOptions& options) {
@@ -245,7 +277,6 @@ void add_options(CLI::App& command, RunOptions& options) {
       "end the run early: outcome (once an event decides it), rolling (at the first maximum of "
       "the force in rolling) or rest (after a second below 0.1 Hz)")
       ->group(of_run);
-  command.add_flag("--all", options.all, "print every result, not only those asked for first");
   auto* trace = add_name(
       command, "--trace", options.trace,
       "write the motion within the window to this CSV file, replacing it; - is standard output");
@@ -280,8 +311,9 @@ void add_options(CLI::App& command, RunOptions& options) {
       "until rolling and until the end");
   command.footer(
       "Examples:\n"
-      "  rotor run --friction 0.15 --equations corrected\n"
-      "  rotor run --mass-loss-speed-hz 75 --trace motion.csv --columns time_s,rho_m");
+      "  rotor run --friction 0.15\n"
+      "  rotor run --equations published\n"
+      "  rotor run --mass-loss-speed-Hz 75 --trace motion.csv --columns time_s,rho_m");
 }
 
 /// A message about unknown words, with what was probably meant.
@@ -320,7 +352,7 @@ void occupy_standard_streams() {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
-  for (const int signal : {SIGPIPE, SIGXFSZ})  // a lost reader or a limit is reported as an error
+  for (const int signal : {SIGPIPE, SIGXFSZ})  // a lost reader or a limit is an error of a write
     static_cast<void>(std::signal(signal, SIG_IGN));
   note_interruptions();
   CLI::App app(
@@ -332,7 +364,8 @@ int main(int argc, char** argv) {
   app.formatter(std::make_shared<Help>());
   app.footer(
       "rotor COMMAND --help lists the options of a command.\n\nExamples:\n"
-      "  rotor run --friction 0.15 --equations corrected\n"
+      "  rotor run --friction 0.15\n"
+      "  rotor run --equations published\n"
       "  rotor plot figures/paper/fig08.toml");
   FigureOptions figure;
   PlotOptions plot_options;
@@ -348,22 +381,25 @@ int main(int argc, char** argv) {
     command->callback([&options, run] { run(options); });
   };
   add_command("figure", "Write the data of the paper's figures as CSV", figure, write_figures);
-  add_command("plot", "Draw the motions of a scene", plot_options, plot);
+  add_command("plot", "Draw the motions of a scene, or the results of a sweep", plot_options, plot);
   add_command("run", "Run any rotor and mass loss", run_options, run_rotor);
-  add_command("estimate", "Predict by closed forms, without a run, what happens", estimate,
+  add_command("estimate", "Evaluate closed forms of the accident, without a run", estimate,
               estimate_rotor);
   if (words.contains("estimate"))
     app.get_subcommand("estimate")
-        ->footer("Results; numbers in brackets are the equations of model/theory/README.md:\n" +
-                 meanings_of_laws() +
-                 "\nExamples:\n"
-                 "  rotor estimate --mass-loss-speed-hz 75 --equations corrected\n"
-                 "  rotor estimate my-rotor.toml");
+        ->footer(
+            "Results; null: the formula has no value, as some without contact. Numbers in\n"
+            "brackets are the equations of model/theory/README.md:\n" +
+            meanings_of_laws() +
+            "\nExamples:\n"
+            "  rotor estimate --mass-loss-speed-Hz 75 --equations corrected\n"
+            "  rotor estimate my-rotor.toml");
   add_command("sweep", "Run many rotors, varying some quantities", sweep, run_sweep);
   if (argc == 1) {
     fmt::print("{}", app.help());
     return 1;
   }
+  constexpr int without_reader = 128 + SIGPIPE;  // the convention of shells
   int status = 0;
   try {
     app.parse(argc, argv);
@@ -379,14 +415,20 @@ int main(int argc, char** argv) {
     constexpr std::size_t line = 400;
     print_message("rotor: " + message.substr(0, line));
     status = 1;
+  } catch (const ReaderGone&) {
+    status = without_reader;
   } catch (const Interrupted& error) {
     print_message(fmt::format("rotor: {}", error.what()));
-    status = 128 + interrupting_signal();  // the convention of shells
+    status = 128 + interrupting_signal();
+  } catch (const std::system_error& error) {  // of fmt
+    status = error.code() == std::errc::broken_pipe ? without_reader : 1;
+    if (status == 1) print_message(fmt::format("rotor: {}", error.what()));
   } catch (const std::exception& error) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 1;
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+  if (status != without_reader && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
+    if (errno == EPIPE) return without_reader;
     print_message(
         fmt::format("rotor: standard output cannot be written: {}", std::strerror(errno)));
     status = status == 0 ? 1 : status;

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <vector>
 
+#include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/provenance.hpp"
+#include "figures/results/scene_data.hpp"
 
 namespace rotor {
 namespace {
@@ -16,18 +17,13 @@ std::string conditions_of(const Scene& scene) {
   const std::vector<SceneRun>& runs = scene.runs;
   const auto all_have = [&](const auto& has) { return std::ranges::all_of(runs, has); };
   const Equations equations = runs.front().scenario.equations;
-  std::string all;
-  const auto add = [&all](const std::string& item) {
-    constexpr std::size_t most = 140;  // letters of a line
-    const std::size_t line = all.size() - (all.rfind('\n') + 1);
-    all += (all.empty() ? "" : line + item.size() > most ? ",\n" : ", ") + item;
-  };
+  Items items;
   if (all_have([&](const SceneRun& run) { return run.scenario.equations == equations; }))
-    add(std::string(equations_in_words(name_of(equations))));
+    items.add(std::string(equations_in_words(name_of(equations))));
   if (all_have([](const SceneRun& run) {
         return run.scenario.parameters.drive == Drive::constant_speed;
       }))
-    add("held speed");
+    items.add("held speed");
   for (const auto& [quantity, instead_of, of_start] : input_quantities()) {
     const auto stated = [&name = quantity.name](const SceneRun& run) -> std::optional<double> {
       const auto found = run.stated.numbers.find(name);
@@ -35,18 +31,13 @@ std::string conditions_of(const Scene& scene) {
     };
     std::optional<double> shared = stated(runs.front());
     if (!shared || !all_have([&](const SceneRun& run) { return stated(run) == shared; })) continue;
-    const bool is_length = quantity.unit == "m";
-    const std::string_view unit = is_length                   ? "mm"
-                                  : quantity.unit == "kg m^2" ? "kg m²"
-                                                              : quantity.unit;
-    add(fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name),
-                    *shared / (is_length ? 1e-3 : 1), unit.empty() ? "" : " ", unit));
+    items.add(with_unit(quantity, *shared));
   }
   const double drawn_until_s = scene.window.from_s + scene.window.length_s;
   if (!scene.window.from_rolling_onset &&
       all_have([&](const SceneRun& run) { return drawn_until_s < run.scenario.until; }))
-    add(fmt::format("drawn until {:.6g} s, results of the whole run", drawn_until_s));
-  return all;
+    items.add(fmt::format("drawn until {:.6g} s, results of the whole run", drawn_until_s));
+  return items.text();
 }
 
 /// A panel draws its last column over time or, an orbit, over the one before.
@@ -71,15 +62,17 @@ std::string rows_of(const std::vector<std::size_t>& columns, const Scene& scene,
 }  // namespace
 
 void plot(const PlotOptions& options) {
-  const std::string out = options.out.empty()
-                              ? std::filesystem::path(options.file).stem().string() + ".svg"
-                              : options.out;
+  if (std::filesystem::path(options.file).extension() == ".csv") return plot_sweep(options);
+  if (!options.columns.empty() || !options.drafts.empty())
+    throw InputError("--{}: is for the results of a sweep, NAME.csv",
+                     options.columns.empty() ? "drafts" : "columns");
+  const std::string out = options.out.empty() ? name_made_from(options.file, ".svg") : options.out;
   Scene scene = read_scene(options.file, {.of_parameters = {}, .of_runs = options.stated});
   scene.columns =
       parse_columns({"time_s", "normal_force_N", "speed_Hz", "rho_m", "x_a_m", "y_a_m"});
   scene.window = stated_window(scene.window, options.from_s, options.until_s, scene.runs);
   require_picture(out, options.file);
-  const SceneData data = std::move(compute({{1, scene}}).at(1));
+  const SceneData data = std::move(compute_data({{1, scene}}).at(1));
   const bool in_rpm =
       std::ranges::any_of(scene.runs, [](const SceneRun& run) { return run.stated.states_rpm(); });
   Drafts drafts = {
@@ -93,8 +86,8 @@ void plot(const PlotOptions& options) {
     for (const Panel& panel : panels)
       drafts.emplace_back(fmt::format("run{}-{}.csv", n, panel.column),
                           rows_of(panel.columns, scene, data.curves[n - 1]));
-  draw(out, drafts);
-  say_what_is_assumed(scene.runs);
+  draw(out, "program/plot.gp", drafts);
+  say_what_is_assumed(scene);
 }
 
 }  // namespace rotor

@@ -30,7 +30,8 @@ class ProgressLine {
 /// Interruptible, with the progress of one run.
 class RunProgress : public Interruptible {
  public:
-  explicit RunProgress(double until_s) : until_s_(until_s) {}
+  explicit RunProgress(double until_s, std::optional<StopOn> stop_on = {})
+      : Interruptible(unlimited, stop_on), until_s_(until_s) {}
 
   bool should_continue(const Progress& now) override;
 

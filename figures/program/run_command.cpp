@@ -142,7 +142,7 @@ struct Files {
 RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, RunUps& run_ups) {
   const std::string& name = scene.runs.front().name;
   const Scenario& scenario = scene.runs.front().scenario;
-  RunProgress progress(scenario.until);
+  RunProgress progress(scenario.until, options.stop_on);
   ObserverGroup observers = {&progress};
   std::optional<EnergyObserver> energy;
   if (options.energy) observers.add(energy.emplace(scenario));
@@ -214,11 +214,11 @@ void run_rotor(const RunOptions& options) {
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // the other runs are not affected
-      failures.push_back(of_run(as_stated(error.what(), run.stated)));
+      failures.push_back(of_run(error.what()));
       continue;
     }
     for (std::size_t n = 0; n < report.remarks.size(); ++n) {
-      const std::string sentence = as_stated(report.remarks[n].sentence, run.stated);
+      const std::string sentence = as_stated(report.remarks[n].message, run.stated).text();
       if (!options.json) report.summary["remarks"][n] = sentence;
       if (!is_brief &&  // which shows them, as a table does not
           (report.remarks[n].of == Remark::Of::missed_stop ||
@@ -247,7 +247,10 @@ void run_rotor(const RunOptions& options) {
   else
     for (const Json& run : runs) is_brief ? print_brief(run, in_rpm, to) : print_all(run, to);
   for (const std::string& message : messages) print_message("rotor: " + message);
-  if (!runs.empty()) say_what_is_assumed(scene.runs);
+  if (!runs.empty()) say_what_is_assumed(scene);
+  if (options.scene.empty() && options.stated == ScenarioSpec())
+    print_message(
+        "rotor: as printed in the paper: --equations published; that gives other numbers");
   report_failures(failures);
 }
 

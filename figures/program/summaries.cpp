@@ -2,11 +2,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include "figures/program/commands.hpp"
 #include "figures/results/estimated_result.hpp"
+#include "figures/results/laws.hpp"
 
 namespace rotor {
 namespace {
@@ -37,6 +40,12 @@ std::pair<const char*, double> unit_of(std::string_view key, double value, bool 
                                                                : Unit(" Hz", 1);
 }
 
+/// Four digits in that unit.
+std::string in_units(std::string_view key, double value, bool in_rpm) {
+  const auto [unit, in_si] = unit_of(key, value, in_rpm);
+  return four_digits(value / in_si) + unit;
+}
+
 /// A result in that unit, with four digits or those that are estimated; otherwise times are after
 /// the mass loss.
 std::string in_print(const Json& run, const std::string& key, bool in_rpm, bool in_table = false) {
@@ -60,19 +69,44 @@ std::string outcome_of(const Json& run, bool in_rpm) {
   const auto number = [&](const char* key) { return run.at(key).get<double>(); };
   const auto* const words = std::find_if(outcomes.begin(), outcomes.end(),
                                          [&](const OutcomeInWords& of) { return of.name == name; });
-  std::string sentence = fmt::format("The rotor {}", words->sentence);
+  std::string sentence = fmt::format("the rotor {}", words->sentence);
   if (words->outcome == Outcome::rolling) {
     const double time_s = number("rolling_onset_s") - number("first_contact_s");
-    const auto [unit, in_si] = unit_of("_s", time_s, in_rpm);
-    sentence += fmt::format(" {}{} after the first contact, at {}", four_digits(time_s / in_si),
-                            unit, in_print(run, "rolling_onset_speed_Hz", in_rpm));
+    sentence += fmt::format(" {} after the first contact, at {}", in_units("_s", time_s, in_rpm),
+                            in_print(run, "rolling_onset_speed_Hz", in_rpm));
   }
-  if (words->outcome == Outcome::no_contact)
-    sentence += fmt::format("; the clearance is {} mm",
-                            four_digits(1e3 * (run["inputs"]["stator_radius"].get<double>() -
-                                               run["inputs"]["rotor_radius"].get<double>())));
+  if (words->outcome == Outcome::no_contact) {
+    const Json& inputs = run["inputs"];
+    const auto in_mm = [](double length_m) { return four_digits(1e3 * length_m); };
+    const double clearance =
+        inputs["stator_radius"].get<double>() - inputs["rotor_radius"].get<double>();
+    const double start = inputs["start_x"].is_null() ? 0
+                                                     : std::hypot(inputs["start_x"].get<double>(),
+                                                                  inputs["start_y"].get<double>());
+    sentence += fmt::format("; the clearance is {} mm", in_mm(clearance));
+    if (start > clearance)
+      sentence += fmt::format(
+          ", and the rotor leaves its start, {} mm beyond it, so fast that the "
+          "ring does not press on it",
+          in_mm(start - clearance));
+  }
   return sentence;
 }
+
+void print_notes(const Json& result, std::FILE* to) {
+  for (const Json& remark : result.at("remarks"))
+    fmt::print(to, "Note: {}.\n", remark.get<std::string>());
+  fmt::print(to, "\n");
+}
+
+/// "Corrected equations"
+std::string equations_of(const Json& result) {
+  std::string words(equations_in_words(result.at("equations").get<std::string>()));
+  words.front() = static_cast<char>(std::toupper(words.front()));
+  return words;
+}
+
+constexpr auto about_other_results = "\nAll results: --all, or --json with all digits.\n";
 
 void say_what_is_assumed(const std::vector<std::string>& of_paper) {
   if (!of_paper.empty())
@@ -82,6 +116,7 @@ void say_what_is_assumed(const std::vector<std::string>& of_paper) {
 }  // namespace
 
 void print_all(const Json& object, std::FILE* to, const std::string& indent, bool are_inputs) {
+  if (object.contains("equations")) fmt::print(to, "{}\n", equations_of(object));
   for (const auto& [key, value] : object.items()) {
     const std::string name = indent + key;
     const auto print = [&](const std::string& text) { fmt::print(to, "{:<32} {}\n", name, text); };
@@ -102,24 +137,41 @@ void print_all(const Json& object, std::FILE* to, const std::string& indent, boo
 void print_brief(const Json& run, bool in_rpm, std::FILE* to) {
   const bool is_whole = !run.at("peak_normal_force_N").is_null();  // or the run stopped early
   const char* const peak = is_whole ? "peak_normal_force_N" : "peak_force_to_rolling_N";
-  fmt::print(to, "{}{}.\n", outcome_of(run, in_rpm),
+  fmt::print(to, "{}: {}{}.\n", equations_of(run), outcome_of(run, in_rpm),
              run.at(peak).is_null()
                  ? ""
                  : fmt::format("; largest normal force {}{}", is_whole ? "" : "so far ",
                                in_print(run, peak, in_rpm)));
-  for (const Json& remark : run.at("remarks"))
-    fmt::print(to, "Note: {}.\n", remark.get<std::string>());
-  fmt::print(to, "\n");
+  print_notes(run, to);
   for (const auto& [key, label, is_in_table] : results_in_words)
     if (const std::string name(key); !run.at(name).is_null())
       fmt::print(to, "  {:<31} {}\n",
-                 name == "max_displacement_m" && run.at("mass_loss_reached") == true
+                 name == "peak_displacement_m" && run.at("mass_loss_reached") == true
                      ? fmt::format("{} after loss", label)
                      : label,
                  in_print(run, name, in_rpm));
-  fmt::print(to, "  {}\n", equations_in_words(run.at("equations").get<std::string>()));
   if (run.contains("energy_J")) print_all(Json{{"energy_J", run["energy_J"]}}, to, "  ");
-  fmt::print(to, "\nAll results: --all, or --json with all digits.\n");
+  fmt::print(to, about_other_results);
+}
+
+void print_laws(const Json& runs, bool in_rpm, std::FILE* to) {
+  const Law& contact = all_laws().front();
+  for (const Json& run : runs) {
+    const bool touches = run.at(std::string(contact.key)).get<bool>();
+    fmt::print(to, "{}{}: the rotor {} the ring, {}.\n",
+               run.contains("run") ? run["run"].get<std::string>() + ": " : "", equations_of(run),
+               touches ? "touches" : "does not touch", contact.assumption);
+    print_notes(run, to);
+    for (const Law& law : all_laws()) {
+      const Json& value = run.at(std::string(law.key));
+      if (&law == &contact || (value.is_null() && !touches && law.none == no_value)) continue;
+      const std::string text =
+          value.is_null() ? std::string(law.none) : in_units(law.key, value.get<double>(), in_rpm);
+      fmt::print(to, "  {:<30} {:<9} {}\n", law.label, text, law.assumption);
+    }
+    fmt::print(to, "\n");
+  }
+  fmt::print(to, "{}{}", assumption_of_laws, about_other_results);
 }
 
 void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
@@ -143,6 +195,8 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
   const Json& first = runs.front().at("equations");
   if (std::ranges::any_of(runs, [&](const Json& run) { return run.at("equations") != first; }))
     add("equations", "equations");
+  else
+    fmt::print(to, "{}\n\n", equations_of(runs.front()));
   for (const auto& [key, label, is_in_table] : results_in_words)
     if (is_in_table) add(std::string(key), label);
   for (const std::string& line : lines)
@@ -151,18 +205,19 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
   if (runs.front().contains("errors")) fmt::print(to, "\ntimes since the start of the run\n");
 }
 
-void say_what_is_assumed(const std::vector<SceneRun>& runs) {
+void say_what_is_assumed(const Scene& scene) {
+  std::error_code error;  // no file
+  if (std::filesystem::equivalent(scene.file.parent_path(), figures_folder() / "paper", error))
+    return;
   std::vector<std::string> of_paper;
-  for (const SceneRun& run : runs) {
-    if (!is_own_rotor(run.stated)) continue;
+  for (const SceneRun& run : scene.runs)
     for (const std::string& quantity : left_to_the_paper(run.stated))
       if (!contains(of_paper, quantity)) of_paper.push_back(quantity);
-  }
   say_what_is_assumed(of_paper);
 }
 
 void say_what_is_assumed(const Sweep& sweep) {
-  if (is_own_rotor(sweep.base)) say_what_is_assumed(left_to_the_paper(SweepPoints(sweep)(0).spec));
+  say_what_is_assumed(left_to_the_paper(SweepPoints(sweep)(0).spec));
 }
 
 }  // namespace rotor

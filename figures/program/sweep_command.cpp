@@ -9,10 +9,12 @@
 #include <thread>
 
 #include "figures/data/files.hpp"
+#include "figures/data/read_csv.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
 #include "figures/results/estimated_result.hpp"
 #include "figures/sweep/compute_in_order.hpp"
+#include "figures/sweep/join.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
@@ -21,49 +23,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rows by the numbers of their points.
+/// Rows by their places in the results.
 using Rows = std::map<long, std::string>;
 
-/// Finished results: their rows, or how their head differs from that of this sweep.
+/// Finished results: the rows that are no refusals, if the file is whole.
 struct Finished {
   Rows rows{};
-  std::string difference{};
+  bool is_whole;
 
-  Finished(const Sweep& sweep, const std::string& results) {
-    const std::string wanted = sweep_head(sweep);
-    std::ifstream file(results, std::ios::binary);
-    std::string head(wanted.size(), '\0'), row;
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-    if (head != wanted) {
-      difference = rotor::difference(head, wanted, "--force replaces it");
-      return;
-    }
-    const SweepRows points(sweep);
-    for (long n = 0; n < sweep.points() && std::getline(file, row); ++n)
-      if (points.is_row_of(n, row)) rows.emplace(n, row + '\n');
+  Finished(const Sweep& sweep, const Part& part, const std::string& file) {
+    long place = 0;
+    is_whole = read_results(file, sweep_head(sweep, part), part.points(sweep.points()),
+                            [&](std::string_view row) {
+                              if (row.ends_with(',')) rows.emplace(place, row);
+                              ++place;
+                            });
+    if (!is_whole) rows.clear();
   }
 };
 
-/// What rows have as their outcome, and how many refusals and exceeded limits there are.
+/// What rows have as their outcome, and how many have remarks or are refused.
 class Tally {
  public:
   explicit Tally(const Sweep& sweep) {
-    const std::vector<std::string>& columns = result_columns(sweep);
-    const auto outcome = std::find(columns.begin(), columns.end(), "outcome");
-    if (outcome != columns.end())
-      column_ = outcome - columns.begin() + static_cast<long>(sweep.quantities().size());
+    const std::vector<std::string> varied = sweep.quantities();
+    if (!contains(varied, "equations") && !contains(varied, "velocity_jump") &&
+        !contains(varied, "gravity_moment"))
+      equations_ = fmt::format(", {}", equations_in_words(name_of(equations_of(sweep.base))));
+    outcome_ = place_of("outcome", sweep);
+    remarks_ = place_of("remarks", sweep);
   }
 
-  void add(std::string_view row) {  // the last two fields are the exceeded limits and the refusal
+  void add(std::string_view row) {
+    const std::vector<std::string> cells = csv_cells(row);
     ++points_;
-    if (!row.ends_with(','))
+    if (!cells.back().empty())
       ++refused_;
-    else if (!row.ends_with(",,"))
+    else if (remarks_ && !cells[*remarks_].empty())
       ++remarked_;
-    for (long n = 0; column_ && n < *column_; ++n)  // these have no quotes
-      row.remove_prefix(row.find(',') + 1);
-    if (column_) ++outcomes_[std::string(row.substr(0, row.find(',')))];
+    if (outcome_) ++outcomes_[cells[*outcome_]];
   }
 
   void print() const {
@@ -72,35 +70,37 @@ class Tally {
           fmt::format("rotor: {} of {} points have remarks (column remarks)", remarked_, points_));
     if (refused_ > 0)
       print_message(
-          fmt::format("rotor: {} of {} points have no result or too few digits (column refusal)",
-                      refused_, points_));
+          fmt::format("rotor: {} of {} points are refused (column refusal)", refused_, points_));
     std::vector<std::string> counts;
     for (const auto& [name, count] : outcomes_)
       if (!name.empty()) counts.push_back(fmt::format("{} {}", count, name));
     if (!counts.empty())
-      print_message(fmt::format("rotor: {} points: {}", points_, fmt::join(counts, ", ")));
+      print_message(
+          fmt::format("rotor: {} points{}: {}", points_, equations_, fmt::join(counts, ", ")));
   }
 
   bool has_results() const { return refused_ < points_; }
 
  private:
-  std::optional<long> column_;
+  std::optional<std::size_t> outcome_, remarks_;
   long points_ = 0, remarked_ = 0, refused_ = 0;
   std::map<std::string, long> outcomes_;  ///< of a refused point ""
+  std::string equations_;                 ///< of all points
 };
 
-/// Computes a sweep, but for the rows that are known. Resumes from its journal, if there is one.
-Tally compute(const Sweep& sweep, const std::string& out, int threads, const Rows& known = {}) {
-  Journal journal(out, sweep_head(sweep), sweep.points(),
-                  [points = SweepRows(sweep)](long n, std::string_view row) {
-                    return points.is_row_of(n, row);
-                  });
-  const long before = journal.rows(), points = sweep.points();
+/// Computes a part of a sweep, but for the rows that are known. Resumes from its journal, if there
+/// is one.
+Tally compute(const Sweep& sweep, const Part& part, const std::string& out, int threads,
+              const Rows& known = {}) {
+  const long points = part.points(sweep.points());
+  Journal journal(out, sweep_head(sweep, part), points);
+  const long before = journal.rows();
   const std::string name = journal.path().string();
   if (journal.dropped() > 0)
     print_message(fmt::format(
-        "rotor: {}: the {} bytes after row {} are damaged or too many, and were dropped", name,
-        journal.dropped(), before));
+        "rotor: {}: the {} bytes after row {} are damaged or too many: they were dropped, and "
+        "their points are computed anew",
+        name, journal.dropped(), before));
   if (before > 0)
     print_message(fmt::format("rotor: {} of {} points are already in {}", before, points, name));
   std::atomic<long> written = before;
@@ -115,9 +115,9 @@ Tally compute(const Sweep& sweep, const std::string& out, int threads, const Row
                        duration(elapsed_s * left / done));
   };
   const auto make_work = [&]() -> Work {
-    return [&known, rows = SweepRows(sweep)](long n) mutable {
-      const auto found = known.find(n);
-      return found == known.end() ? rows(n) : found->second;
+    return [&known, &part, rows = SweepRows(sweep)](long place) mutable {
+      const auto found = known.find(place);
+      return found == known.end() ? rows(part.point(place)) : found->second;
     };
   };
   const auto take = [&](const std::string& row) {
@@ -137,11 +137,24 @@ Tally compute(const Sweep& sweep, const std::string& out, int threads, const Row
   return tally;
 }
 
-/// Rows without any result are not what a sweep is for.
-void require_results(bool has_any, const std::string& name) {
-  if (!has_any)
+/// Writes the results of a sweep from those of its parts.
+Tally join(const Sweep& sweep, const std::string& out) {
+  if (const fs::path journal = journal_of(out); fs::exists(journal))
+    throw InputError(
+        "{}: is of an unfinished sweep without --part: finish it, or remove it to join",
+        one_line(journal.string()));
+  join_parts(sweep, out);
+  Tally tally(sweep);
+  read_results(out, sweep_head(sweep), sweep.points(),
+               [&](std::string_view row) { tally.add(row); });
+  return tally;
+}
+
+/// Rows without any result are not what a sweep is for; a part may have no others.
+void require_results(const SweepOptions& options, bool has_any) {
+  if (!has_any && !options.part)
     throw std::runtime_error(
-        fmt::format("{}: no point has a result; column refusal says why", name));
+        fmt::format("{}: no point has a result; column refusal says why", one_line(options.out)));
 }
 
 void require_file(const SweepOptions& options) {
@@ -158,9 +171,15 @@ void require_file(const SweepOptions& options) {
 
 void run_sweep(const SweepOptions& stated) {
   SweepOptions options = stated;
-  if (options.out.empty())
-    options.out = fs::path(options.file).filename().replace_extension(".csv");
+  const Part part = options.part.value_or(Part());
+  if (options.out.empty()) {
+    options.out = name_made_from(options.file, ".csv");
+    if (options.part) options.out = file_of(part, options.out);
+  }
   Sweep sweep = read_sweep(options.file);
+  if (part.of > sweep.points())
+    throw InputError("--part {}/{}: there are more parts than the {} points of {}", part.number,
+                     part.of, sweep.points(), shown(options.file));
   if (options.budget_s) {
     require_budget("--budget", *options.budget_s);
     sweep.budget_s = options.budget_s;
@@ -170,30 +189,34 @@ void run_sweep(const SweepOptions& stated) {
   Rows known;
   if (options.retry && !fs::exists(options.out))
     throw InputError("--retry: {}: there are no results yet{}", name,
-                     fs::exists(options.out + ".journal") ? "; without it the sweep resumes" : "");
+                     fs::exists(journal_of(options.out)) ? "; without it the sweep resumes" : "");
   if (fs::exists(options.out) && !options.force) {
-    Finished finished(sweep, options.out);
-    if (!finished.difference.empty()) throw InputError("{}: {}", name, finished.difference);
-    const auto refused =
-        std::erase_if(finished.rows, [](const auto& row) { return !row.second.ends_with(",\n"); });
+    Finished finished(sweep, part, options.out);
+    const std::string fault = fmt::format("{}: {}", name, damaged_in_words);
     if (options.retry) {
-      print_message(fmt::format("rotor: {} rows of {} are kept", finished.rows.size(), name));
+      print_message(finished.is_whole
+                        ? fmt::format("rotor: {} rows of {} are kept", finished.rows.size(), name)
+                        : fmt::format("rotor: {}; all its points are computed anew", fault));
       known = std::move(finished.rows);
-    } else if (static_cast<long>(finished.rows.size() + refused) == sweep.points() &&
-               !fs::exists(options.out + ".journal")) {
+    } else if (!fs::exists(journal_of(options.out))) {
+      if (!finished.is_whole) throw InputError("{}; --force computes all again", fault);
+      const long refused = part.points(sweep.points()) - static_cast<long>(finished.rows.size());
       print_message(
-          fmt::format("rotor: {} has all points of this sweep, {} of them refused; {}"
+          fmt::format("rotor: {} has all points of this {}, {} of them refused; {}"
                       "--force computes all again",
-                      name, refused, refused > 0 ? "--retry computes those, " : ""));
-      return require_results(!finished.rows.empty(), name);
+                      name, options.part ? "part" : "sweep", refused,
+                      refused > 0 ? "--retry computes those, " : ""));
+      return require_results(options, !finished.rows.empty());
     }
   }
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const Tally tally = compute(sweep, options.out, options.jobs > 0 ? options.jobs : cores, known);
+  const int threads = options.jobs > 0 ? options.jobs : cores;
+  const Tally tally =
+      options.join ? join(sweep, options.out) : compute(sweep, part, options.out, threads, known);
   tally.print();
   say_what_is_assumed(sweep);
   fmt::print("{}\n", name);
-  require_results(tally.has_results(), name);
+  require_results(options, tally.has_results());
 }
 
 }  // namespace rotor

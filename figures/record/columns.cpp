@@ -49,7 +49,7 @@ constexpr std::array table = {
     Column{"bearing_force_N", "magnitude of k r_O + d v_O of the supports",
            [](InstantView& v) {
              const Motion<double>& m = v.motion();
-             return v.supports().bearing_force(m.displacement, m.velocity).norm();
+             return v.acting().supports.bearing_force(m.displacement, m.velocity).norm();
            },
            Extreme::bearing_force},
     Column{"whirl_frequency_Hz", "whirl frequency of O about O_a, negative against the rotation",
@@ -61,9 +61,9 @@ constexpr std::array table = {
            }},
     Column{"motor_power_W",
            "power of the motor; 0 at constant speed, which is held whatever power that takes",
-           [](InstantView& v) { return v.supports().motor_power(v.motion(), v.at().motor_on); }},
+           [](InstantView& v) { return v.acting().motor.power(v.motion(), v.at().motor_on); }},
     Column{"support_damping_power_W", "power of the supports' dampers, negative",
-           [](InstantView& v) { return v.supports().damping_power(v.motion()); }},
+           [](InstantView& v) { return v.acting().supports.power(v.at().body, v.motion()); }},
     Column{"friction_power_W", "power of F_tau at the rim, negative",
            [](InstantView& v) {
              return v.at().touches() ? v.friction() * v.rim_point().slip_velocity : 0;
@@ -72,7 +72,7 @@ constexpr std::array table = {
            "power of the contact's damper, negative; also while the ring springs back",
            [](InstantView& v) { return v.ring().damping_power(v.rim_point(), v.at().contact); }},
     Column{"support_energy_J", "potential energy of the supports' springs",
-           [](InstantView& v) { return v.supports().spring_energy(v.motion().displacement); }},
+           [](InstantView& v) { return v.acting().supports.potential(v.at().body, v.motion()); }},
     Column{"contact_energy_J", "potential energy of the indented ring",
            [](InstantView& v) { return v.ring().energy(v.rim_point(), v.at().contact); }},
     Column{"contact_state", "0 free, 1 sliding, 2 rolling, 3 free with the ring still indented",
@@ -85,8 +85,7 @@ double InstantView::friction() {
   if (!at_.touches()) return 0;
   if (at_.contact == ContactState::rolling && context_.rolls)
     return friction_without_slip(at_.body, ring(), motion(), rim_point(),
-                                 supports().loads(at_.body, motion(), at_.motor_on),
-                                 normal_force());
+                                 acting().loads(at_.body, motion(), at_.motor_on), normal_force());
   const int own = rim_point().slip_velocity > 0 ? 1 : -1;
   return ring().sliding_friction(normal_force(), at_.slip_sign == 0 ? own : at_.slip_sign);
 }

@@ -13,11 +13,11 @@ namespace rotor {
 struct ColumnContext {
   explicit ColumnContext(const Scenario& scenario)
       : ring(scenario.parameters),
-        supports(scenario.parameters, scenario.equations),
+        acting(scenario.parameters, scenario.equations),
         rolls(scenario.method == Method::event) {}
 
   Ring<double> ring;
-  Supports<double> supports;
+  ActingLoads<double> acting;
   bool rolls;  ///< whether the method has a state of rolling, in which friction is a constraint
 };
 
@@ -42,7 +42,7 @@ class InstantView {
     return in_stator_frame({at_.state[0], at_.state[1]}, at_.state[2]);
   }
   const Ring<double>& ring() const { return context_.ring; }
-  const Supports<double>& supports() const { return context_.supports; }
+  const ActingLoads<double>& acting() const { return context_.acting; }
 
  private:
   const Instant& at_;

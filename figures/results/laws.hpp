@@ -2,26 +2,45 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "figures/results/json.hpp"
-#include "figures/results/remarks.hpp"
 #include "model/scenario/scenario.hpp"
+#include "model/theory/accident.hpp"
 
 namespace rotor {
 
-/// Keys have units; null: does not happen. Throws InputError for a run without mass loss, and
-/// std::domain_error for supports that do not vibrate.
+struct AccidentAtSpeed {
+  double speed;  ///< at the mass loss, rad/s
+  Accident law;
+};
+
+inline constexpr std::string_view no_value = "no value";
+
+/// A closed form: its key with the unit, its label in short summaries, its meaning, and the
+/// assumption under which it holds.
+struct Law {
+  std::string_view key, label, meaning, assumption;
+  Json (*of)(const AccidentAtSpeed& accident);
+  std::string_view none = no_value;  ///< what null means
+};
+const std::vector<Law>& all_laws();
+
+/// Of all of them; two lines.
+inline constexpr std::string_view assumption_of_laws =
+    "All assume that the rotor loses the piece in its steady response, and has not\n"
+    "touched the ring before.\n";
+
+/// By their keys. Throws InputError for a run without mass loss, and std::domain_error for supports
+/// that do not vibrate.
 Json laws(const Scenario& scenario);
 
 /// The same, all null where they do not apply: without a mass loss, or where supports do not
 /// vibrate.
 Json laws_or_nulls(const Scenario& scenario);
 
-/// Those of remarks_on_rotor(), and why the closed forms are not trusted.
-std::vector<Remark> remarks_on_laws(const Scenario& scenario);
-
-/// The keys of laws() and their meanings, a line each.
+/// The keys and their meanings, a line each, and what all assume.
 std::string meanings_of_laws();
 
 }  // namespace rotor

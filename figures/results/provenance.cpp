@@ -33,8 +33,8 @@ std::string parameters(const Scenario& scenario) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-/// What closed forms predict, if they apply to the rotor.
-std::string prediction(const Scenario& scenario) {
+/// The closed forms that have a value.
+std::string closed_forms_of(const Scenario& scenario) {
   std::vector<std::string> all;
   const Json known = laws_or_nulls(scenario);
   for (const auto& [key, value] : known.items())
@@ -51,7 +51,7 @@ std::string csv_head(const std::string& title, const Scene& scene, std::string_v
                                 describe(run.scenario.equations), name_of(run.scenario.method),
                                 parameters(run.scenario)));
   for (const SceneRun& run : scene.runs)
-    if (const std::string said = prediction(run.scenario); !said.empty())
+    if (const std::string said = closed_forms_of(run.scenario); !said.empty())
       lines.push_back(fmt::format("{}: by closed forms, {}", run.name, said));
   std::vector<std::string_view> headings = {names};
   for (const Column* column : scene.columns) {

@@ -2,18 +2,16 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "model/scenario/scenario.hpp"
 
 namespace rotor {
 
-/// Of the circumstances of a run, of a stated stop or mass loss that it did not reach, or of a
-/// limit of model or method that it exceeds.
+/// Of the circumstances of a run, or of a stated stop or mass loss that it did not reach.
 struct Remark {
-  std::string sentence;
-  enum class Of { circumstances, missed_stop, missed_loss, limit } of = Of::circumstances;
+  Message message;
+  enum class Of { circumstances, missed_stop, missed_loss } of = Of::circumstances;
 };
 
 /// What an engineer would question about a rotor, be it run or estimated: inputs that are probably

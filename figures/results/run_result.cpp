@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <numbers>
 #include <type_traits>
 #include <utility>
@@ -15,7 +16,7 @@
 namespace rotor {
 namespace {
 
-constexpr int schema = 5;
+constexpr int schema = 1;
 
 using rotor::json_of;  // of numbers
 Json json_of(Outcome outcome) { return name_of(outcome); }
@@ -27,6 +28,7 @@ struct Metadata {
   std::string_view key, meaning;
   Json allowed;  ///< in JSON schema
   Json (*value)(const RunResult&);
+  Settled settled = Settled::once_known;
 };
 
 Json type(const char* name) { return {{"type", name}}; }
@@ -43,12 +45,13 @@ Json with(Json names, const Json& more) {
 
 Json remarks_of(const RunResult& result) {
   Json sentences = Json::array();
-  for (const Remark& remark : remarks(result)) sentences.push_back(remark.sentence);
+  for (const Remark& remark : remarks(result)) sentences.push_back(remark.message.text());
   return sentences;
 }
 
 const std::vector<Metadata>& metadata() {
   using A = RunResult;
+  constexpr Settled stop = Settled::by_stop;
   static const std::vector<Metadata> all = {
       {"stop_on",
        "Where the run was to stop early. A run that stopped at its outcome or at rolling has null "
@@ -60,15 +63,16 @@ const std::vector<Metadata>& metadata() {
       {"remarks",
        "What a reader should know besides the numbers",
        {{"type", "array"}, {"items", type("string")}},
-       remarks_of},
+       remarks_of,
+       Settled::by_end},
       {"right_hand_sides", "Cost: evaluations of the equations of motion", type("integer"),
-       [](const A& a) { return Json(a.end.counters.right_hand_sides); }},
+       [](const A& a) { return Json(a.end.counters.right_hand_sides); }, stop},
       {"contact_evaluations", "Cost: evaluations of the loads in contact, in equations and guards",
-       type("integer"), [](const A& a) { return Json(a.end.counters.contact_evaluations); }},
+       type("integer"), [](const A& a) { return Json(a.end.counters.contact_evaluations); }, stop},
       {"steps", "Cost: accepted steps", type("integer"),
-       [](const A& a) { return Json(a.end.counters.steps); }},
+       [](const A& a) { return Json(a.end.counters.steps); }, stop},
       {"located_events", "Number of located events", type("integer"),
-       [](const A& a) { return Json(a.end.counters.located_events); }},
+       [](const A& a) { return Json(a.end.counters.located_events); }, stop},
       {"equations",
        "published (velocity jump twice, gravity moment whole), corrected (once, balanced) or "
        "mixed",
@@ -93,14 +97,19 @@ const std::vector<Metadata>& metadata() {
        [](const A& a) { return inputs_of(a.scenario); }},
       {"version", "Version of rotor, and its commit", type("string"),
        [](const A&) { return Json(version()); }},
-      {"schema",
-       "Version of this schema; 4 had cut_short_at_s, equations named consistent, no drive, and "
-       "with --digits objects instead of numbers; 3 had values of stopped runs "
-       "that the rest could change, 2 had the "
-       "keys of separation and collisions, 1 no outcome or inputs",
-       {{"const", schema}},
-       [](const A&) { return Json(schema); }}};
+      {"schema", "Version of this schema", {{"const", schema}}, [](const A&) {
+         return Json(schema);
+       }}};
   return all;
+}
+
+/// What decides the value with this key. A closed form is known from the start.
+Settled settled_by(std::string_view key) {
+  for (const auto& field : summary_fields<double>)
+    if (field.key == key) return field.settled;
+  for (const Metadata& entry : metadata())
+    if (entry.key == key) return entry.settled;
+  return Settled::once_known;
 }
 
 /// In the order in which they are decided.
@@ -124,6 +133,25 @@ Json allowed(T Summary::* /*of*/, bool may_be_open) {
   return {{"type", types}};
 }
 
+RunResult continued(RunUpCheckpoint run_so_far, const Scenario& scenario,
+                    std::optional<StopObserver> stop, Observer& others) {
+  Simulation& simulation = run_so_far.simulation;
+  SummaryObserver& summary = run_so_far.summary;
+  ObserverGroup observers = {&others};
+  if (stop) observers.add(*stop);
+  observers.on_instant(simulation.instant());
+  observers.add(summary);  // the summary has seen the start
+  if (!simulation.stopped())
+    simulation.finish(observers);
+  else
+    summary.on_instant(simulation.instant());
+  const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
+  EarlyEnd early;
+  if (stop) early = {stop->stop_on(), stop->is_reached()};
+  early.interrupted = end.stopped && !early.stop_reached;
+  return {scenario, summary.summary(), end, early};
+}
+
 }  // namespace
 
 Json inputs_of(const Scenario& scenario) {
@@ -145,20 +173,24 @@ Json inputs_of(const Scenario& scenario) {
 
 RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
                  std::optional<StopOn> stop_on, Observer& others) {
-  Simulation& simulation = run_so_far.simulation;
-  SummaryObserver& summary = run_so_far.summary;
-  ObserverGroup observers = {&others};
   std::optional<StopObserver> stop;
-  if (stop_on) observers.add(stop.emplace(*stop_on, scenario));
-  observers.on_instant(simulation.instant());
-  observers.add(summary);  // the summary has seen the start
-  if (!simulation.stopped())
-    simulation.finish(observers);
-  else
-    summary.on_instant(simulation.instant());
-  const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
-  const bool stop_reached = stop && stop->is_reached();
-  return {scenario, summary.summary(), end, {stop_on, stop_reached, end.stopped && !stop_reached}};
+  if (stop_on) stop.emplace(*stop_on, scenario);
+  return continued(std::move(run_so_far), scenario, std::move(stop), others);
+}
+
+RunResult finish_for(const std::vector<std::string>& keys, RunUpCheckpoint run_so_far,
+                     const Scenario& scenario, Observer& others) {
+  Settled last = Settled::once_known;
+  for (const std::string& key : keys) {
+    const Settled settled = settled_by(key);
+    const bool awaits_no_loss = settled == Settled::by_loss && !scenario.loses_mass();
+    last = std::max(last, awaits_no_loss ? Settled::by_end : settled);
+  }
+  if (last != Settled::by_stop && !contains(keys, "peak_bearing_force_N"))
+    run_so_far.summary.ignore_maxima_of(Extreme::bearing_force);
+  std::optional<StopObserver> stop;
+  if (last < Settled::by_end) stop.emplace(StopOn::outcome, scenario, last == Settled::by_contacts);
+  return continued(std::move(run_so_far), scenario, std::move(stop), others);
 }
 
 Json to_json(const RunResult& result, const std::vector<std::string>* only) {
@@ -189,7 +221,10 @@ Json summary_schema() {
             ? fmt::format("{}, the first that holds: {}", field.meaning, meanings_of_outcomes())
             : std::string(field.meaning),
         std::visit(
-            [&](auto member) { return allowed(member, field.settled != Settled::once_known); },
+            [&](auto member) {
+              return allowed(member, field.settled != Settled::once_known &&
+                                         field.settled != Settled::by_stop);
+            },
             field.value));
     required.push_back(field.key);
   }
@@ -226,19 +261,19 @@ Json summary_schema() {
 }
 
 Json to_json(const EnergyObserver& energy) {
-  const auto of = [](const EnergyBalance& b) -> Json {
-    return {{"initial", b.initial},
-            {"motor", b.motor},
-            {"drive", b.drive},
-            {"gravity", b.gravity},
-            {"support_damping", b.support_damping},
-            {"contact_damping", b.contact_damping},
-            {"friction", b.friction},
-            {"mass_loss", b.mass_loss},
-            {"kinetic", b.kinetic},
-            {"support_springs", b.support_springs},
-            {"contact_spring", b.contact_spring},
-            {"residual", b.residual()}};
+  const auto of = [](const EnergyBalance& b) {
+    Json all = {{"initial", b.initial}};
+    for (std::size_t i = 0; i < b.work.loads.size(); ++i)
+      all[std::string(EnergyByCause::loads_by_name[i])] = b.work.loads[i];
+    all.update(Json{{"drive", b.work.drive},
+                    {"contact_damping", b.work.contact_damping},
+                    {"friction", b.work.friction},
+                    {"mass_loss", b.mass_loss},
+                    {"kinetic", b.kinetic},
+                    {"support_springs", b.support_springs},
+                    {"contact_spring", b.contact_spring},
+                    {"residual", b.residual()}});
+    return all;
   };
   Json json;
   json["until_rolling"] = nullptr;
@@ -253,67 +288,65 @@ std::vector<Remark> remarks(const RunResult& result) {
   const Summary& summary = result.summary;
   const EarlyEnd& early = result.early;
   const Parameters& p = result.scenario.parameters;
+  const auto the = [&](std::string_view name) { return mention_of(result.scenario, name); };
   std::vector<Remark> all;
   if (summary.lost_mass_kg == 0.)
-    all.push_back({fmt::format("no mass is lost with unbalance_factor = {} and eccentricity = {} m",
-                               p.unbalance_factor, p.eccentricity),
+    all.push_back({{"no mass is lost with ", the("unbalance_factor"), " and ", the("eccentricity")},
                    Of::missed_loss});
   else if (p.loses_mass && !summary.mass_loss_reached)
     all.push_back(
-        {fmt::format("the mass loss at {} s was not reached by {:.6g} s", p.mass_loss_time,
-                     p.mass_loss_time > result.scenario.until ? result.scenario.until
-                                                              : summary.final_time_s),
+        {{fmt::format("the mass loss at {} s was not reached by {:.6g} s", p.mass_loss_time,
+                      p.mass_loss_time > result.scenario.until ? result.scenario.until
+                                                               : summary.final_time_s)},
          Of::missed_loss});
   if (early.stop_on && !early.stop_reached) {
+    const ActingLoads<double> acting(p, result.scenario.equations);
     const bool spins_freely = early.stop_on == StopOn::rest && !result.end.last.touches();
     all.push_back(
-        {fmt::format("the run was to stop at {}, which was not reached by {:.6g} s{}",
-                     name_of(*early.stop_on), summary.final_time_s,
-                     !spins_freely ? ""
-                     : result.end.last.motor_on && p.torque > 0
-                         ? "; the motor still drives"
-                         : "; without contact only the damping of its whirl brakes the rotor"),
+        {{fmt::format("the run was to stop at {}, which was not reached by {:.6g} s{}",
+                      name_of(*early.stop_on), summary.final_time_s,
+                      !spins_freely ? ""
+                      : acting.constant_moment(result.end.last.motor_on) > 0
+                          ? "; the motor still drives"
+                          : "; without contact only the damping of its whirl brakes the rotor")},
          Of::missed_stop});
   }
   using enum Outcome;
   const bool is_open = summary.outcome == sliding || summary.outcome == bouncing ||
                        summary.outcome == undecided || summary.outcome == stalled;
   if (is_open && !early.stop_on && !early.interrupted)
-    all.push_back({fmt::format("at {:.6g} s, the end of the run, the outcome may still change",
-                               summary.final_time_s)});
+    all.push_back({{fmt::format("at {:.6g} s, the end of the run, the outcome may still change",
+                                summary.final_time_s)}});
   if (const double start = result.scenario.start_speed_Hz;
       p.drive == Drive::motor && start > 0 && start != p.motor_off_Hz && p.torque > 0)
-    all.push_back({fmt::format(
-        "at start_speed_hz = {} Hz the motor {} motor_off_hz = {} Hz", start,
-        start < p.motor_off_Hz ? "still drives (torque = 0 turns it off), up to" : "is off:",
-        p.motor_off_Hz)});
+    all.push_back(
+        {{"at ", the("start_speed_Hz"), " the motor ",
+          start < p.motor_off_Hz ? "still drives (torque = 0 turns it off), up to " : "is off: ",
+          the("motor_off_Hz")}});
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back(
-        {fmt::format("touch-downs before the mass loss: {}", summary.touch_downs_before_loss)});
-  if (const double deepest =
-          std::max(summary.max_displacement_m.value_or(0), summary.max_displacement_before_loss_m) -
-          Ring<double>(p).clearance;
+        {{fmt::format("touch-downs before the mass loss: {}", summary.touch_downs_before_loss)}});
+  if (const double deepest = std::max(summary.peak_displacement_m.value_or(0),
+                                      summary.peak_displacement_before_loss_m) -
+                             Ring<double>(p).clearance;
       deepest > p.rotor_radius)
-    all.push_back(
-        {fmt::format("the ring was indented by {:.4g} m, more than the rotor's radius", deepest),
-         Of::limit});
+    all.push_back({{fmt::format("the ring was indented by {:.4g} m, more than the rotor's radius",
+                                deepest)}});
   // Steps per half period of the contact; with ten, the error of the largest force is about 1 %.
   constexpr double few_steps = 10;
   const double steps = std::numbers::pi /
                        natural_frequency(Ring<double>(p).typical_stiffness(), p.mass) /
                        result.scenario.step_rub;
   if (result.scenario.method == Method::rk4 && summary.touch_downs > 0 && steps < few_steps)
-    all.push_back({fmt::format("a contact lasts about {:.2g} steps of step_rub = {} s: the "
-                               "published method needs at least {}",
-                               steps, result.scenario.step_rub, few_steps),
-                   Of::limit});
+    all.push_back({{fmt::format("a contact lasts about {:.2g} steps of ", steps), the("step_rub"),
+                    fmt::format(": the published method needs at least {}", few_steps)}});
   // At mu = 0.05 each multiplies errors by 2.7 in the mean: so many use up the tolerance.
   const double many = -std::log(result.scenario.tolerance);
   if (!result.is_course_sure && static_cast<double>(summary.touch_downs) > many)
     all.push_back(
-        {fmt::format("with {} touch-downs, differences in the last digits may lead to another "
-                     "course; a sample of runs shows it",
-                     summary.touch_downs)});
+        {{fmt::format("with {} touch-downs, differences in the last digits may lead to another "
+                      "course; a sample of runs shows it",
+                      summary.touch_downs)}});
   const auto of_rotor = remarks_on_rotor(result.scenario, summary.speed_at_mass_loss_Hz);
   all.insert(all.end(), of_rotor.begin(), of_rotor.end());
   return all;

@@ -24,6 +24,11 @@ bool starts_in_contact(const Scenario& scenario) {
   return scenario.start && start_of(scenario).contact != ContactState::free;
 }
 
+/// Of what drives or brakes the rotor until its motor is switched off, N m.
+double constant_moment(const Scenario& scenario) {
+  return ActingLoads<double>(scenario.parameters, scenario.equations).constant_moment(true);
+}
+
 /// Watches a run-up whose motor is switched off at the speed that is looked for. Stops it there, at
 /// a contact, or when the monitor does.
 class SpeedWatch : public Observer {
@@ -42,6 +47,7 @@ class SpeedWatch : public Observer {
     reached.greatest_Hz = std::max(reached.greatest_Hz, in_Hz(now.speed));
     return monitor_.should_continue(now);
   }
+  bool may_stop_early() const override { return true; }
 
   SpeedReached reached{};
 
@@ -61,8 +67,9 @@ SpeedReached search(const Simulation& from, Scenario run_up, double speed_Hz,
   if (from.instant().contact != ContactState::free) return {std::nullopt, 0, start_Hz, true};
   if (start_Hz >= (1 - speed_rounding) * speed_Hz)
     return {from.instant().time_s, 0, start_Hz, false};
-  if (p.torque == 0 || !from.instant().motor_on) return {std::nullopt, 0, start_Hz, false};
-  run_up.until = until_s.value_or(2 * p.inertia * two_pi * speed_Hz / p.torque);
+  const double moment = constant_moment(run_up);
+  if (!(moment > 0) || !from.instant().motor_on) return {std::nullopt, 0, start_Hz, false};
+  run_up.until = until_s.value_or(2 * p.inertia * two_pi * speed_Hz / moment);
   p.motor_off_Hz = std::min(p.motor_off_Hz, speed_Hz);
   SpeedWatch watch(monitor);
   from.with(run_up).finish(watch);
@@ -129,7 +136,7 @@ SpeedReached RunUps::time_at_speed(const Scenario& scenario, double speed_Hz,
   const Parameters& p = scenario.parameters;
   const double rise_Hz = std::min(speed_Hz, p.motor_off_Hz) - scenario.start_speed_Hz;
   Scenario soonest = scenario;
-  soonest.until = (1 - ripple) * p.inertia * two_pi * rise_Hz / p.torque;
+  soonest.until = (1 - ripple) * p.inertia * two_pi * rise_Hz / constant_moment(scenario);
   const double passed_s = SummaryObserver(soonest).time_of_speed_s();
   if (passed_s > 0 && soonest.until < until_s.value_or(std::numeric_limits<double>::max()))
     follow(checkpoints, passed_s, monitor);
@@ -159,28 +166,36 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) try {
       scenario, speed_Hz, states_end ? std::optional(scenario.until) : std::nullopt, monitor);
   if (is_interrupted()) throw Interrupted();
   const bool in_rpm = spec.numbers.contains("mass_loss_speed_rpm");
+  const Mention at_loss{"mass_loss_speed_Hz", fmt::format("{} Hz", speed_Hz)};
   if (!reached.time_s && p.torque == 0 && !reached.touches)
-    throw InputError(
-        "mass_loss_speed_hz = {} Hz: is not reached from start_speed_hz = {} Hz with torque = 0 N "
-        "m",
-        speed_Hz, scenario.start_speed_Hz);
-  if (!reached.time_s)
-    throw InputError(
-        "mass_loss_speed_hz = {} Hz: is not reached{}; up to {:.6g} s the rotor reaches at most "
-        "{:.6g} {}{}",
-        speed_Hz, reached.touches ? " before the rotor touches the ring" : "",
-        reached.looked_until_s, reached.greatest_Hz * (in_rpm ? 60 : 1), in_rpm ? "rpm" : "Hz",
-        reached.touches             ? "; state mass_loss_time"
-        : speed_Hz > p.motor_off_Hz ? "; above motor_off_hz the motor is off"
-                                    : "");
+    throw ScenarioError({at_loss, ": is not reached from ", mention_of(scenario, "start_speed_Hz"),
+                         " with ", mention_of(scenario, "torque")});
+  if (!reached.time_s) {
+    Message message = {
+        at_loss,
+        fmt::format(": is not reached{}; up to {:.6g} s the rotor reaches at most {:.6g} {}",
+                    reached.touches ? " before the rotor touches the ring" : "",
+                    reached.looked_until_s, reached.greatest_Hz * (in_rpm ? 60 : 1),
+                    in_rpm ? "rpm" : "Hz")};
+    const auto add = [&](std::initializer_list<Message::Part> more) {
+      message.parts.insert(message.parts.end(), more);
+    };
+    if (reached.touches)
+      add({"; state mass_loss_time"});
+    else if (speed_Hz > p.motor_off_Hz)
+      add({"; above ", Mention{"motor_off_Hz"}, " the motor is off"});
+    throw ScenarioError(message);
+  }
   p.mass_loss_time = *reached.time_s;
   if (p.mass_loss_time == 0) scenario.mass_loss_speed_Hz.reset();
   if (!states_end) scenario.until += p.mass_loss_time;
   return scenario;
 } catch (const Interrupted&) {
   throw;
-} catch (const std::exception& error) {
-  throw InputError("{}", as_stated(error.what(), spec));
+} catch (const ScenarioError& error) {
+  throw ScenarioError(as_stated(error.message(), spec));
+} catch (const std::exception& error) {  // the run-up to the speed fails
+  throw ScenarioError({error.what()});
 }
 
 }  // namespace rotor

@@ -19,7 +19,9 @@ class Interruptible : public Observer {
  public:
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-  explicit Interruptible(double budget_s = unlimited) : budget_s_(budget_s) {}
+  /// A run-up need not reach its end if the run may stop before that.
+  explicit Interruptible(double budget_s = unlimited, std::optional<StopOn> stop_on = {})
+      : budget_s_(budget_s), may_stop_early_(stop_on && !awaits_mass_loss(*stop_on)) {}
 
   double budget_s() const { return budget_s_; }
   bool has_time() const {
@@ -28,9 +30,11 @@ class Interruptible : public Observer {
   }
   bool may_continue() const { return !is_interrupted() && has_time(); }
   bool should_continue(const Progress& /*now*/) override { return may_continue(); }
+  bool may_stop_early() const override { return may_stop_early_; }
 
  private:
   double budget_s_;
+  bool may_stop_early_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -81,7 +85,7 @@ class RunUps {
 };
 
 /// The scenario of what is stated. A mass loss at a stated speed is at the time at which the run-up
-/// first has that speed. Throws InputError as stated_scenario() does, and if the speed is not
+/// first has that speed. Throws ScenarioError as stated_scenario() does, and if the speed is not
 /// reached; Interrupted.
 Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups);
 Scenario scenario_of(const ScenarioSpec& spec);

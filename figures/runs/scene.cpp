@@ -26,7 +26,7 @@ class SceneReader : TomlFile {
     for (const toml::table* in : {&root, &table(root, "parameters")})
       for (const char* key : {"stop_on", "budget"})
         if (in->contains(key))
-          fail_at(*in, key, "is a key of sweeps; of a run it is the option {}", option_of(key));
+          fail_at(*in, key, "is no key of a scene; rotor run has the option {}", option_of(key));
     expect_keys(root, {"title", "columns", "window", "parameters", "run"});
     Scene scene;
     scene.file = path();
@@ -55,13 +55,13 @@ class SceneReader : TomlFile {
     return at(*node, "columns", [&] { return parse_columns(names); });
   }
 
-  /// A refusal blames an option that it names, a key of the [[run]], or a parameter.
+  /// A refusal blames an option among its inputs, a key of the [[run]], or a parameter.
   SceneRun run(const std::string& name, const ScenarioSpec& stated, const toml::table& own) {
     const ScenarioSpec all = stated.overridden_by(overrides_.of_runs);
     try {
       return {name, scenario_of(all, run_ups_), all};
-    } catch (const InputError& error) {
-      const std::vector<std::string> inputs = inputs_named(error.what());
+    } catch (const ScenarioError& error) {
+      const std::vector<std::string> inputs = error.message().inputs();
       for (const std::string& input : inputs)
         if (overrides_.of_runs.states(input) || overrides_.of_parameters.states(input))
           throw InputError("{}, with {}: {}", option_of(input), path().string(), error.what());
@@ -77,7 +77,7 @@ class SceneReader : TomlFile {
     if (tables.empty()) return {run("run", base, table(root, "parameters"))};
     std::vector<SceneRun> all;
     for (const toml::table* table : tables) {
-      const auto name = text(*table, "name");
+      const auto name = this->name(*table);
       if (!name || name->empty()) fail(*table, "name", "every [[run]] needs a name");
       const auto same = [&](const SceneRun& other) { return other.name == *name; };
       if (std::any_of(all.begin(), all.end(), same))

@@ -9,38 +9,19 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "figures/data/files.hpp"
-#include "figures/data/text.hpp"
 
 namespace rotor {
 
-std::string difference(std::string_view head, std::string_view wanted, std::string_view advice) {
-  if (head.starts_with("\xef\xbb\xbf"))
-    return "starts with a byte-order mark, which another program has added: remove the mark";
-  std::istringstream has{std::string(head)}, needs{std::string(wanted)};
-  std::string line, other;
-  do {
-    std::getline(has, line);
-    std::getline(needs, other);
-  } while (line == other && has && needs);
-  if (line == other + '\r')
-    return "has lines that end in CR LF, as another program has written them: change them to LF";
-  return fmt::format(
-      R"(is of another sweep file or version of rotor: has "{}" instead of "{}"; {})", shown(line),
-      shown(other), advice);
+std::filesystem::path journal_of(const std::filesystem::path& file) {
+  return file.string() + ".journal";
 }
 
-Journal::Journal(const std::filesystem::path& file, std::string head, long points,
-                 IsRowOf is_row_of)
-    : file_(file),
-      path_(file.string() + ".journal"),
-      head_(std::move(head)),
-      is_row_of_(std::move(is_row_of)),
-      points_(points) {
+Journal::Journal(const std::filesystem::path& file, std::string head, long points)
+    : file_(file), path_(journal_of(file)), head_(std::move(head)), points_(points) {
   try {
     // The sweep that held the lock may have finished, and removed the file that was opened here.
     do open();
@@ -49,7 +30,7 @@ Journal::Journal(const std::filesystem::path& file, std::string head, long point
     dropped_ = ::lseek(descriptor_, 0, SEEK_END) - end;
     if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) < 0)
       fail_by_errno();
-    if (end == 0) write_all(head_);
+    if (end == 0) write_all(own_head());
   } catch (...) {
     ::close(descriptor_);
     throw;
@@ -69,27 +50,37 @@ void Journal::open() {
 
 Journal::~Journal() { ::close(descriptor_); }
 
+/// The head with the name of the check sums.
+std::string Journal::own_head() const { return head_.substr(0, head_.size() - 1) + ",crc32\n"; }
+
 /// Reads the head and the rows that are good. Returns where they end: 0 if the head is incomplete.
 off_t Journal::read_rows(const std::function<void(std::string_view row)>& see) {
+  rows_ = 0;
+  sum_ = {};
+  sum_.add(head_);
+  const std::string wanted = own_head(), head = read_file(path_, wanted.size());
+  if (!wanted.starts_with(head)) fail(difference(head, wanted, "resume with that, or remove it"));
+  if (head != wanted) return 0;
   std::ifstream stream(path_, std::ios::binary);
-  std::string line(head_.size(), '\0');
-  stream.read(line.data(), static_cast<std::streamsize>(line.size()));
-  line.resize(static_cast<std::size_t>(stream.gcount()));
-  if (!stream.is_open() || stream.bad()) fail_by_errno("cannot be read");
-  if (!head_.starts_with(line)) fail(difference(line, head_, "resume with that, or remove it"));
-  if (line != head_) return 0;
-  auto end = static_cast<off_t>(line.size());
-  for (rows_ = 0; rows_ < points_ && std::getline(stream, line) && !stream.eof(); ++rows_) {
-    if (!is_row_of_(rows_, line)) break;
+  stream.seekg(static_cast<std::streamoff>(head.size()));
+  auto end = static_cast<off_t>(head.size());
+  for (std::string line; rows_ < points_ && std::getline(stream, line) && !stream.eof(); ++rows_) {
+    const std::string row = line.substr(0, line.rfind(','));
+    CheckSum sum = sum_;
+    sum.add(row + '\n');
+    if (line != row + ',' + sum.text()) break;
+    sum_ = sum;
     end += static_cast<off_t>(line.size() + 1);
-    if (see) see(line);
+    if (see) see(row);
   }
-  if (stream.bad()) fail_by_errno("cannot be read");
+  if (!stream.is_open() || stream.bad()) fail_by_errno("cannot be read");
   return end;
 }
 
 void Journal::write(std::string_view row) {
-  write_all(row);
+  sum_.add(row);
+  sum_.add("\n");
+  write_all(fmt::format("{},{}\n", row, sum_.text()));
   ++rows_;
 }
 
@@ -106,13 +97,13 @@ void Journal::write_all(std::string_view text) {
 void Journal::finish(const std::function<void(std::string_view row)>& see) {
   OutputFile results(file_);
   results.write(head_);
-  const long written = rows_;
   read_rows([&](std::string_view row) {
     results.write(row);
     results.write("\n");
     if (see) see(row);
   });
-  if (rows_ != written || rows_ != points_) fail("was changed by another program");
+  if (rows_ != points_) fail("was changed by another program");
+  results.write(last_line(sum_));
   results.sync();
   results.commit();
   std::filesystem::remove(path_);

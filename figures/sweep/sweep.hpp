@@ -55,15 +55,17 @@ struct Sample {
   std::vector<Draw> over;
 };
 
+/// The columns of results if none are selected.
+std::vector<std::string> usual_columns();
+
 struct Sweep {
   std::string title;
   std::string text;  ///< of the file, which determines the results
   ScenarioSpec base;
   std::vector<Axis> axes;  ///< the last one varies fastest, after the sample
   Sample sample;
-  std::optional<StopOn> stop_on = StopOn::outcome;
-  std::vector<std::string> columns = {};  ///< of the results; all if empty
-  std::optional<double> budget_s = {};    ///< time for each point; if empty, none, or the usual
+  std::vector<std::string> columns = usual_columns();  ///< of the results
+  std::optional<double> budget_s = {};  ///< time for each point; if empty, none, or the usual
 
   long points() const;
   std::vector<std::string> quantities() const;  ///< the ones that vary
@@ -71,6 +73,8 @@ struct Sweep {
 
 /// Reads a TOML sweep file. Throws InputError, also if a corner of the axes is not physical.
 Sweep read_sweep(const std::filesystem::path& file);
+/// The same for the content of one that messages refer to by `name`.
+Sweep read_sweep(const std::string& name, const std::string& content);
 
 /// A point of a sweep.
 struct SweepPoint {

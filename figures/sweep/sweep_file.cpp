@@ -12,8 +12,8 @@
 namespace rotor {
 namespace {
 
-/// Rows have some 600 bytes each; more of them would make a useless file.
-constexpr double most_points = 1e8, bytes_a_row = 600;
+/// Rows with the usual columns have some 280 bytes each; more of them would make a useless file.
+constexpr double most_points = 1e8, bytes_a_row = 280;
 /// Limit of the number of corners to check.
 constexpr std::size_t most_dimensions = 12;
 
@@ -32,20 +32,18 @@ class SweepReader : TomlFile {
     if (root().contains("run"))
       fail_at(root(), "run",
               "a sweep has none; a scene without [[axis]] and [sample] is for rotor run");
-    expect_keys(root(), {"title", "stop_on", "columns", "budget", "parameters", "axis", "sample"});
+    if (root().contains("stop_on"))
+      fail_at(root(), "stop_on",
+              "a sweep has none: each point runs until nothing can change its columns");
+    expect_keys(root(), {"title", "columns", "budget", "parameters", "axis", "sample"});
     Sweep sweep;
     sweep.title = text(root(), "title").value_or("");
     sweep.text = content();
-    if (const auto stop = text(root(), "stop_on"))
-      sweep.stop_on = at(*root().get("stop_on"), "stop_on", [&] { return parse_stop(*stop); });
     if (root().contains("columns")) sweep.columns = columns();
     sweep.budget_s = value<double>(root(), "budget", "a number of seconds");
     if (sweep.budget_s)
       at(*root().get("budget"), "budget", [&] { require_budget("budget", *sweep.budget_s); });
     sweep.base = stated_in(*this, table(root(), "parameters"), {});
-    if (sweep.base.digits && sweep.stop_on)
-      fail_at(table(root(), "parameters"), "digits",
-              "needs stop_on = \"end\": where a run stops early depends on its steps");
     for (const toml::table* in : tables(root(), "axis")) sweep.axes.push_back(axis(*in));
     if (root().contains("sample")) sweep.sample = sample(table(root(), "sample"));
     require_points(sweep);
@@ -55,15 +53,6 @@ class SweepReader : TomlFile {
   }
 
  private:
-  static std::optional<StopOn> parse_stop(std::string_view name) {
-    if (name == "end") return std::nullopt;
-    try {
-      return parse_name<StopOn>(name);
-    } catch (const InputError& error) {
-      throw InputError("{}; or \"end\", the end of the run", error.what());
-    }
-  }
-
   const toml::array& list(const toml::table& in, std::string_view key) const {
     const toml::array* const array = in.get(key)->as_array();
     if (!array || array->empty()) fail_at(in, key, "must be a list that is not empty");
@@ -71,6 +60,10 @@ class SweepReader : TomlFile {
   }
 
   std::vector<std::string> columns() const {
+    if (const auto* name = root().get("columns")->as_string()) {
+      if (name->get() == "all") return result_columns();
+      fail_at(root(), "columns", "must be a list of results, or \"all\"");
+    }
     const std::vector<std::string>& allowed = columns_on_request();
     std::vector<std::string> all;
     for (const toml::node& item : list(root(), "columns")) {
@@ -79,8 +72,8 @@ class SweepReader : TomlFile {
         fail(item, "columns", "there is no result \"{}\"{}", shown(name),
              choices(
                  name, allowed,
-                 "rotor run --json-schema and rotor estimate --help list them; remarks and refusal "
-                 "are in each row"));
+                 "rotor run --json-schema and rotor estimate --help list them; refusal is in each "
+                 "row; columns = \"all\" are all results of a run"));
       add_new(all, name, item, "columns");
     }
     return all;
@@ -158,8 +151,6 @@ class SweepReader : TomlFile {
     if (range.logarithmic && !(range.from > 0))
       fail_at(in, "from", "must be greater than 0 for equal ratios");
     range.points = count(in, "points", 2);
-    if (!std::isfinite(range.at(1)))
-      fail_at(in, "to", "is too far from {} for equal steps", range.from);
     if (!has_room(range.from, range.until, static_cast<double>(range.points - 1)))
       fail_at(in, "points", "{} numbers from {} to {} cannot all differ", range.points, range.from,
               range.until);
@@ -292,19 +283,19 @@ class SweepReader : TomlFile {
       const SweepPoint corner = points(n);
       try {
         check_numbers(corner.spec);
-      } catch (const std::exception& error) {
+      } catch (const ScenarioError& error) {
         std::vector<std::string> where;
         for (std::size_t i = 0; i < quantities.size(); ++i)
           where.push_back(fmt::format("{} = {}", quantities[i], corner.values[i]));
-        const std::string reason = as_stated(error.what(), corner.spec);
+        const Message reason = as_stated(error.message(), corner.spec);
         const toml::node* at = &root();
-        for (const std::string& input : inputs_named(reason)) {
+        for (const std::string& input : reason.inputs()) {
           if (at == &root() && table(root(), "parameters").contains(input))
             at = table(root(), "parameters").get(input);
           for (const toml::table* in : varying())
             if (quantity(*in) == input) at = in;
         }
-        fail(*at, fmt::format("where {}", fmt::join(where, ", ")), "{}", reason);
+        fail(*at, fmt::format("where {}", fmt::join(where, ", ")), "{}", reason.text());
       }
     }
   }
@@ -313,5 +304,9 @@ class SweepReader : TomlFile {
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& file) { return SweepReader(file).read(); }
+
+Sweep read_sweep(const std::string& name, const std::string& content) {
+  return SweepReader(name, content).read();
+}
 
 }  // namespace rotor

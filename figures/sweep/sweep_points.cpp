@@ -4,9 +4,11 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
 
+#include "figures/sweep/mixed.hpp"
 #include "figures/sweep/sweep.hpp"
 
 namespace rotor {
@@ -19,15 +21,6 @@ using Normal = boost::math::normal_distribution<
 /// A number between 0 and 1, without the ends, from 64 bits.
 double share_of(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12U) + 0.5) * std::ldexp(1., -52);
-}
-
-/// 64 pseudo-random bits from a counter (SplitMix64; Steele, Lea and Flood 2014): the draws of a
-/// point do not need those of other points.
-std::uint64_t mixed(std::uint64_t counter) {
-  counter = (counter + 1) * 0x9e3779b97f4a7c15U;
-  counter = (counter ^ (counter >> 30U)) * 0xbf58476d1ce4e5b9U;
-  counter = (counter ^ (counter >> 27U)) * 0x94d049bb133111ebU;
-  return counter ^ (counter >> 31U);
 }
 
 }  // namespace
@@ -64,9 +57,10 @@ double Draw::quantile(double share) const {
       return a + (b - a) * share;
     case Distribution::log_uniform:
       return a * std::pow(b / a, share);
-    default:
+    case Distribution::normal:
       return boost::math::quantile(Normal(a, b), share);
   }
+  std::abort();
 }
 
 long Sweep::points() const {
@@ -92,7 +86,7 @@ std::vector<double> SweepPoints::shares(long draw) const {
   const auto number = static_cast<std::uint64_t>(draw);
   std::vector<double> all;
   if (dimensions == 0) return all;
-  if (sweep_.sample.method == Sampling::random) {
+  if (sweep_.sample.method == Sampling::random) {  // the draws of a point need no others
     for (std::size_t i = 0; i < dimensions; ++i)
       all.push_back(share_of(mixed(shifts_[i] + number)));
     return all;

@@ -15,11 +15,13 @@
 namespace rotor {
 namespace {
 
-/// The keys of a summary that become columns: its plain values, without those that all rows share.
+/// The keys of a summary that become columns, without those that all rows share or that are of
+/// early stops.
 std::vector<std::string> keys_of(const Json& summary) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : summary.items())
-    if (!value.is_structured() && key != "version" && key != "schema") keys.push_back(key);
+    if (!value.is_object() && key != "version" && key != "schema" && !key.starts_with("stop_"))
+      keys.push_back(key);
   return keys;
 }
 
@@ -27,6 +29,8 @@ std::string field(const Json& summary, const std::string& key) {
   const Json& value = summary.at(key);
   if (value.is_null()) return "";
   if (const auto sure = sure_text(summary, key)) return *sure == no_digit ? "" : *sure;
+  if (value.is_array())
+    return csv_field(fmt::format("{}", fmt::join(value.get<std::vector<std::string>>(), "; ")));
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
@@ -42,14 +46,8 @@ std::string cells(Json summary, const Scenario& scenario, const std::vector<std:
   return row;
 }
 
-/// The remarks about exceeded limits and a missed mass loss, as one field.
-std::string remarks_of(const RunResult& result) {
-  std::vector<std::string> all;
-  for (const Remark& remark : remarks(result))
-    if (remark.of == Remark::Of::limit || remark.of == Remark::Of::missed_loss)
-      all.push_back(remark.sentence);
-  return csv_field(fmt::format("{}", fmt::join(all, "; ")));
-}
+/// The end of the line above the sweep file in a head, and the start of the file's lines.
+constexpr std::string_view above_file = ", as this file has them, a row each:", of_file = "  ";
 
 }  // namespace
 
@@ -58,8 +56,24 @@ const std::vector<std::string>& result_columns() {
   return keys;
 }
 
-const std::vector<std::string>& result_columns(const Sweep& sweep) {
-  return sweep.columns.empty() ? result_columns() : sweep.columns;
+std::vector<std::string> usual_columns() {
+  return {"outcome",
+          "touch_downs",
+          "touch_downs_before_loss",
+          "speed_at_mass_loss_Hz",
+          "first_contact_s",
+          "rolling_onset_s",
+          "rolling_onset_speed_Hz",
+          "rolling_onset_force_N",
+          "peak_force_to_rolling_N",
+          "peak_normal_force_N",
+          "peak_time_s",
+          "peak_displacement_m",
+          "contact_time_s",
+          "whirl_frequency_Hz",
+          "final_time_s",
+          "final_speed_Hz",
+          "remarks"};
 }
 
 const std::vector<std::string>& columns_on_request() {
@@ -71,29 +85,70 @@ const std::vector<std::string>& columns_on_request() {
   return keys;
 }
 
+std::optional<std::size_t> place_of(std::string_view column, const Sweep& sweep) {
+  const auto found = std::find(sweep.columns.begin(), sweep.columns.end(), column);
+  if (found == sweep.columns.end()) return std::nullopt;
+  return sweep.quantities().size() + static_cast<std::size_t>(found - sweep.columns.begin());
+}
+
 std::string column_of(const std::string& quantity) {
   return contains(result_columns(), quantity) ? quantity + "_varied" : quantity;
 }
 
-std::string sweep_head(const Sweep& sweep) {
+std::string sweep_head(const Sweep& sweep, const Part& part) {
+  const long all = sweep.points();
+  const std::string points = part.of == 1
+                                 ? fmt::format("{} points", all)
+                                 : fmt::format("part {} of {}: {} of {} points", part.number,
+                                               part.of, part.points(all), all);
   std::vector<std::string> provenance = {
       sweep.title.empty() ? "Sweep" : "Sweep: " + sweep.title, fmt::format("rotor {}", version()),
       fmt::format("equations {}, unless a row states others",
                   name_of(equations_of(SweepPoints(sweep)(0).spec))),
-      fmt::format("{} points, as this file has them, a row each:", sweep.points())};
+      points + std::string(above_file)};
   std::istringstream text(sweep.text);
   for (std::string line; std::getline(text, line);) {
     if (line.ends_with('\r')) line.pop_back();
     std::replace(line.begin(), line.end(), '\t', ' ');
-    provenance.push_back("  " + line);
+    provenance.push_back(std::string(of_file) + line);
   }
   std::vector<std::string> names = sweep.quantities();
   std::transform(names.begin(), names.end(), names.begin(), column_of);
-  const std::vector<std::string>& columns = result_columns(sweep);
-  names.insert(names.end(), columns.begin(), columns.end());
-  names.emplace_back("remarks");
+  names.insert(names.end(), sweep.columns.begin(), sweep.columns.end());
   names.emplace_back("refusal");
   return csv_head(provenance, {names.begin(), names.end()});
+}
+
+Sweep sweep_of(std::string_view head, const std::string& name) {
+  const std::string comment = "# ", version_mark = "# rotor ";
+  std::vector<std::string> lines;
+  std::istringstream stream{std::string(head)};
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  constexpr std::size_t before_file = 4;
+  if (lines.size() <= before_file || !lines[1].starts_with(version_mark) ||
+      !lines[before_file - 1].ends_with(above_file))
+    throw InputError("{}: is not a file of results that rotor sweep has written", name);
+  if (lines[before_file - 1].starts_with(comment + "part "))
+    throw InputError("{}: has the results of a part: rotor sweep --join puts all parts together",
+                     name);
+  std::string file;
+  for (std::size_t n = before_file; n < lines.size(); ++n)
+    if (const std::string start = comment + std::string(of_file); lines[n].starts_with(start))
+      file += lines[n].substr(start.size()) + '\n';
+  try {
+    Sweep sweep = read_sweep("the sweep file in its head", file);
+    std::istringstream wanted(sweep_head(sweep));
+    bool is_equal = true;
+    std::string line;
+    for (const std::string& has : lines)
+      is_equal = std::getline(wanted, line) &&
+                 (has == line || (&has == &lines[1] && line.starts_with(version_mark))) && is_equal;
+    if (!is_equal || std::getline(wanted, line))
+      throw InputError("its head is not the one that this version writes");
+    return sweep;
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", name, error.what());
+  }
 }
 
 std::string SweepRows::operator()(long n) {
@@ -104,34 +159,25 @@ std::string SweepRows::operator()(long n) {
   double budget_s = Interruptible::unlimited;
   if (digits) budget_s = usual_budget_s;
   Interruptible monitor(sweep_.budget_s.value_or(budget_s));
+  const std::vector<std::string>& columns = sweep_.columns;
   try {
     const Scenario scenario = scenario_of(point.spec, run_ups_);
-    const std::vector<std::string>& columns = result_columns(sweep_);
     if (digits) {
       const Comparison found = comparison_to_digits(scenario, *digits, monitor);
       return row + cells(to_json(found, scenario, *digits), scenario, columns) +
-             remarks_of(result_of(found, scenario)) + ',' +
-             csv_field(complaint(found, *digits, monitor)) + '\n';
+             csv_field(complaint(found, *digits, monitor));
     }
-    RunUpCheckpoint run_so_far = run_ups_.checkpoint_before(scenario, monitor);
-    if (!contains(columns, "peak_bearing_force_N"))
-      run_so_far.summary.ignore_maxima_of(Extreme::bearing_force);
-    const RunResult result = finish(std::move(run_so_far), scenario, sweep_.stop_on, monitor);
+    const RunResult result =
+        finish_for(columns, run_ups_.checkpoint_before(scenario, monitor), scenario, monitor);
     if (is_interrupted()) throw Interrupted();
     if (result.early.interrupted)
       throw std::runtime_error(fmt::format("a budget of {} s is not enough", monitor.budget_s()));
-    return row + cells(to_json(result, &columns), scenario, columns) + remarks_of(result) + ",\n";
+    return row + cells(to_json(result, &columns), scenario, columns);
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception& error) {
-    return row + std::string(result_columns(sweep_).size() + 1, ',') +
-           csv_field(one_line(error.what())) + '\n';
+    return row + std::string(columns.size(), ',') + csv_field(one_line(error.what()));
   }
-}
-
-bool SweepRows::is_row_of(long n, std::string_view row) const {
-  const std::string begin = fmt::format("{},", fmt::join(points_(n).values, ","));
-  return row.starts_with(begin) && row.find('\0') == std::string_view::npos;  // as power cuts leave
 }
 
 }  // namespace rotor

@@ -103,7 +103,7 @@ Computation<S> compute(const Scenario& scenario, const S& tolerance,
                                latest_s, should_continue);
   }
   EventMethod<S> method(rotor, tolerance, start);
-  observer.on_instant(start);
+  observer.on_instant(method.instant());
   finish(method, scenario, loss, observer);
   Computation<S> result = observer.course;
   result.summary = observer.summary();
@@ -124,7 +124,7 @@ Computation<S> compute(const Scenario& scenario, const S& tolerance,
   add_time(time_of_next(method, std::nullopt, S(end.time_s + soon), should_continue));
   if (end.contact == ContactState::free && end.body.eccentricity > 0)
     result.margins.push_back(
-        abs(rotor.ring.clearance - reach(end.body, rotor.supports, end.motion())));
+        abs(rotor.ring.clearance - reach(end.body, rotor.acting.supports, end.motion())));
   return result;
 }
 

@@ -72,9 +72,13 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
   // more time than the resolution.
   constexpr int small_part = 1024;
   if (a.value < 0 && a.value + a.slope * (b.time - a.time) / small_part > 0) a.value = 0;
+  // Nor has a function crossed zero that rises, and is positive a little later.
+  const auto is_negative = [&](const ValueAndSlope<S>& at) {
+    return at.value < 0 && !(at.value + 16 * at.slope * resolution > 0);
+  };
   for (int slow = 0;;) {
     const S h = b.time - a.time;
-    const bool crosses = b.value < 0;
+    const bool crosses = is_negative(b);
     if (h <= resolution) return crosses ? std::optional(b.time) : std::nullopt;
     const S bound = curvature ? *curvature : estimated_curvature(a, b);
     if (!crosses && stays_clear(a, b, bound)) return std::nullopt;
@@ -89,7 +93,7 @@ std::optional<S> first_crossing(ValueAndSlope<S> a, ValueAndSlope<S> b, const S&
     const ValueAndSlope<S> middle = f(time);
     if (!(middle.value - middle.value + middle.slope - middle.slope == 0))  // it is not finite
       return crosses ? std::optional(b.time) : std::nullopt;
-    if (middle.value < 0) {
+    if (is_negative(middle)) {
       b = middle;
     } else if (const auto earlier = first_crossing(a, middle, resolution, curvature, f)) {
       return earlier;

@@ -36,6 +36,16 @@ class HermitePolynomial {
     return x;
   }
 
+  Unknowns rates(const S& time) const {
+    Unknowns x = difference_[terms - 1], rates{};
+    for (std::size_t i = terms - 1; i-- > 0;)
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        rates[k] = x[k] + (time - time_[i]) * rates[k];
+        x[k] = difference_[i][k] + (time - time_[i]) * x[k];
+      }
+    return rates;
+  }
+
  private:
   static constexpr std::size_t terms = 2 * N;
   std::array<S, terms> time_;

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <concepts>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -95,10 +93,12 @@ class ErrorControl {
 
   /// The length of the next step, relative to a step with this error.
   static double step_factor(double error) {
-    static_assert(Stepper::stepper_order_value == 8);  // three square roots, which are cheap
     constexpr double safety = 0.9, least = 0.2, most = 4;
     if (!(error < std::numeric_limits<double>::infinity())) return least;
-    return std::clamp(safety / std::sqrt(std::sqrt(std::sqrt(error))), least, most);
+    constexpr int order = Stepper::stepper_order_value;
+    const double root = order == 8 ? std::sqrt(std::sqrt(std::sqrt(error)))  // which is cheap
+                                   : std::pow(error, 1. / order);
+    return std::clamp(safety / root, least, most);
   }
 
  private:
@@ -200,18 +200,6 @@ class Step {
     return time ? std::optional(found(*time, start_)) : std::nullopt;
   }
 
-  /// Where value(x) becomes negative between two times at which it is positive and negative; within
-  /// noise, any of its zeros.
-  template <class Value>
-  Point zero(const Value& value, const ValueAndSlope<S>& from, const ValueAndSlope<S>& until) {
-    std::uintmax_t most = std::numeric_limits<S>::digits;
-    const auto [before, after] = boost::math::tools::toms748_solve(
-        [&](const S& time) { return S(value(dense_output()(time))); }, from.time, until.time,
-        from.value, until.value, [&](const S& a, const S& b) { return S(b - a) <= look_ahead(); },
-        most);
-    return polished(step(start_, after), value, from.time, until.time);
-  }
-
  private:
   /// The polynomial through points of the step.
   template <class... Points>
@@ -245,19 +233,26 @@ class Step {
   }
 
   /// Newton's method from near the zero, between two times: with steps, then along the tangent once
-  /// that is as exact. Ends on the negative side, to rounding.
+  /// that is as exact. Where rounding of the value hides its slope, so that corrections do not
+  /// shrink, the secant through the last two points. Ends on the negative side, to rounding.
   template <class Value>
   Point polished(Point point, const Value& value, const S& least, const S& greatest) {
     using std::abs;
     const S resolution = 8 * end_.time * std::numeric_limits<S>::epsilon();
+    ValueAndSlope<S> before{};
     for (int n = 0; n < 8; ++n) {
-      const S here = value(point.x);
-      const S slope = (value(point.ahead(look_ahead())) - here) / look_ahead();
-      const S correction = -here / slope;
+      const S here = value(point.x), way = point.time - before.time;
+      S slope = (value(point.ahead(look_ahead())) - here) / look_ahead();
+      S correction = -here / slope;
+      if (n > 0 && abs(correction) > look_ahead() && 2 * abs(correction) > abs(way)) {
+        slope = (here - before.value) / way;
+        correction = -here / slope;
+      }
       if (!(slope < 0) || abs(correction) > end_.time / 8) break;  // it only touches zero
       if (here < 0 && abs(correction) <= resolution) break;
       const S time = std::clamp<S>(point.time + correction + resolution / 2, least, greatest);
       if (time == point.time) break;
+      before = {point.time, here, slope};
       if (abs(correction) > look_ahead()) {
         point = step(point, time);
       } else {

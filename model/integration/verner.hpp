@@ -4,6 +4,12 @@
 #pragma once
 
 #include <array>
+#include <boost/numeric/odeint/algebra/array_algebra.hpp>
+#include <boost/numeric/odeint/algebra/default_operations.hpp>
+#include <boost/numeric/odeint/stepper/base/explicit_error_stepper_base.hpp>
+#include <boost/numeric/odeint/stepper/generation/generation_controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/util/resizer.hpp>
+#include <boost/numeric/odeint/util/unwrap_reference.hpp>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -120,15 +126,27 @@ constexpr bool has(std::size_t row, std::size_t j) {
 }  // namespace verner
 
 template <class State, class S>
-class Verner87 {
- public:
-  using state_type = State;
-  static constexpr unsigned short stepper_order_value = 8;
+class Verner87;
 
-  /// Steps from x, whose rates are known, to a time h later, with an estimate of the error.
+/// Odeint's base of an error stepper of orders 8 and 7, which has the variants of do_step().
+template <class State, class S>
+using VernerBase = boost::numeric::odeint::explicit_error_stepper_base<
+    Verner87<State, S>, 8, 8, 7, State, S, State, S, boost::numeric::odeint::array_algebra,
+    boost::numeric::odeint::default_operations, boost::numeric::odeint::initially_resizer>;
+
+/// State is an array of S.
+template <class State, class S>
+class Verner87 : public VernerBase<State, S> {
+ public:
+  /// Sets what the base leaves open: Odeint copies a stepper before its first step.
+  Verner87() { this->m_dxdt.m_v = State{}; }
+
+  /// Steps from x, whose rates are known, to a time h later, with an estimate of the error. `later`
+  /// may be x.
   template <class System>
-  void do_step(System system, const State& x, const State& rates, const S& t, State& later,
-               const S& h, State& errors) const {
+  void do_step_impl(System system, const State& x, const State& rates, const S& t, State& later,
+                    const S& h, State& errors) const {
+    typename boost::numeric::odeint::unwrap_reference<System>::type& rates_of = system;
     const verner::Tableau<S>& tableau = *tableau_;
     std::array<State, verner::stages> slopes;
     slopes[0] = rates;
@@ -143,10 +161,17 @@ class Verner87 {
       return start;
     };
     for_each<verner::stages - 1>([&]<std::size_t n>(Index<n> stage) {
-      system(sum(stage, x), slopes[n + 1], S(t + tableau.nodes[n + 1] * h));
+      rates_of(sum(stage, x), slopes[n + 1], S(t + tableau.nodes[n + 1] * h));
     });
     later = sum(Index<verner::weights>(), x);
     errors = sum(Index<verner::error_weights>(), State{});
+  }
+
+  template <class System>
+  void do_step_impl(System system, const State& x, const State& rates, const S& t, State& later,
+                    const S& h) const {
+    State unused;
+    do_step_impl(system, x, rates, t, later, h, unused);
   }
 
  private:
@@ -164,3 +189,9 @@ class Verner87 {
 };
 
 }  // namespace rotor
+
+/// What make_controlled() makes of it.
+template <class State, class S>
+struct boost::numeric::odeint::get_controller<rotor::Verner87<State, S>> {
+  using type = controlled_runge_kutta<rotor::Verner87<State, S>>;
+};

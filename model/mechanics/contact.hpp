@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "model/mechanics/contact_law.hpp"
-#include "model/mechanics/rotor.hpp"
+#include "model/mechanics/loads.hpp"
 
 namespace rotor {
 
@@ -97,6 +97,13 @@ struct Ring {
     return k.indentation <= 0 ? S(0) : touching_force(k);
   }
 
+  /// The contact of a rim over an indented ring, with slip if it presses: it does not where it
+  /// moves back so fast that the dashpot would have to pull it.
+  ContactState contact_of(const RimPoint<S>& k) const {
+    const bool pulls = law.has_dashpot() && law.pressing(k.indentation, k.normal_velocity) < 0;
+    return pulls ? ContactState::indented : ContactState::sliding;
+  }
+
   /// Slope of the force at the indentations of impacts, N/m: that of a linear ring at any.
   S typical_stiffness() const {
     return law.is_linear() ? law.linear().stiffness : law.tangent_stiffness(clearance / 100);
@@ -123,9 +130,11 @@ struct Ring {
         return S(0);
       case ContactState::indented:
         return law.spring_force(k.indentation) * k.normal_velocity;
-      default:
+      case ContactState::sliding:
+      case ContactState::rolling:
         return -law.damping() * k.normal_velocity * k.normal_velocity;
     }
+    return S(0);
   }
 
   /// F_tau against a sliding rim. `slip_sign` is that of the slip velocity.

@@ -8,6 +8,14 @@
 #include <string>
 #include <type_traits>
 
+// Results are compared to the last bit, and NaN is a value. Compilers report some of the flags that
+// give this up.
+#if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || \
+    defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "Results need the arithmetic of IEEE 754: leave out -Ofast, -ffast-math and its parts"
+#endif
+static_assert(0.1 != 0.1F, "constants must be doubles: leave out -fsingle-precision-constant");
+
 namespace rotor {
 
 inline constexpr double two_pi = 2 * std::numbers::pi;  ///< radians per turn

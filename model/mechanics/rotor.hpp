@@ -1,6 +1,5 @@
-/// The rotor as a rigid body in the plane: kinetic energy, loads of the supports, equations of
-/// motion. Source: "Overcritical high-speed rotor systems, full annular rub and accident", Sec.
-/// 2.1, Eqs. (1)-(4).
+/// The rotor as a rigid body in the plane: kinetic energy and equations of motion. Source:
+/// "Overcritical high-speed rotor systems, full annular rub and accident", Sec. 2.1, Eqs. (1)-(3).
 ///
 /// Everything is written with plane vectors, and so holds in any orthonormal basis: the paper's
 /// rotating axes O_a xy, the stator's axes O_a x_a y_a, or the radial and tangential directions of
@@ -58,6 +57,10 @@ struct Loads {
     moment += other.moment;
     return *this;
   }
+  /// About the mass centre, N m.
+  S moment_about_centre(const Motion<S>& motion) const {
+    return moment - cross(motion.mass_centre(), force);
+  }
 };
 
 template <class S>
@@ -81,79 +84,6 @@ S kinetic_energy(const Body<S>& body, const Motion<S>& motion) {
   return (body.mass * motion.mass_centre_velocity().squaredNorm() + rotation) / 2;  // Eq. (2)
 }
 
-/// Everything that acts on the rotor while it is clear of the ring: springs and dampers of the
-/// supports, gravity, motor.
-template <class S>
-struct Supports {
-  S stiffness;               ///< k, N/m
-  S damping;                 ///< d, N s/m
-  S gravity;                 ///< g, m/s^2
-  S torque;                  ///< M_mot while the motor drives, N m
-  bool balanced_by_springs;  ///< whether the springs' preload takes its share of the gravity moment
-
-  Supports(const Parameters& p, Equations equations)
-      : stiffness(as_typed<S>(p.support_stiffness)),
-        damping(as_typed<S>(p.support_damping)),
-        gravity(as_typed<S>(p.gravity)),
-        torque(as_typed<S>(p.torque)),
-        balanced_by_springs(equations.gravity_moment == GravityMoment::balanced) {}
-
-  /// Force on the supports at a position and a velocity of O, N; by their magnitudes, an upper
-  /// bound of its own; by velocity and acceleration, its rate, N/s.
-  template <class T>
-  T bearing_force(const T& displacement, const T& velocity) const {
-    return stiffness * displacement + damping * velocity;
-  }
-
-  Loads<S> loads(const Body<S>& body, const Motion<S>& motion, bool motor_on) const {
-    const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;
-    return {force, -damping * cross(motion.displacement, motion.velocity) +
-                       gravity_moment(body, motion) + (motor_on ? torque : S(0))};  // Eq. (4)
-  }
-
-  /// Energy stored in the springs, J.
-  S spring_energy(const Vector<S>& displacement) const {
-    return stiffness * displacement.squaredNorm() / 2;
-  }
-
-  /// Power of the motor, and of the dampers, W.
-  S motor_power(const Motion<S>& motion, bool motor_on) const {
-    return motor_on ? S(torque * motion.speed) : S(0);
-  }
-  S damping_power(const Motion<S>& motion) const {
-    return -damping * motion.velocity.squaredNorm();
-  }
-
-  /// Moment of gravity about O_a. Q_1 and Q_2 leave gravity out because the springs carry it at
-  /// equilibrium; as printed, Q_3 nevertheless keeps the moment of the whole weight. The springs'
-  /// preload balances all of it but the part due to the eccentricity.
-  S gravity_moment(const Body<S>& body, const Motion<S>& motion) const {
-    const Vector<S> arm = balanced_by_springs ? motion.eccentricity : motion.mass_centre();
-    return body.mass * gravity * cross(arm, motion.down);  // Eq. (4)
-  }
-
-  /// The steady response to the unbalance at a constant speed in rad/s, gravity's moment left out:
-  /// O_a C = e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes, as complex numbers, m.
-  Vector<S> unbalance_response(const Body<S>& body, const S& speed) const {
-    if (speed == 0) return {body.eccentricity, S(0)};  // without springs, too
-    const Vector<S> force(stiffness, damping * speed);
-    const Vector<S> impedance = force - Vector<S>(body.mass * speed * speed, S(0));
-    const Vector<S> inverse =
-        Vector<S>(impedance.x(), -impedance.y()) * (body.eccentricity / impedance.squaredNorm());
-    return complex_product(force, inverse);
-  }
-  /// Its derivative by the speed, e_x m w (2 k + i w d) / (k - m w^2 + i w d)^2, m s.
-  Vector<S> unbalance_response_by_speed(const Body<S>& body, const S& speed) const {
-    if (speed == 0) return {S(0), S(0)};
-    const Vector<S> impedance(stiffness - body.mass * speed * speed, damping * speed);
-    const Vector<S> inverse =
-        Vector<S>(impedance.x(), -impedance.y()) * (1 / impedance.squaredNorm());
-    const Vector<S> driven =
-        body.eccentricity * body.mass * speed * Vector<S>(2 * stiffness, damping * speed);
-    return complex_product(driven, complex_product(inverse, inverse));
-  }
-};
-
 /// Acceleration of a body per unit of load.
 template <class S>
 struct Mobility {
@@ -170,7 +100,13 @@ template <class S>
 inline Acceleration<S> acceleration(const std::type_identity_t<Mobility<S>>& body,
                                     const Motion<S>& motion, const Loads<S>& loads) {
   return {body.per_mass * loads.force,
-          body.per_inertia * (loads.moment - cross(motion.mass_centre(), loads.force))};  // Eq. (3)
+          body.per_inertia * loads.moment_about_centre(motion)};  // Eq. (3)
+}
+
+/// Power of a drive that holds the speed against all those loads, W; 0 without one.
+template <class S>
+S drive_power(const Body<S>& body, const Motion<S>& motion, const Loads<S>& loads) {
+  return body.has_constant_speed() ? S(-loads.moment_about_centre(motion) * motion.speed) : S(0);
 }
 
 /// Acceleration of O relative to the stator, m/s^2.

@@ -14,6 +14,7 @@
 #include "model/integration/verner.hpp"
 #include "model/methods/run_check.hpp"
 #include "model/methods/show_step.hpp"
+#include "model/methods/step_limit.hpp"
 #include "model/phases/flight.hpp"
 
 namespace rotor {
@@ -58,7 +59,10 @@ class EventMethod {
 
   /// The same for a rotor whose numbers need not be doubles.
   EventMethod(const RotorSystem<S>& rotor, const S& tolerance, const BasicInstant<S>& from)
-      : control_(tolerance), check_(RunCheck<S>::truncation_of(tolerance)), rotor_(rotor) {
+      : control_(tolerance),
+        check_(RunCheck<S>::truncation_of(tolerance)),
+        limit_(tolerance),
+        rotor_(rotor) {
     restart(from);
     flight_step_ = S(0.01) / rotor_.flight_frequency(at_.state[5]);
   }
@@ -101,8 +105,6 @@ class EventMethod {
  private:
   using Unknowns = std::array<S, 6>;
   using Point = rotor::Point<S, Unknowns>;
-  /// Of the remaining time, in which a run with this pace would take 10^12 steps.
-  static constexpr double least_progress = 1e-7;
   enum class Extent { everything, clear_whole_steps };
 
   void advance(const S& until_s, BasicObserver<S>& observer, Extent extent) {
@@ -163,16 +165,23 @@ class EventMethod {
         return std::nullopt;
       }
       // The step is the difference of rounded times, so that times add up exactly.
-      Point end{.time = (last ? until_s : S(at_.time_s + step)) - at_.time_s};
+      const auto rounded = [&](const S& length) { return S(at_.time_s + length) - at_.time_s; };
+      Point end{.time = last ? S(until_s - at_.time_s) : rounded(step)};
+      const auto position = [&](const S& now_s, const Unknowns& x) {
+        typename StepLimit<S>::Position at{now_s, until_s, chart.speed(x), std::nullopt};
+        if constexpr (ContactChartOf<Chart, S>) at.indentation = chart.rim_point(x).indentation;
+        return at;
+      };
+      const auto fail_at_rounding = [&](bool is_finite) {
+        fail(limit_.at_rounding(rotor_, position(at_.time_s, start_.x), is_finite));
+      };
+      if (!(end.time > 0)) fail_at_rounding(true);
       const double error = control_.step(system, start_, end);
       const S next_step = end.time * static_cast<S>(control_.step_factor(error));
       if (!(error <= 1)) {
         step = next_step;
-        if (at_.time_s + step > at_.time_s) continue;
-        fail(
-            fmt::format("no step is short enough: the motion is not finite, or the tolerance {} is "
-                        "below rounding",
-                        static_cast<double>(control_.tolerance())));
+        if (rounded(step) > 0 && rounded(step) < end.time) continue;
+        fail_at_rounding(std::isfinite(error));
       }
       system(end.x, end.rates, S(0));
       Step<S, Stepper, PhaseSystem<S, Phase>> taken(control_, system, start_, end);
@@ -188,10 +197,9 @@ class EventMethod {
         return std::nullopt;
       }
       ++counters_.steps;
-      limit_steps(until_s, end_s, chart.speed(stop.x));
-      S indentation(0);
-      if constexpr (ContactChartOf<Chart, S>) indentation = chart.rim_point(stop.x).indentation;
-      check_.add_step(stop.time, chart.speed(start_.x), chart.speed(stop.x), indentation);
+      const auto now = position(end_s, stop.x);
+      if (const auto fault = limit_.fault(rotor_, counters_, now, observer)) fail(*fault);
+      check_.add_step(stop.time, chart.speed(start_.x), now.speed, now.indentation.value_or(S(0)));
       if (!last) step = next_step;
       show_step(taken, at_, end_s, observer);
       at_.time_s = end_s;
@@ -218,24 +226,6 @@ class EventMethod {
     step = min(step, max(least, smooth_time));
   }
 
-  /// Ends a run that would need too many steps. A rotor with absurd numbers takes ever shorter
-  /// ones.
-  void limit_steps(const S& until_s, const S& now_s, const S& speed) {
-    constexpr long most = 20'000'000;  // exceeded only if something is wrong
-    if (counters_.steps > most)
-      fail(fmt::format("{} steps have been taken, which is more than any run should need", most));
-    constexpr long looked_at = 1L << 18;  // half a second's work in double precision
-    if (counters_.steps % looked_at != 0) return;
-    const S progress_s = now_s - progress_checked_s_;
-    if (progress_s < least_progress * (until_s - now_s))
-      fail(
-          fmt::format("it makes no progress: the last {} steps took it only {:.3g} s further; at "
-                      "{:.3g} Hz, this rotor needs steps as short as {:.3g} s",
-                      looked_at, static_cast<double>(progress_s), in_Hz(static_cast<double>(speed)),
-                      static_cast<double>(progress_s) / looked_at));
-    progress_checked_s_ = now_s;
-  }
-
   [[noreturn]] void fail(const std::string& reason) const {
     throw std::runtime_error(fmt::format("the event run ends at t = {:.9f} s: {}",
                                          static_cast<double>(at_.time_s), reason));
@@ -243,6 +233,7 @@ class EventMethod {
 
   ErrorControl<S, Stepper> control_;
   RunCheck<S> check_;
+  StepLimit<S> limit_;
   RotorSystem<S> rotor_;
   BasicInstant<S> at_;
   std::variant<std::monostate, FlightChart<S>, ContactChart<S>> chart_;  ///< none after a restart
@@ -250,7 +241,6 @@ class EventMethod {
   bool phase_is_new_ = true;            ///< whether the rates are not yet known there
   S flight_step_{0}, contact_step_{0};  ///< to try next; 0 until the first contact
   Counters counters_;
-  S progress_checked_s_{0};  ///< when limit_steps() last looked at the progress
   bool stopped_ = false;
 };
 

@@ -139,7 +139,7 @@ ContactState PublishedMethod::contact_state(const State<double>& state, double s
   if (normal == 0) return ContactState::indented;
   const double slip_change = rotor_.ring.friction * -normal * step *
                              slip_mobility<double>(at_.body, rotor_.ring.friction_arm(motion, k));
-  return std::abs(k.slip_velocity) <= slip_change ? ContactState::rolling : ContactState::sliding;
+  return std::abs(k.slip_velocity) < slip_change ? ContactState::rolling : ContactState::sliding;
 }
 
 }  // namespace rotor

@@ -13,8 +13,9 @@
 
 namespace rotor {
 
-/// Energy enters by the motor and by the moment of gravity; supports, ring and friction only take
-/// it. A drive that holds the speed may give any. A contact lasts, and its ring is indented.
+/// Energy enters by constant moments and by those without a potential; dampers, ring and friction
+/// only take it. A drive that holds the speed may give any. A contact lasts, and its ring is
+/// indented.
 template <class S>
 class RunCheck {
  public:
@@ -56,13 +57,13 @@ class RunCheck {
     using std::max, std::min;
     const S now = energy(rotor, at),
             share = min(S(fixed_steps), S(truncation_ * static_cast<S>(steps_)));
-    const S grown = now - energy_ - rotor.motor_torque() * (at.state[2] - from_.state[2]);
+    const S grown = now - energy_ - rotor.constant_moment() * (at.state[2] - from_.state[2]);
     const S all =
-        max({now, energy_, rotor.supports.spring_energy(Vector<S>(rotor.ring.clearance, S(0)))}) +
+        max({now, energy_, rotor.acting.supports.potential_range(at.body, rotor.ring.clearance)}) +
         rotor.ring.law.spring_force(deepest_) * rotor.ring.clearance;
     if (!at.body.has_constant_speed() &&
-        !(grown <=
-          gravity_work(rotor) + share * all + rounding(rotor, at) + rounding(rotor, from_)))
+        !(grown <= work_without_potential(rotor) + share * all + rounding(rotor, at) +
+                       rounding(rotor, from_)))
       return fmt::format("the energy grew by {:.4g} J from {:.4g} J between {:.9f} s and {:.9f} s",
                          static_cast<double>(grown), static_cast<double>(energy_),
                          static_cast<double>(from_.time_s), static_cast<double>(at.time_s));
@@ -75,33 +76,33 @@ class RunCheck {
   }
 
  private:
-  /// Kinetic energy, that of the springs, and that of the weight, whose arm is C's from O, J.
+  /// Kinetic energy, potentials of the loads, and the energy of the ring's spring, J.
   static S energy(const RotorSystem<S>& rotor, const BasicInstant<S>& at) {
     const Motion<S> m = at.motion();
-    S all =
-        kinetic_energy(at.body, m) + rotor.supports.spring_energy(m.displacement) +
-        at.body.mass * rotor.supports.gravity * (at.body.eccentricity - m.eccentricity.dot(m.down));
+    S all = kinetic_energy(at.body, m) + rotor.acting.potential(at.body, m);
     if (at.contact != ContactState::free)
       all += rotor.ring.energy(rotor.ring.rim_point(m), at.contact);
     return all;
   }
 
-  /// Rounding of the distance, of the angle and of the weight's arm, in that energy, J.
+  /// Rounding of the distance and of the angle, in that energy, J.
   static S rounding(const RotorSystem<S>& rotor, const BasicInstant<S>& at) {
     using std::abs;
     const Motion<S> m = at.motion();
     const RimPoint<S> k = rotor.ring.rim_point(m);
     const S pressure =
         at.contact == ContactState::free ? S(0) : abs(rotor.ring.law.spring_force(k.indentation));
+    const LoadBound<S> loads =
+        rotor.bound({k.displacement, k.displacement + at.body.eccentricity, m.velocity.norm()});
     return 100 * std::numeric_limits<S>::epsilon() *
-           (pressure * k.displacement + rotor.supports.torque * (1 + abs(at.state[2])) +
-            at.body.mass * rotor.supports.gravity * at.body.eccentricity);
+           (pressure * k.displacement + loads.couple * (1 + abs(at.state[2])));
   }
 
-  /// Upper bound of what the weight does as printed, where its arm includes that of O from O_a, J.
-  S gravity_work(const RotorSystem<S>& rotor) const {
-    if (rotor.supports.balanced_by_springs) return S(0);
-    return rotor.body.mass * rotor.supports.gravity * (rotor.ring.clearance + deepest_) * turned_;
+  /// Upper bound of what loads without a potential do, J: of the weight as printed, whose arm
+  /// includes that of O from O_a.
+  S work_without_potential(const RotorSystem<S>& rotor) const {
+    return rotor.acting.moment_without_potential(rotor.body, rotor.ring.clearance + deepest_) *
+           turned_;
   }
 
   S truncation_;

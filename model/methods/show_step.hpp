@@ -2,24 +2,21 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
+#include "model/integration/maxima.hpp"
 #include "model/phases/phase.hpp"
 #include "model/scenario/observer.hpp"
 
 namespace rotor {
 
-/// The number of arcs into which to divide a step, so that each has at most one maximum.
+/// The number of arcs into which to divide a step, so that each is curved like a cubic.
 template <class Phase, class S>
 long arcs(const Phase& phase, const typename Phase::Unknowns& x, const S& duration) {
   return 1 + static_cast<long>(phase.phase_swing(x, duration));
-}
-
-/// An upper bound of an arc that is curved to one side.
-template <class S>
-S where_tangents_meet(const ExtremeValue<S>& a, const ExtremeValue<S>& b, const S& h) {
-  return a.value + a.rate * (b.value - a.value - b.rate * h) / (a.rate - b.rate);
 }
 
 /// A step up to a time, as an observer sees it.
@@ -51,8 +48,6 @@ class DenseOutputOf : public BasicDenseOutput<S> {
 template <class S, class Step>
 void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
                  BasicObserver<S>& observer) {
-  using Point = typename Step::Point;
-  using Unknowns = typename Step::Unknowns;
   const auto& phase = step.system().phase();
   const S duration = until_s - start.time_s;
   const auto threshold = [&](Extreme of, const S& from, const S& until) {
@@ -60,53 +55,57 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
   };
   using Phase = std::remove_cvref_t<decltype(phase)>;
   constexpr auto& kinds = Phase::extremes_of;
-  const auto& upper_bounds = step.bounds().upper_bounds;
-  bool is_beyond_reach = true;
-  for (std::size_t i = 0; i < kinds.size() && is_beyond_reach; ++i)
-    is_beyond_reach = threshold(kinds[i], S(0), duration) >= upper_bounds[i];
-  if (is_beyond_reach) return;
-  long parts = arcs(phase, step.start().x, duration);
-  // In contact at loose tolerances most steps are long, and each point inside costs an
-  // interpolation.
-  if constexpr (Phase::bounds_vibration)
-    if (parts > 1) {
-      const auto vibration = phase.vibration_reach(step.start(), step.stop());
-      bool stays_below = true;
-      for (std::size_t i = 0; i < kinds.size(); ++i)
-        stays_below = stays_below && vibration[i] <= threshold(kinds[i], S(0), duration);
-      if (stays_below) parts = 1;
-    }
+  std::array<bool, kinds.size()> may_exceed;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    may_exceed[i] = step.bounds().upper_bounds[i] > threshold(kinds[i], S(0), duration);
+  if (std::none_of(may_exceed.begin(), may_exceed.end(), [](bool may) { return may; })) return;
+
+  const auto at = [&](const S& time) {
+    // Near the ends along the tangents: many steps then need no dense output.
+    for (const auto* end : {&step.start(), &step.stop()})
+      if (const S by = time - end->time; by >= 0 && by <= step.look_ahead()) {
+        const auto x = end->ahead(by);
+        auto rates = end->rates;
+        if (by > 0 && Phase::extremes_take_rates) step.system()(x, rates, S(0));
+        return phase.extremes(x, rates);
+      }
+    const auto& curve = step.dense_output();
+    if constexpr (Phase::extremes_take_rates)
+      return phase.extremes(curve(time), curve.rates(time));
+    else
+      return phase.extremes(curve(time), {});
+  };
+  const DenseOutputOf<S, Step> motion(start, until_s, step);
   std::vector<BasicMaximum<S>> found;
-  Point left = step.start();
-  for (long n = 1; n <= parts; ++n) {
-    const Point right = n == parts ? step.stop() : step.at(duration * S(n) / S(parts));
-    const auto at_left = phase.extremes(left.x, left.rates);
-    const auto at_right = phase.extremes(right.x, right.rates);
-    for (std::size_t i = 0; i < at_left.size(); ++i) {
-      const ExtremeValue<S>&l = at_left[i], &r = at_right[i];
-      if (!(l.rate > 0 && r.rate < 0)) continue;
-      using std::min;
-      const S bound = min(upper_bounds[i], where_tangents_meet(l, r, S(right.time - left.time)));
-      if (bound <= threshold(kinds[i], left.time, right.time)) continue;
-      const auto rate = [&](const Unknowns& x) {
-        Unknowns rates{};
-        if (phase.extreme_takes_rates(i)) step.system()(x, rates, S(0));
-        return phase.extremes(x, rates)[i].rate;
+  S from(0);
+  auto left = phase.extremes(step.start().x, step.start().rates);
+  for (long n = 1; n <= motion.arcs; ++n) {
+    const bool last = n == motion.arcs;
+    const S until = last ? duration : duration * S(n) / S(motion.arcs);
+    const auto right = last ? phase.extremes(step.stop().x, step.stop().rates) : at(until);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      if (!may_exceed[i]) continue;
+      const auto sample = [i](const S& time, const auto& extremes) -> ValueAndSlope<S> {
+        return {time, extremes[i].square, extremes[i].rate};
       };
-      const Point maximum = step.zero(rate, {left.time, l.rate}, {right.time, r.rate});
-      BasicMaximum<S> next{kinds[i], bound, start};
-      next.at.time_s = min(until_s, S(start.time_s + maximum.time));
-      next.at.state = phase.chart.state(maximum.x);
-      const auto later =
-          std::upper_bound(found.begin(), found.end(), next,
-                           [](const auto& a, const auto& b) { return a.at.time_s < b.at.time_s; });
-      found.insert(later, next);
+      const auto f = [&](const S& time) { return sample(time, at(time)); };
+      const auto add = [&](const ValueAndSlope<S>& top) {
+        using std::min, std::sqrt;
+        found.push_back(
+            {kinds[i], sqrt(top.value), motion.at(min(until_s, S(start.time_s + top.time)))});
+      };
+      const S least = threshold(kinds[i], from, until);
+      MaximaSearch(least * least, step.look_ahead(), f, add)(sample(from, left),
+                                                             sample(until, right));
     }
+    from = until;
     left = right;
   }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.at.time_s < b.at.time_s; });
   for (const BasicMaximum<S>& maximum : found) {
     const S& time_s = maximum.at.time_s;
-    if (maximum.bound > observer.threshold(maximum.of, time_s, time_s))  // the last may raise it
+    if (maximum.value > observer.threshold(maximum.of, time_s, time_s))  // the last may raise it
       observer.on_maximum(maximum);
   }
 }

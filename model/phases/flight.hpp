@@ -25,8 +25,7 @@ Transition meet_ring(const RotorSystem<S>& rotor, const State<S>& q, Event event
 template <class S>
 Transition resume_contact(const RotorSystem<S>& rotor, const State<S>& q, ContactState contact) {
   const auto k = rotor.ring.rim_point(RotatingFrame<S>::motion(rotor.body, q));
-  if (const auto& law = rotor.ring.law;
-      law.has_dashpot() && law.pressing(k.indentation, k.normal_velocity) < 0)
+  if (rotor.ring.contact_of(k) == ContactState::indented)
     return {Event::none, ContactState::indented};
   if (contact == ContactState::rolling) return {Event::none, contact};
   return meet_ring(rotor, q, Event::none);
@@ -38,7 +37,7 @@ struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::be
   using Base = Phase<S, Chart, state, exits, Extreme::displacement, Extreme::bearing_force>;
   using Base::Base, Base::rotor, Base::chart, Base::mobility;
   using typename Base::Unknowns;
-  static constexpr bool contact_in_rates = false, bounds_vibration = false;
+  static constexpr bool contact_in_rates = false;
 
   [[gnu::flatten]] void operator()(const Unknowns& x, Unknowns& rates, const S& /*time*/) const {
     const auto at = chart.kinematics(x);
@@ -46,7 +45,7 @@ struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::be
   }
 
   S phase_swing(const Unknowns& x, const S& h) const {
-    return rotor.phase_swing(rotor.supports.stiffness, chart.speed(x), h);
+    return rotor.phase_swing(rotor.acting.supports.stiffness, chart.speed(x), h);
   }
 
   /// Every contact multiplies the errors at its start, and a flight is cheap: errors of length are
@@ -57,14 +56,14 @@ struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::be
     return chart.scale(rotor.ring.clearance / 300, w, w / 100);
   }
 
-  static constexpr bool extreme_takes_rates(std::size_t /*i*/) { return false; }
-  std::array<ExtremeValue<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
+  static constexpr bool extremes_take_rates = false;
+  std::array<SquareAndRate<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
     const Motion<S> m = chart.kinematics(x).motion;
-    const Supports<S>& supports = rotor.supports;
+    const Supports<S>& supports = rotor.acting.supports;
     const Vector<S> of_O = acceleration_of_centre(acceleration(mobility, m, rotor.loads(m)), m);
-    return {{ExtremeValue<S>::length(m.displacement, m.velocity),
-             ExtremeValue<S>::length(supports.bearing_force(m.displacement, m.velocity),
-                                     supports.bearing_force(m.velocity, of_O))}};
+    return {{SquareAndRate<S>::of(m.displacement, m.velocity),
+             SquareAndRate<S>::of(supports.bearing_force(m.displacement, m.velocity),
+                                  supports.bearing_force(m.velocity, of_O))}};
   }
 };
 
@@ -81,8 +80,14 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     const S clearance = rotor.ring.clearance;
     return clearance * clearance - chart.kinematics(x).motion.displacement.squaredNorm();
   }
+  /// At a graze the path may have turned back already where a touch-down is found, because it is
+  /// known to a tolerance only: then nothing presses.
   Transition next(TouchDown /*exit*/, const Unknowns& x) const {
-    return meet_ring(rotor, chart.state(x), Event::touch_down);
+    const State<S> q = chart.state(x);
+    const RimPoint<S> k = rotor.ring.rim_point(RotatingFrame<S>::motion(rotor.body, q));
+    if (k.normal_velocity < 0 && !(rotor.ring.law.pressing(k.indentation, k.normal_velocity) > 0))
+      return {Event::none, k.indentation > 0 ? ContactState::indented : ContactState::free};
+    return meet_ring(rotor, q, Event::touch_down);
   }
 
   /// Whether the guards can end the phase within a step, the curvature of the touch-down guard if
@@ -93,7 +98,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     if (!motion) return all;
     using std::max, std::min;
     const S clearance = rotor.ring.clearance, reach = min(motion->displacement, clearance);
-    all.upper_bounds = {reach, rotor.supports.bearing_force(reach, motion->velocity)};
+    all.upper_bounds = {reach, rotor.acting.supports.bearing_force(reach, motion->velocity)};
     all.events[MotorOff()].stays_positive = !rotor.motor_on || motion->speed < rotor.motor_off;
     EventBound<S>& touch_down = all.events[TouchDown()];
     touch_down.stays_positive = motion->displacement < clearance;
@@ -127,7 +132,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
   std::optional<MotionBounds> motion_bounds(const Point& from, const Point& to) const {
     using std::abs, std::max, std::min, std::sqrt;
     const Body<S>& body = rotor.body;
-    const Supports<S>& supports = rotor.supports;
+    const Supports<S>& supports = rotor.acting.supports;
     const S h = to.time - from.time, e = body.eccentricity;
     const S frequency = rotor.support_frequency();
     const auto synchronous = [&] {
@@ -150,20 +155,19 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     // Angular acceleration and velocity bound each other through the damping.
     const S speed = abs(chart.speed(from.x)) + synchronous.speed_ripple;
     const S velocity = deviation + synchronous.velocity + speed * e;  // without the change of speed
-    const S moment = rotor.motor_torque() + body.mass * supports.gravity * (of_C + e) +
-                     e * supports.bearing_force(of_O, velocity);
+    const S moment = rotor.bound({of_O, of_C, velocity}).moment_about_centre(body);
     const S relief = 1 - supports.damping * e * e * h / body.inertia;
     if (!(relief > S(0.5))) return std::nullopt;
     const S angular = moment / body.inertia / relief;
     const S velocity_of_O = velocity + angular * h * e;
     return MotionBounds{of_O, velocity_of_O,
-                        supports.bearing_force(of_O, velocity_of_O) / body.mass,
+                        rotor.bound({of_O, of_C, velocity_of_O}).force / body.mass,
                         speed + angular * h, angular};
   }
 
   /// How far the deviation is from a free damped oscillation, m/s^2.
   S drive(const Point& at, const S& frequency) const {
-    const Supports<S>& supports = rotor.supports;
+    const Supports<S>& supports = rotor.acting.supports;
     const S k = supports.stiffness / rotor.body.mass, d = supports.damping / rotor.body.mass;
     const Vector<S> velocity = chart.deviation_rate(at.x);
     return norm(frequency * (chart.deviation(at.rates) - velocity),

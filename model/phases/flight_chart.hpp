@@ -66,7 +66,7 @@ class FlightChart {
     Vector<S> position = deviation(x), velocity = deviation_rate(x);
     S speed = this->speed(x);
     if (is_steady_) {
-      const Supports<S>& supports = rotor_.supports;
+      const Supports<S>& supports = rotor_.acting.supports;
       k.response = complex_product(supports.unbalance_response(rotor_.body, speed), k.rotor_axis);
       k.response_by_speed =
           complex_product(supports.unbalance_response_by_speed(rotor_.body, speed), k.rotor_axis);
@@ -161,7 +161,8 @@ class FlightChart {
   typename Synchronous::Amplitudes synchronous_amplitudes(const Unknowns& x) const {
     using std::abs;
     if (is_steady_) {
-      const S w = speed(x), length = rotor_.supports.unbalance_response(rotor_.body, w).norm();
+      const S w = speed(x),
+              length = rotor_.acting.supports.unbalance_response(rotor_.body, w).norm();
       return {length, abs(w) * length, S(0)};
     }
     if (!synchronous_.exists()) return {S(0), S(0), S(0)};
@@ -197,9 +198,9 @@ class FlightChart {
   /// which measures the ripple, and of the eccentricity. From half to four times of that, run-ups
   /// and flights of the paper's rotor cost the same within 3 %.
   bool vibrates(const Unknowns& x) const {
-    const Supports<S>& supports = rotor_.supports;
+    const Supports<S>& supports = rotor_.acting.supports;
     const S k = supports.stiffness, m = rotor_.body.mass;
-    const S force = (m * supports.gravity + k * rotor_.body.eccentricity) / 2000;
+    const S force = (m * rotor_.acting.weight.gravity + k * rotor_.body.eccentricity) / 2000;
     return k * (k * deviation(x).squaredNorm() + m * deviation_rate(x).squaredNorm()) >
            force * force;
   }
@@ -217,7 +218,7 @@ class FlightChart {
     S theta = angle, speed = m.speed;
     if (is_steady_) {
       const Vector<S> response = complex_product(
-          rotor_.supports.unbalance_response(rotor_.body, speed), unit_vector(theta));
+          rotor_.acting.supports.unbalance_response(rotor_.body, speed), unit_vector(theta));
       position -= response;
       velocity -= speed * quarter_turn(response);
     } else if (synchronous_.exists()) {
@@ -246,13 +247,13 @@ class FlightChart {
 
   bool is_fast(const S& speed) const { return speed * speed > square_of_fast_; }
 
-  /// Above 1.4 times the critical speed, and not driven by the motor to change by a quarter in five
-  /// turns. Nearer to it, or then, the response changes too fast to be worth subtracting. Springs
-  /// that are not linear have no such response.
+  /// Above 1.4 times the critical speed, and not driven to change by a quarter in five turns.
+  /// Nearer to it, or then, the response changes too fast to be worth subtracting. Springs that are
+  /// not linear have no such response.
   S square_of_fast() const {
-    using std::max;
-    const S in_turns = 4 * far * rotor_.motor_torque() / rotor_.body.inertia;
-    return max<S>(2 * rotor_.supports.stiffness / rotor_.body.mass, in_turns);
+    using std::abs, std::max;
+    const S in_turns = 4 * far * abs(rotor_.constant_moment()) / rotor_.body.inertia;
+    return max<S>(2 * rotor_.acting.supports.stiffness / rotor_.body.mass, in_turns);
   }
 
   RotorSystem<S> rotor_;

@@ -20,16 +20,18 @@ struct Transition {
   int slip_sign = 0;  ///< that of the slip velocity, if the rim slides then
 };
 
-/// A quantity of an Extreme. It has a maximum where its rate becomes negative.
+/// The square of a quantity of an Extreme, and its rate. Unlike the length of a vector, its square
+/// is as smooth as the motion where the vector vanishes.
 template <class S>
-struct ExtremeValue {
-  S value;  ///< m or N
-  S rate;   ///< m/s or N/s
+struct SquareAndRate {
+  S square;  ///< m^2 or N^2
+  S rate;    ///< m^2/s or N^2/s
 
-  /// The length of a vector.
-  static ExtremeValue length(const Vector<S>& vector, const Vector<S>& rate) {
-    const S length = vector.norm();
-    return {length, length > 0 ? S(vector.dot(rate) / length) : S(0)};
+  static SquareAndRate of(const Vector<S>& vector, const Vector<S>& its_rate) {
+    return {vector.squaredNorm(), 2 * vector.dot(its_rate)};
+  }
+  static SquareAndRate of(const S& number, const S& its_rate) {
+    return {number * number, 2 * number * its_rate};
   }
 };
 
@@ -97,11 +99,10 @@ concept PhaseOf = HasExit<T, S, 0> && HasExit<T, S, 1> && HasExit<T, S, T::event
   phase(x, rates, time);
   { phase.scale(x) } -> std::same_as<Unknowns>;
   { phase.bounds(at, at) } -> std::same_as<StepBounds<S, T::event_count, T::extremes_of.size()>>;
-  { phase.extremes(x, rates)[i] } -> std::convertible_to<ExtremeValue<S>>;
+  { phase.extremes(x, rates)[i] } -> std::convertible_to<SquareAndRate<S>>;
   { phase.phase_swing(x, time) } -> std::same_as<S>;  // see RotorSystem
   { phase.smooth_time(x) } -> std::same_as<S>;
-  requires !T::bounds_vibration || requires { phase.vibration_reach(at, at)[i]; };
-  { T::extreme_takes_rates(i) } -> std::same_as<bool>;
+  { T::extremes_take_rates } -> std::convertible_to<bool>;
   // Whether the rates, and a guard, compute the loads of the contact.
   { T::contact_in_rates || T::guard_takes_loads(i) } -> std::same_as<bool>;
 };

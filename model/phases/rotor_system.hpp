@@ -30,7 +30,7 @@ constexpr std::size_t extreme_count = 3;
 template <class S>
 struct RotorSystem {
   Body<S> body;
-  Supports<S> supports;
+  ActingLoads<S> acting;
   Ring<S> ring;
   S motor_off;  ///< speed at which the motor is switched off, rad/s
   bool motor_on = true;
@@ -38,7 +38,7 @@ struct RotorSystem {
   /// Before the mass loss, with the motor on.
   RotorSystem(const Parameters& p, Equations equations)
       : body(Body<S>::of(p)),
-        supports(p, equations),
+        acting(p, equations),
         ring(p),
         motor_off(radians_per_turn() * as_typed<S>(p.motor_off_Hz)) {}
 
@@ -46,7 +46,7 @@ struct RotorSystem {
   RotorSystem with(const Parameters& p, Equations equations) const {
     RotorSystem other(p, equations);
     other.body = body;
-    other.supports = supports;
+    other.acting = acting;
     other.motor_on = motor_on;
     return other;
   }
@@ -57,16 +57,18 @@ struct RotorSystem {
   }
 
   /// All loads but those of the contact.
-  Loads<S> loads(const Motion<S>& motion) const { return supports.loads(body, motion, motor_on); }
-
-  /// N m.
-  S motor_torque() const { return motor_on ? supports.torque : S(0); }
+  Loads<S> loads(const Motion<S>& motion) const { return acting.loads(body, motion, motor_on); }
+  LoadBound<S> bound(const MotionBound<S>& within) const {
+    return acting.bound(body, within, motor_on);
+  }
+  /// Until the next event, N m.
+  S constant_moment() const { return acting.constant_moment(motor_on); }
 
   /// Becomes negative where the motor is to be switched off.
   S motor_guard(const S& speed) const { return motor_on ? motor_off - speed : S(1); }
 
   /// Natural frequency on the supports without contact, rad/s.
-  S support_frequency() const { return natural_frequency(supports.stiffness, body.mass); }
+  S support_frequency() const { return natural_frequency(acting.supports.stiffness, body.mass); }
 
   /// Highest natural rate of change in flight, rad/s.
   S flight_frequency(const S& speed) const {

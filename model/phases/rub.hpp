@@ -19,7 +19,7 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
                      Extreme::normal_force>;
   using Base::Base, Base::rotor, Base::chart, Base::mobility, Base::guard, Base::next;
   using typename Base::Unknowns, typename Base::Point;
-  static constexpr bool contact_in_rates = true, bounds_vibration = true;
+  static constexpr bool contact_in_rates = true;
 
   const Law& law() const {
     if constexpr (std::is_same_v<Law, ContactLaw<S>>)
@@ -31,7 +31,8 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   S force(const RimPoint<S>& k) const { return law().force(k.indentation, k.normal_velocity); }
   /// Rate of -F_n, N/s.
   S pressure_rate(const RimPoint<S>& k, const Unknowns& rates) const {
-    return law().pressure_rate(k.indentation, k.normal_velocity, rates[Chart::normal_velocity]);
+    return law().pressure_rate(k.indentation, rates[Chart::indentation],
+                               rates[Chart::normal_velocity]);
   }
 
   S phase_swing(const Unknowns& x, const S& h) const {
@@ -48,43 +49,56 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
       return Base::smooth_time(x);
   }
 
-  static constexpr bool extreme_takes_rates(std::size_t i) { return i > 0; }
-  std::array<ExtremeValue<S>, 3> extremes(const Unknowns& x, const Unknowns& rates) const {
+  static constexpr bool extremes_take_rates = true;
+  std::array<SquareAndRate<S>, 3> extremes(const Unknowns& x, const Unknowns& rates) const {
     const auto k = chart.rim_point(x);
     // Components along the normal and the tangent, which turn.
-    const Vector<S> position(k.displacement, 0), drift(k.normal_velocity, 0);
+    const Vector<S> position(k.displacement, 0), drift(rates[Chart::indentation], 0);
     const Vector<S> velocity(k.normal_velocity, chart.tangential_velocity(x)),
         change(rates[Chart::normal_velocity], chart.tangential_velocity(rates));
-    return {{{k.displacement, k.normal_velocity},
-             ExtremeValue<S>::length(rotor.supports.bearing_force(position, velocity),
-                                     rotor.supports.bearing_force(drift, change)),
-             {-force(k), pressure_rate(k, rates)}}};
+    return {{SquareAndRate<S>::of(k.displacement, rates[Chart::indentation]),
+             SquareAndRate<S>::of(rotor.acting.supports.bearing_force(position, velocity),
+                                  rotor.acting.supports.bearing_force(drift, change)),
+             SquareAndRate<S>::of(S(-force(k)), pressure_rate(k, rates))}};
   }
 
-  /// What the radial vibration reaches in a step, judged by its ends: the position of rest that the
-  /// acceleration shows, plus 1.5 times the amplitude. The bearing force hardly follows it.
-  /// Infinite unless the ring is linear.
-  std::array<S, 3> vibration_reach(const Point& from, const Point& to) const {
-    using std::max, std::sqrt;
+  typename Base::Bounds bounds(const Point& from, const Point& to) const {
+    typename Base::Bounds all = Base::bounds(from, to);
+    if (rotor.ring.law.is_linear()) all.upper_bounds = reach(from, to);
+    return all;
+  }
+
+  /// Upper bounds of the extremes in a step on a linear ring, judged by its ends: by the position
+  /// of rest that the radial acceleration shows, 1.5 times the amplitude of the vibration about it,
+  /// and what slower motion adds. There are none in a step longer than a period of the vibration:
+  /// its interpolant may leave what the ends allow.
+  std::array<S, 3> reach(const Point& from, const Point& to) const {
+    using std::abs, std::max, std::sqrt;
     const Ring<S>& ring = rotor.ring;
-    std::array<S, 3> upper_bounds{};
-    if (!ring.law.is_linear()) {
-      upper_bounds.fill(std::numeric_limits<S>::infinity());
-      return upper_bounds;
-    }
+    const Supports<S>& supports = rotor.acting.supports;
     const auto& [stiffness, damping] = ring.law.linear();
-    const S square = stiffness / rotor.body.mass, frequency = sqrt(square);
-    for (const auto* const end : {&from, &to}) {
+    const S square = stiffness / rotor.body.mass, frequency = sqrt(square), h = to.time - from.time,
+            longest = max<S>(1 / frequency, h / 4);
+    std::array<S, 3> all{};
+    if (!(frequency * h < RotorSystem<S>::radians_per_turn())) {
+      all.fill(std::numeric_limits<S>::infinity());
+      return all;
+    }
+    for (const Point* const end : {&from, &to}) {
       const RimPoint<S> k = chart.rim_point(end->x);
       const S to_rest = end->rates[Chart::normal_velocity] / square,
-              speed = k.normal_velocity / frequency;
-      const S amplitude = S(1.5) * sqrt(to_rest * to_rest + speed * speed);
-      const S furthest = k.displacement + to_rest + amplitude;
-      upper_bounds[0] = max(upper_bounds[0], furthest);
-      upper_bounds[2] = max(upper_bounds[2], S(stiffness * (furthest - ring.clearance) +
-                                               damping * frequency * amplitude));
+              swing = k.normal_velocity * longest;
+      const S amplitude = S(1.5) * sqrt(to_rest * to_rest + swing * swing);
+      const S furthest = k.displacement + to_rest + amplitude, fastest = frequency * amplitude;
+      const S across =
+          abs(chart.tangential_velocity(end->x)) + h * abs(chart.tangential_velocity(end->rates));
+      all[0] = max(all[0], furthest);
+      all[1] = max(all[1], Vector<S>(supports.bearing_force(furthest, fastest),
+                                     supports.bearing_force(S(0), across))
+                               .norm());
+      all[2] = max(all[2], S(stiffness * (furthest - ring.clearance) + damping * fastest));
     }
-    return upper_bounds;
+    return all;
   }
 
   /// The rim pressed against the ring.
@@ -117,7 +131,7 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   S grip(const Pressed& p, const S& holding_friction) const {
     // Friction of the size of rounding errors is available even if F_n has vanished.
     const S rounding =
-        64 * std::numeric_limits<S>::epsilon() * rotor.supports.stiffness * p.k.displacement;
+        64 * std::numeric_limits<S>::epsilon() * rotor.acting.supports.stiffness * p.k.displacement;
     const S limit = rotor.ring.friction * -p.normal_force + rounding;
     return limit * limit - holding_friction * holding_friction;
   }
@@ -133,12 +147,13 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
             rotor.ring.law.has_dashpot() ? ContactState::indented : ContactState::free};
   }
 
-  /// A rim without slip rolls if friction can hold it. If not, it slides against the friction that
-  /// would be needed to hold it.
+  /// A rim without slip rolls if there is friction, and it can hold the rim. If not, the rim slides
+  /// against the friction that would be needed to hold it.
   Transition leave_zero_slip(const Unknowns& x) const {
     const Pressed p(*this, x);
     const S holding = holding_friction(p);
-    if (grip(p, holding) >= 0) return {Event::rolling_onset, ContactState::rolling};
+    if (rotor.ring.friction > 0 && grip(p, holding) >= 0)
+      return {Event::rolling_onset, ContactState::rolling};
     return {Event::slip_reversal, ContactState::sliding, holding > 0 ? -1 : 1};
   }
 };
@@ -238,15 +253,14 @@ struct Rolling : Rub<S, Chart, ContactState::rolling, Law> {
   S friction_bound(const Point& at) const {
     using std::abs;
     const Body<S>& body = rotor.body;
-    const Supports<S>& supports = rotor.supports;
     const RimPoint<S> k = chart.rim_point(at.x);
     const S e = body.eccentricity, r = rotor.ring.rotor_radius, w = abs(chart.speed(at.x));
     if (!(e < r)) return std::numeric_limits<S>::infinity();
-    const S support = supports.bearing_force(k.displacement, abs(k.normal_velocity) + r * w);
-    const S moment = body.inertia * abs(at.rates[Chart::rotor_speed]) + rotor.motor_torque() +
-                     body.mass * supports.gravity * (k.displacement + e) +
-                     e * (support + abs(this->force(k)));
-    return moment / (r - e);
+    LoadBound<S> loads =
+        rotor.bound({k.displacement, k.displacement + e, abs(k.normal_velocity) + r * w});
+    loads.force += abs(this->force(k));
+    return (body.inertia * abs(at.rates[Chart::rotor_speed]) + loads.moment_about_centre(body)) /
+           (r - e);
   }
 };
 

@@ -206,9 +206,9 @@ class SynchronousMotion {
 
   void expand(const RotorSystem<S>& rotor, const Vector<S>& down) {
     using std::sqrt;
-    const Supports<S>& supports = rotor.supports;
-    const S k = supports.stiffness;
-    const S d = supports.damping, m = rotor.body.mass;
+    const Weight<S>& weight = rotor.acting.weight;
+    const S k = rotor.acting.supports.stiffness, d = rotor.acting.supports.damping;
+    const S m = rotor.body.mass;
     const S e = rotor.body.eccentricity, inertia = rotor.body.inertia;
     const S rounding = 100 * std::numeric_limits<S>::epsilon();
     Rate rate{centre_};
@@ -230,14 +230,14 @@ class SynchronousMotion {
       const Series B = rate(1, A);
       for (std::size_t j = 0; j <= degree; ++j)
         rate.alpha[j] = e * (k * A[j].y() + d * B[j].y()) / inertia;
-      rate.alpha[0] += rotor.motor_torque() / inertia;
+      rate.alpha[0] += rotor.constant_moment() / inertia;
       rate.alpha[0] -= d * e * e * centre_ / inertia;
       rate.alpha[1] -= d * e * e / inertia;
       return lacking(1, force, A);
     });
     first_.set(displacement, A);
     first_.set(velocity, rate(1, A));
-    has_ripple_ = supports.gravity != 0;
+    has_ripple_ = weight.gravity != 0;
     if (!has_ripple_) return;
 
     // Gravity's moment has an arm p e^(i n theta). Its angular acceleration makes the speed ripple,
@@ -250,8 +250,8 @@ class SynchronousMotion {
       return sum;
     };
     const auto make_ripple = [&](int n, auto& harmonic, const Series& arm) {
-      const S weight = m * supports.gravity / inertia;
-      const Series g = weight * (Vector<S>(down.y(), down.x()) * arm);
+      const S pull_down = m * weight.gravity / inertia;
+      const Series g = pull_down * (Vector<S>(down.y(), down.x()) * arm);
       Series H = integral(n, g), K = integral(n, H);
       // The moment of the ripple itself: of the damping, and of the springs while C is at rest.
       const S drag = d * e * e / inertia, pull = k * e * e / (2 * inertia);
@@ -265,7 +265,7 @@ class SynchronousMotion {
       harmonic.set(angle_ripple, K);
       return K;
     };
-    const bool balanced = supports.balanced_by_springs;
+    const bool balanced = weight.balanced_by_springs;
     const Series unbalance = Series::linear(Vector<S>(e, 0), Vector<S>(0, 0));
     const Series K = make_ripple(1, first_, balanced ? unbalance : A);
     // The difference between the unbalance at phi and at theta, and the response to it.

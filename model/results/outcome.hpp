@@ -37,10 +37,11 @@ class BasicOutcomeWatch {
  public:
   explicit BasicOutcomeWatch(const Scenario& scenario)
       : parameters_(scenario.parameters),
-        supports_(scenario.parameters, scenario.equations),
-        until_s_(scenario.until) {
+        acting_(scenario.parameters, scenario.equations),
+        until_s_(scenario.until),
+        margin_(scenario.method == Method::rk4 ? S(0.01) : S(1000 * scenario.tolerance + 1e-9)) {
     const S period = RotorSystem<S>::radians_per_turn() /
-                     natural_frequency(supports_.stiffness, as_typed<S>(parameters_.mass));
+                     natural_frequency(acting_.supports.stiffness, as_typed<S>(parameters_.mass));
     time_of_speed_s_ = until_s_ - stalling_periods * period;
   }
 
@@ -51,7 +52,7 @@ class BasicOutcomeWatch {
 
   /// To be called at all events, and at the end; in flight at any time.
   void note(const BasicInstant<S>& at) {
-    touched_ = touched_ || at.contact != ContactState::free;
+    touched_ = touch_downs_.begins_with(at.contact) || touched_;
     rolled_ = rolled_ || at.contact == ContactState::rolling;
     if (!at.touches())
       contact_since_s_ = std::nullopt;
@@ -70,65 +71,67 @@ class BasicOutcomeWatch {
     if (contact_since_s_ && last_.time_s - *contact_since_s_ > contact_period)
       return Outcome::sliding;
     const bool is_free = last_.contact == ContactState::free;
-    if (is_free && reach(last_.body, supports_, last_.motion()) < ring.clearance)
+    if (is_free && reach(last_.body, acting_.supports, last_.motion()) < ring.clearance)
       return touched_ ? Outcome::freed : Outcome::no_contact;
     return touched_ ? Outcome::bouncing : Outcome::undecided;
   }
 
   /// Whether the free rotor cannot reach the ring until the end of the run, nor stall, at any speed
-  /// that it can have until then: driven by its motor or by gravity, braked by the damping of its
-  /// supports or by gravity.
+  /// that it can have until then: driven or braked by constant moments or by gravity, and braked by
+  /// the damping of its supports.
   bool stays_clear() const {
     using std::abs, std::hypot, std::max, std::min, std::sqrt;
     const Body<S>& body = last_.body;
     const Motion<S> motion = last_.motion();
     const S clearance = Ring<S>(parameters_).clearance, e = body.eccentricity;
+    const S surely_clear = (1 - margin_) * clearance;
     const S speed = abs(motion.speed), left_s = until_s_ - last_.time_s;
-    const S& stiffness = supports_.stiffness;
+    const Supports<S>& supports = acting_.supports;
+    const S &stiffness = supports.stiffness, &damping = supports.damping;
     if (!(stiffness > 0)) return false;  // any rounded velocity takes it anywhere
-    const S square = stiffness / body.mass, decay = supports_.damping / body.mass;
+    const S square = stiffness / body.mass, decay = damping / body.mass;
     const auto response = [&](const S& w) {  // steady displacement of O by the unbalance
-      return (supports_.unbalance_response(body, w) - Vector<S>(e, S(0))).norm();
+      return (supports.unbalance_response(body, w) - Vector<S>(e, S(0))).norm();
     };
-    // Energy that rotation and vibration can exchange, and that damping can take. The moment of the
-    // weight at the eccentricity has a potential; the whole moment of gravity has none, and may
-    // drive or brake the rotor as long as the run lasts.
-    const S farthest = reach(body, supports_, motion), vibration = farthest - response(speed);
+    // Energy that rotation and vibration can exchange, and that damping can take. Moments that are
+    // constant between events, now or once the motor is off, or have no potential may drive or
+    // brake the rotor as long as the run lasts.
+    const S farthest = reach(body, supports, motion), vibration = farthest - response(speed);
     const S velocity = vibration * sqrt(square) + response(speed) * speed;
-    const bool balanced = supports_.balanced_by_springs;
-    const S weight = body.mass * supports_.gravity, arm = balanced ? e : S(clearance + e);
     const S exchanged =
-        body.mass * velocity * velocity / 2 + 2 * weight * e + stiffness * farthest * farthest / 2;
-    const S damped = supports_.damping * velocity * velocity * left_s;
-    const S driven = last_.motor_on ? supports_.torque / body.inertia * left_s : S(0);
-    const S pumped = balanced ? S(0) : S(weight * arm / body.inertia * left_s);
-    const S braked = motion.speed < 0 ? S(driven + pumped) : pumped;
+        body.mass * velocity * velocity / 2 + acting_.potential_range(body, farthest);
+    const S damped = damping * velocity * velocity * left_s;
+    const S now = acting_.constant_moment(last_.motor_on), later = acting_.constant_moment(false),
+            constant = max<S>(abs(now), abs(later));
+    const S driven = constant / body.inertia * left_s;
+    const S pumped = acting_.moment_without_potential(body, clearance + e) / body.inertia * left_s;
+    const bool brakes = now * motion.speed < 0 || later * motion.speed < 0;
+    const S braked = brakes ? S(driven + pumped) : pumped;
     const S least = max(
         S(0),
         S(sqrt(max(S(0), S(speed * speed - 2 * (exchanged + damped) / body.inertia))) - braked));
     const S most = sqrt(speed * speed + 2 * exchanged / body.inertia) + driven + pumped;
     if (driven > 0 && least < fastest_stall()) return false;
-    // Gravity's moment makes the angle ripple, and the unbalance with it, which shakes the rotor at
-    // frequencies that may be its natural one.
+    // Moments that vary, as gravity's, make the angle ripple, and the unbalance with it, which
+    // shakes the rotor at frequencies that may be its natural one.
     const S slowest = min(least, sqrt(square));
     S rippling(0);  // m/s^2
-    if (arm > 0 && weight > 0) {
+    const LoadBound<S> varying = acting_.bound(body, {farthest, clearance + e, velocity});
+    if (varying.couple > 0) {
       if (!(slowest > 0)) return false;
-      const S ripple = weight * arm / (body.inertia * slowest * slowest);
-      rippling = e * ripple * hypot(stiffness, supports_.damping * most) / body.mass;
+      const S ripple = varying.couple / (body.inertia * slowest * slowest);
+      rippling = e * ripple * hypot(stiffness, damping * most) / body.mass;
     }
     // So does the steady response A(w), which lags behind a speed that changes.
-    const S changing = ((last_.motor_on ? supports_.torque : S(0)) +
-                        e * supports_.bearing_force(farthest, velocity)) /
-                       body.inertia;  // rad/s^2
+    const S changing = (constant + e * varying.force) / body.inertia;  // rad/s^2
     const auto is_clear_at = [&](const S& w) {
       const S lagging =
-          changing * (supports_.unbalance_response(body, w).norm() +
-                      (2 * w + decay) * supports_.unbalance_response_by_speed(body, w).norm());
+          changing * (supports.unbalance_response(body, w).norm() +
+                      (2 * w + decay) * supports.unbalance_response_by_speed(body, w).norm());
       const S force = rippling + lagging;  // at worst in resonance, m/s^2
       S shaken = force > 0 ? S(force / sqrt(square) * left_s / 2) : S(0);
       if (decay > 0) shaken = min(shaken, S(force / (decay * sqrt(square))));
-      return vibration + shaken + response(w) < clearance;
+      return vibration + shaken + response(w) < surely_clear;
     };
     // In between the response is greatest at the resonance, if that lies there.
     const S resonance = square * square / (square - decay * decay / 2);  // squared
@@ -138,19 +141,20 @@ class BasicOutcomeWatch {
 
  private:
   bool is_stalled() const {
-    if (!last_.motor_on || !early_speed_ || !(supports_.torque > 0)) return false;
+    const S moment = acting_.constant_moment(last_.motor_on);
+    if (!last_.motor_on || !early_speed_ || !(moment > 0)) return false;
     // Backward whirl along the ring brakes the rotor, and may yet end in rolling.
     const Motion<S> motion = last_.motion();
     if (last_.touches() && cross(motion.displacement, motion.velocity) * motion.speed < 0)
       return false;
     using std::abs;
-    const S unresisted = supports_.torque / last_.body.inertia * (last_.time_s - time_of_speed_s_);
+    const S unresisted = moment / last_.body.inertia * (last_.time_s - time_of_speed_s_);
     const S speed = last_.state[5];
     return abs(speed) < fastest_stall() && speed - *early_speed_ < S(stalling_share) * unresisted;
   }
 
   S fastest_stall() const {  // rad/s
-    return S(stalling_speeds) * natural_frequency(supports_.stiffness, last_.body.mass);
+    return S(stalling_speeds) * natural_frequency(acting_.supports.stiffness, last_.body.mass);
   }
 
   /// A rotor stalls if over this many natural periods of its supports it
@@ -161,10 +165,13 @@ class BasicOutcomeWatch {
   static constexpr double stalling_speeds = 1.5;
 
   Parameters parameters_;
-  Supports<S> supports_;
+  ActingLoads<S> acting_;
   S until_s_, time_of_speed_s_;
+  S margin_;  ///< for errors of the rest of a run, relative to the clearance: of 300,000 flight
+              ///< steps
   std::optional<S> early_speed_;  ///< rad/s
   std::optional<S> contact_since_s_;
+  TouchDowns touch_downs_;
   bool touched_ = false, rolled_ = false;
   BasicInstant<S> last_;
 };

@@ -15,16 +15,24 @@ namespace rotor {
 /// driven the rotor faster than that.
 enum class StopOn { outcome, rolling, rest };
 
+/// Whether such a run cannot end before its mass loss.
+constexpr bool awaits_mass_loss(StopOn stop_on) { return stop_on == StopOn::outcome; }
+
 class StopObserver : public Observer {
  public:
-  StopObserver(StopOn stop_on, const Scenario& scenario)
+  /// Not in rolling, if a run to its outcome awaits the last contact.
+  StopObserver(StopOn stop_on, const Scenario& scenario, bool awaits_last_contact = false)
       : stop_on_(stop_on),
+        awaits_last_contact_(awaits_last_contact),
         loses_mass_(scenario.loses_mass()),
         watch_(scenario),
         in_rolling_(scenario),
         force_(scenario),
-        has_turned_(!(scenario.parameters.torque > 0)) {}
+        has_turned_(
+            !(ActingLoads<double>(scenario.parameters, scenario.equations).constant_moment(true) >
+              0)) {}
 
+  StopOn stop_on() const { return stop_on_; }
   bool is_reached() const { return reached_ || force_.is_found(); }
 
   void on_instant(const Instant& at) override {
@@ -35,17 +43,18 @@ class StopObserver : public Observer {
     if (at.contact == ContactState::rolling) rolled_ = true;
     if (rolled_) in_rolling_.await();
     in_rolling_.on_instant(at);
-    if (rolled_ && (stop_on_ == StopOn::rolling || (stop_on_ == StopOn::outcome && loss_is_over())))
+    if (rolled_ && (stop_on_ == StopOn::rolling ||
+                    (stop_on_ == StopOn::outcome && loss_is_over() && !awaits_last_contact_)))
       force_.await();
     force_.on_instant(at);
-    if (stop_on_ != StopOn::outcome || !loss_is_over()) return;
+    if (stop_on_ != StopOn::outcome || !loss_is_over() || (rolled_ && awaits_last_contact_)) return;
     const bool rolled_before =
         at.event == Event::mass_loss && in_rolling_.is_found() && !at.touches();
     reached_ = reached_ || rolled_before || (at.event != Event::none && stays_clear());
   }
 
   bool wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const override {
-    return stop_on_ == StopOn::outcome && loss_is_over() && is_free_;
+    return stop_on_ == StopOn::outcome && loss_is_over() && is_free_ && !rolled_;
   }
   void on_step(const DenseOutput& step) override {
     watch_.note(step.at(step.until_s));
@@ -71,6 +80,7 @@ class StopObserver : public Observer {
     if (stop_on_ == StopOn::rest && now.time_s - slow_since_s_ >= for_s) reached_ = true;
     return !is_reached();
   }
+  bool may_stop_early() const override { return !awaits_mass_loss(stop_on_) || loss_is_over(); }
 
  private:
   bool loss_is_over() const { return mass_lost_ || !loses_mass_; }
@@ -80,6 +90,7 @@ class StopObserver : public Observer {
   }
 
   StopOn stop_on_;
+  bool awaits_last_contact_;
   bool loses_mass_;
   OutcomeWatch watch_;
   NextMaximum<double> in_rolling_;  ///< up to which the summary has results of its own

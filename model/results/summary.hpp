@@ -22,8 +22,8 @@ struct BasicSummary {
   std::optional<S> rolling_onset_s, rolling_onset_speed_Hz, rolling_onset_force_N, rolling_until_s;
   std::optional<S> peak_force_to_rolling_N;
   std::optional<S> peak_normal_force_N, peak_time_s, peak_normal_force_before_loss_N;
-  std::optional<S> max_displacement_m;
-  S max_displacement_before_loss_m{0};
+  std::optional<S> peak_displacement_m;
+  S peak_displacement_before_loss_m{0};
   S contact_time_s{0};
   S peak_bearing_force_N{0};
   std::optional<S> whirl_frequency_Hz, whirl_from_s, whirl_until_s;
@@ -44,12 +44,13 @@ enum class ErrorScale {
   exact    ///< no error: it is stated, not computed
 };
 
-/// What decides a result, so that the rest of a run cannot change it.
+/// What decides a result, so that the rest of a run cannot change it; the latest one last.
 enum class Settled {
   once_known,   ///< nothing but its own event: empty until then
   by_loss,      ///< the mass loss
   by_contacts,  ///< the last contact
-  by_end        ///< the end of the run
+  by_end,       ///< the end of the run
+  by_stop       ///< where the run ends, early or not
 };
 
 /// One result. Text, JSON and its schema, the columns of sweeps and estimated digits all follow
@@ -70,14 +71,16 @@ struct SummaryField {
   bool is_settled(const Of& of) const {
     switch (settled) {
       case Settled::once_known:
+      case Settled::by_stop:
         return true;
       case Settled::by_loss:
         return of.speed_at_mass_loss_Hz.has_value();
       case Settled::by_contacts:
         return of.outcome == Outcome::freed || of.outcome == Outcome::no_contact;
-      default:
+      case Settled::by_end:
         return false;
     }
+    return false;
   }
 };
 
@@ -108,16 +111,16 @@ inline constexpr auto summary_fields = [] {
       {"peak_normal_force_N", "Largest normal force", &Of::peak_normal_force_N, own, nullptr,
        contacts},
       {"peak_time_s", "Time of the largest normal force", &Of::peak_time_s, own, nullptr, contacts},
-      {"max_displacement_m",
+      {"peak_displacement_m",
        "Largest distance of O from O_a after the mass loss, or in a run without one",
-       &Of::max_displacement_m, length, nullptr, end},
+       &Of::peak_displacement_m, length, nullptr, end},
       {"touch_downs_before_loss",
        "Touch-downs before the mass loss; all of them in a run without one",
        &Of::touch_downs_before_loss, own, nullptr, loss},
       {"peak_normal_force_before_loss_N", "Largest normal force before the mass loss",
        &Of::peak_normal_force_before_loss_N, own, nullptr, loss},
-      {"max_displacement_before_loss_m", "Largest distance of O from O_a before the mass loss",
-       &Of::max_displacement_before_loss_m, length, nullptr, loss},
+      {"peak_displacement_before_loss_m", "Largest distance of O from O_a before the mass loss",
+       &Of::peak_displacement_before_loss_m, length, nullptr, loss},
       {"contact_time_s", "Time spent sliding and rolling", &Of::contact_time_s, own,
        [](const Of& s) { return s.contact_time_s > 0 ? s.final_time_s : S(0); }, contacts},
       {"peak_bearing_force_N",
@@ -138,11 +141,14 @@ inline constexpr auto summary_fields = [] {
        nullptr, end},
       {"whirl_until_s", "End of the interval of whirl_frequency_Hz", &Of::whirl_until_s, own,
        nullptr, end},
-      {"motor_off_s", "Time at which the motor is switched off", &Of::motor_off_s},
+      {"motor_off_s", "Time at which the motor is switched off; null at constant speed",
+       &Of::motor_off_s},
       {"speed_at_mass_loss_Hz", "Rotation speed at the mass loss", &Of::speed_at_mass_loss_Hz},
-      {"speed_ratio_at_mass_loss", "Rotation speed at the mass loss over the critical speed",
+      {"speed_ratio_at_mass_loss",
+       "Rotation speed at the mass loss over the critical speed; null if k = 0",
        &Of::speed_ratio_at_mass_loss},
-      {"final_time_s", "End of the run, or where it stopped", &Of::final_time_s, exact},
+      {"final_time_s", "End of the run, or where it stopped", &Of::final_time_s, exact, nullptr,
+       Settled::by_stop},
       {"final_speed_Hz", "Rotation speed at the end", &Of::final_speed_Hz, own, nullptr, end},
       {"final_kinetic_energy_J",
        "Kinetic energy T of the rotor at the end; without that of the rotation at constant speed",
@@ -175,7 +181,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
  public:
   explicit BasicSummaryObserver(const Scenario& scenario)
       : ring_(scenario.parameters),
-        supports_(scenario.parameters, scenario.equations),
+        supports_(scenario.parameters),
         watch_(scenario),
         in_rolling_(scenario) {
     note_parameters(scenario.parameters);
@@ -198,11 +204,13 @@ class BasicSummaryObserver : public BasicObserver<S> {
   /// To be called with the instants of a run in order, from the start on.
   void on_instant(const BasicInstant<S>& at) override {
     const Motion<S> motion = at.motion();
-    if (!at.motor_on && !summary_.motor_off_s) summary_.motor_off_s = at.time_s;
+    const bool has_motor = !at.body.has_constant_speed();
+    if (has_motor && !at.motor_on && !summary_.motor_off_s) summary_.motor_off_s = at.time_s;
     if (at.mass_lost && !summary_.speed_at_mass_loss_Hz) {
       summary_.speed_at_mass_loss_Hz = in_Hz(motion.speed);
-      summary_.speed_ratio_at_mass_loss =
-          *summary_.speed_at_mass_loss_Hz / summary_.critical_speed_Hz;
+      if (summary_.critical_speed_Hz > 0)
+        summary_.speed_ratio_at_mass_loss =
+            *summary_.speed_at_mass_loss_Hz / summary_.critical_speed_Hz;
     }
     note_extremes(at, motion);
     note_contact(at, motion);
@@ -235,13 +243,14 @@ class BasicSummaryObserver : public BasicObserver<S> {
     if (of == ignored_) return BasicObserver<S>::threshold(of, from_s, until_s);
     switch (of) {
       case Extreme::displacement:
-        return last_.mass_lost ? summary_.max_displacement_m.value_or(S(0))
-                               : summary_.max_displacement_before_loss_m;
+        return last_.mass_lost ? summary_.peak_displacement_m.value_or(S(0))
+                               : summary_.peak_displacement_before_loss_m;
       case Extreme::bearing_force:
         return summary_.peak_bearing_force_N;
-      default:
+      case Extreme::normal_force:
         return in_rolling_.is_awaited() ? S(0) : summary_.peak_normal_force_N.value_or(S(0));
     }
+    return BasicObserver<S>::threshold(of, from_s, until_s);
   }
 
   void on_maximum(const BasicMaximum<S>& maximum) override {
@@ -283,10 +292,10 @@ class BasicSummaryObserver : public BasicObserver<S> {
 
   void note_extremes(const BasicInstant<S>& at, const Motion<S>& motion) {
     const S displacement = motion.displacement.norm();
-    if (at.mass_lost || !loses_mass_) keep_greatest(summary_.max_displacement_m, displacement);
+    if (at.mass_lost || !loses_mass_) keep_greatest(summary_.peak_displacement_m, displacement);
     if (!at.mass_lost)
-      summary_.max_displacement_before_loss_m =
-          std::max(summary_.max_displacement_before_loss_m, displacement);
+      summary_.peak_displacement_before_loss_m =
+          std::max(summary_.peak_displacement_before_loss_m, displacement);
     const Vector<S> bearings = supports_.bearing_force(motion.displacement, motion.velocity);
     summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, S(bearings.norm()));
     if (!at.touches()) return;
@@ -301,8 +310,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
 
   void note_contact(const BasicInstant<S>& at, const Motion<S>& motion) {
     if (last_.touches()) summary_.contact_time_s += at.time_s - last_.time_s;
-    const bool begins = at.contact != ContactState::free && last_.contact == ContactState::free;
-    if (begins) {
+    if (touch_downs_.begins_with(at.contact)) {
       ++summary_.touch_downs;
       if (!at.mass_lost) ++summary_.touch_downs_before_loss;
       if (!summary_.rolling_onset_s) ++summary_.touch_downs_to_rolling;
@@ -315,7 +323,8 @@ class BasicSummaryObserver : public BasicObserver<S> {
       summary_.rolling_onset_speed_Hz = in_Hz(motion.speed);
       summary_.rolling_onset_force_N = at.contact_force(ring_, motion);
     }
-    if (begins || (at.event == Event::mass_loss && at.contact != ContactState::free)) {
+    const bool was_free = last_.contact == ContactState::free;
+    if (at.contact != ContactState::free && (was_free || at.event == Event::mass_loss)) {
       const BasicProgress<S> here{at.time_s, motion.speed, RotatingFrame<S>::angle(at.state)};
       if (rolls_since_ && whirl_)
         rolls_since_->whirl_angle += here.whirl_angle - whirl_->whirl_angle;
@@ -337,6 +346,7 @@ class BasicSummaryObserver : public BasicObserver<S> {
   NextMaximum<S> in_rolling_;  ///< of the normal force
   std::optional<Extreme> ignored_;
   BasicInstant<S> last_;
+  TouchDowns touch_downs_;
   bool rolls_ = false, loses_mass_ = true;
   std::optional<BasicProgress<S>> last_progress_;
   std::optional<BasicProgress<S>> whirl_;        ///< where the angle was last known

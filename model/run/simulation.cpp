@@ -77,8 +77,8 @@ RunEnd run(const Scenario& scenario, Observer& observer) {
 }
 
 RunEnd run(const Scenario& scenario, const Instant& from, Observer& observer) {
-  observer.on_instant(from);
   Simulation simulation(scenario, from);
+  observer.on_instant(simulation.instant());
   simulation.finish(observer);
   return {simulation.instant(), simulation.counters(), simulation.stopped()};
 }

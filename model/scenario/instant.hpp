@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
+#include <optional>
 
 #include "model/mechanics/rotating_frame.hpp"
 #include "model/phases/rotor_system.hpp"
@@ -35,6 +35,26 @@ struct BasicInstant {
 
 using Instant = BasicInstant<double>;
 
+/// Finds the touch-downs of a run: where the ring begins to press on a rotor that was clear of it,
+/// or that started over the ring and has not been pressed yet.
+class TouchDowns {
+ public:
+  /// Whether one comes with the next instant. To be called with the instants of a run in order.
+  bool begins_with(ContactState contact) {
+    // A fixed step that ends over an indented ring has pressed on it.
+    const bool presses =
+        touches(contact) || (contact == ContactState::indented && last_ == ContactState::free);
+    const bool begins = presses && !has_pressed_;
+    has_pressed_ = contact != ContactState::free && (has_pressed_ || presses);
+    last_ = contact;
+    return begins;
+  }
+
+ private:
+  std::optional<ContactState> last_;
+  bool has_pressed_ = false;  ///< since the rotor was last clear of the ring
+};
+
 /// A speed in rad/s as turns per second.
 template <class S>
 S in_Hz(const S& speed) {
@@ -48,8 +68,8 @@ BasicInstant<S> at_rest(const Parameters& p) {
 }
 
 /// At rest, in the steady response to the unbalance at the scenario's start speed, or as the
-/// scenario states it, perhaps in contact. Throws std::invalid_argument if the rotor would touch
-/// the ring in the steady response.
+/// scenario states it, perhaps in contact. Throws ScenarioError if the rotor would touch the ring
+/// in the steady response.
 template <class S = double>
 BasicInstant<S> start_of(const Scenario& scenario) {
   BasicInstant<S> start = at_rest<S>(scenario.parameters);
@@ -63,24 +83,27 @@ BasicInstant<S> start_of(const Scenario& scenario) {
         Vector<S>(as_typed<S>(stated->velocity_x), as_typed<S>(stated->velocity_y)) -
         speed * quarter_turn(at);
     start.state = {at.x(), at.y(), S(0), rate.x(), rate.y(), speed};
-    if (at.norm() > Ring<S>(p).clearance) start.contact = ContactState::sliding;
+    if (const Ring<S> ring(p); !ring.is_clear_of(start.motion()))
+      start.contact = ring.contact_of(ring.rim_point(start.motion()));
     return start;
   }
-  const Supports<S> supports(p, scenario.equations);
+  const Supports<S> supports(p);
   const Vector<S> centre =
       supports.unbalance_response(start.body, speed) - Vector<S>(start.body.eccentricity, S(0));
   const S clearance = Ring<S>(p).clearance;
   if (!(centre.norm() < clearance))
-    throw std::invalid_argument(fmt::format(
-        "start_speed_hz = {:.9g} Hz: the rotor would touch the ring in the steady response at that "
-        "speed, {:.4g} m from its axis, with clearance = {:.4g} m",
-        scenario.start_speed_Hz, static_cast<double>(centre.norm()),
-        static_cast<double>(clearance)));
+    throw ScenarioError(
+        {mention_of(scenario, "start_speed_Hz"),
+         fmt::format(
+             ": the rotor would touch the ring in the steady response at that speed, {:.4g} "
+             "m from its axis, with ",
+             static_cast<double>(centre.norm())),
+         Mention{"clearance", fmt::format("{:.4g} m", static_cast<double>(clearance))}});
   start.state = {centre.x(), centre.y(), S(0), S(0), S(0), speed};
   return start;
 }
 
-/// Throws std::invalid_argument if the scenario's numbers or its start are not physical.
+/// Throws ScenarioError if the scenario's numbers or its start are not physical.
 inline void check(const Scenario& scenario) {
   check_numbers(scenario);
   static_cast<void>(start_of(scenario));

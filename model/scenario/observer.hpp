@@ -34,11 +34,11 @@ struct BasicDenseOutput {
       : from_s(from), until_s(until), arcs(arcs_in_it) {}
 };
 
-/// A located maximum.
+/// A located maximum, on the curve of the dense output.
 template <class S>
 struct BasicMaximum {
   Extreme of;
-  S bound;  ///< upper bound of the quantity, known before it was located, m or N
+  S value;  ///< m or N
   BasicInstant<S> at;
 };
 
@@ -64,12 +64,15 @@ class BasicObserver {
 
   /// Called after every step; the run ends there if it returns false.
   virtual bool should_continue(const BasicProgress<S>& /*now*/) { return true; }
+  /// Whether the run may end there with what was asked of it. Others are refused as soon as it is
+  /// clear that their end is too many steps away.
+  virtual bool may_stop_early() const { return false; }
 
   /// Whether on_step() is to show the motion between those times.
   virtual bool wants_dense_output(const S& /*from_s*/, const S& /*until_s*/) const { return false; }
   virtual void on_step(const BasicDenseOutput<S>& /*step*/) {}
 
-  /// on_maximum() shows maxima between those times whose bounds are above this (m or N).
+  /// on_maximum() shows maxima between those times that are above this (m or N).
   virtual S threshold(Extreme /*of*/, const S& /*from_s*/, const S& /*until_s*/) const {
     return std::numeric_limits<S>::infinity();
   }
@@ -97,6 +100,10 @@ class ObserverGroup : public Observer {
     for (Observer* observer : all_) all = observer->should_continue(now) && all;
     return all;
   }
+  bool may_stop_early() const override {
+    return std::any_of(all_.begin(), all_.end(),
+                       [](const Observer* observer) { return observer->may_stop_early(); });
+  }
 
   bool wants_dense_output(const double& from_s, const double& until_s) const override {
     return std::any_of(all_.begin(), all_.end(), [&](const Observer* observer) {
@@ -116,7 +123,7 @@ class ObserverGroup : public Observer {
   }
   void on_maximum(const Maximum& maximum) override {
     for (Observer* observer : all_)
-      if (maximum.bound > observer->threshold(maximum.of, maximum.at.time_s, maximum.at.time_s))
+      if (maximum.value > observer->threshold(maximum.of, maximum.at.time_s, maximum.at.time_s))
         observer->on_maximum(maximum);
   }
 

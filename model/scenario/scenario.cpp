@@ -11,9 +11,6 @@
 namespace rotor {
 namespace {
 
-constexpr bool closed = true;
-constexpr bool open = false;
-
 /// A number of a scenario, or of its parameters.
 template <auto Member>
 double& in(Scenario& scenario) {
@@ -24,57 +21,53 @@ double& in(Scenario& scenario) {
 }
 
 constexpr std::array all_quantities = {
-    Quantity{"mass", "m", "kg", "rotor mass", in<&Parameters::mass>, 0, open},
+    Quantity{"mass", "m", "kg", "rotor mass", in<&Parameters::mass>, least_positive},
     Quantity{"inertia", "I_C", "kg m^2", "moment of inertia about the mass centre",
-             in<&Parameters::inertia>, 0, open},
+             in<&Parameters::inertia>, least_positive},
     Quantity{"eccentricity", "e_x", "m", "distance of the mass centre from the geometrical centre",
-             in<&Parameters::eccentricity>, 0, closed},
+             in<&Parameters::eccentricity>, 0},
     Quantity{"support_stiffness", "k", "N/m", "radial stiffness of the supports together",
-             in<&Parameters::support_stiffness>, 0, closed},
+             in<&Parameters::support_stiffness>, 0},
     Quantity{"support_damping", "d", "N s/m", "radial damping of the supports together",
-             in<&Parameters::support_damping>, 0, closed},
+             in<&Parameters::support_damping>, 0},
     Quantity{"gravity", "g", "m/s^2",
              "acceleration due to gravity (the ring is centred on the loaded position of rest)",
-             in<&Parameters::gravity>, 0, closed},
+             in<&Parameters::gravity>, 0, greatest_speed},
     Quantity{"torque", "M_mot", "N m", "torque of the motor until it is switched off",
-             in<&Parameters::torque>, 0, closed},
-    Quantity{"motor_off_hz", "f_max", "Hz", "rotation speed at which the motor is switched off",
-             in<&Parameters::motor_off_Hz>, 0, closed},
+             in<&Parameters::torque>, 0},
+    Quantity{"motor_off_Hz", "f_max", "Hz", "rotation speed at which the motor is switched off",
+             in<&Parameters::motor_off_Hz>, 0, greatest_speed},
     Quantity{"contact_stiffness", "k_t", "N/m", "stiffness of the contact zone",
-             in<&Parameters::contact_stiffness>, 0, open},
+             in<&Parameters::contact_stiffness>, least_positive},
     Quantity{"contact_damping", "d_t", "N s/m", "damping of the contact zone",
-             in<&Parameters::contact_damping>, 0, closed},
+             in<&Parameters::contact_damping>, 0},
     Quantity{"contact_exponent", "n", "",
              "exponent of the contact's elastic force in the indentation; 1: linear, 1.5: Hertz",
-             in<&Parameters::contact_exponent>, 1, closed, 3},
+             in<&Parameters::contact_exponent>, 1, 3},
     Quantity{"reference_indentation", "Delta_0", "m",
              "indentation at which the elastic force is k_t Delta_0, unless contact_exponent is 1",
-             in<&Parameters::reference_indentation>, 0, closed},
+             in<&Parameters::reference_indentation>, 0},
     Quantity{"friction", "mu", "", "coefficient of Coulomb friction between rotor and ring",
-             in<&Parameters::friction>, 0, closed},
-    Quantity{"rotor_radius", "r", "m", "radius of the rotor", in<&Parameters::rotor_radius>, 0,
-             open},
+             in<&Parameters::friction>, 0},
+    Quantity{"rotor_radius", "r", "m", "radius of the rotor", in<&Parameters::rotor_radius>,
+             least_positive},
     Quantity{"stator_radius", "r_a", "m", "radius of the stator's contact ring",
-             in<&Parameters::stator_radius>, 0, open},
+             in<&Parameters::stator_radius>, least_positive},
     Quantity{"unbalance_factor", "k_u", "", "factor by which the mass loss raises the eccentricity",
-             in<&Parameters::unbalance_factor>, 1, closed},
+             in<&Parameters::unbalance_factor>, 1},
     Quantity{"mass_loss_time", "t_1", "s", "instant of the mass loss",
-             in<&Parameters::mass_loss_time>, 0, closed},
-    Quantity{"start_speed_hz", "", "Hz",
+             in<&Parameters::mass_loss_time>, 0},
+    Quantity{"start_speed_Hz", "", "Hz",
              "speed at which the run starts, in steady response to the unbalance; 0: at rest",
-             in<&Scenario::start_speed_Hz>, 0, closed},
-    Quantity{"until", "", "s", "end of the run", in<&Scenario::until>, 0, open},
+             in<&Scenario::start_speed_Hz>, 0, greatest_speed},
+    Quantity{"until", "", "s", "end of the run", in<&Scenario::until>, least_positive},
     Quantity{"tolerance", "", "", "event: error allowed in a step, relative to each phase's scale",
-             in<&Scenario::tolerance>, 1e-15, closed, 1e-3},
+             in<&Scenario::tolerance>, 1e-15, 1e-3},
     Quantity{"step_run_up", "h", "s", "rk4: step until the mass loss or the first contact",
-             in<&Scenario::step_run_up>, 0, open},
-    Quantity{"step_rub", "h", "s", "rk4: step from then on", in<&Scenario::step_rub>, 0, open},
+             in<&Scenario::step_run_up>, least_positive},
+    Quantity{"step_rub", "h", "s", "rk4: step from then on", in<&Scenario::step_rub>,
+             least_positive},
 };
-
-template <class... Parts>
-void require(bool fulfilled, fmt::format_string<const Parts&...> message, const Parts&... parts) {
-  if (!fulfilled) throw std::invalid_argument(fmt::format(message, parts...));
-}
 
 }  // namespace
 
@@ -99,71 +92,72 @@ Scenario run_up_part(const Scenario& scenario) {
 
 std::span<const Quantity> quantities() { return all_quantities; }
 
-std::string Quantity::text(const Scenario& scenario) const {
-  return fmt::format("{} = {}{}{}", name, of(scenario), unit.empty() ? "" : " ", unit);
+Mention Quantity::with(double value) const {
+  return {std::string(name), fmt::format("{}{}{}", value, unit.empty() ? "" : " ", unit)};
+}
+
+Mention mention_of(const Scenario& scenario, std::string_view name) {
+  for (const Quantity& quantity : quantities())
+    if (quantity.name == name) return quantity.with(quantity.of(scenario));
+  throw std::logic_error(fmt::format("there is no quantity {}", name));
 }
 
 bool Quantity::allows(double value) const {
-  return std::isfinite(value) && (least_allowed ? value >= least : value > least) &&
-         value <= greatest;
+  const bool is_tiny = least == 0 && value > 0 && value < least_positive;
+  return value >= least && value <= greatest && !is_tiny;
 }
 
 std::string Quantity::range() const {
-  if (std::isinf(least))
-    return fmt::format("a finite number{}{}", unit.empty() ? "" : " of ", unit);
-  return fmt::format("a finite number {} {}{}{}{}", least_allowed ? "not below" : "greater than",
-                     least,
-                     std::isfinite(greatest) ? fmt::format(" and not above {}", greatest) : "",
-                     unit.empty() ? "" : " ", unit);
+  return fmt::format("{}a number from {} to {}{}{}", least == 0 ? "0 or " : "",
+                     least == 0 ? least_positive : least, greatest, unit.empty() ? "" : " ", unit);
 }
 
 void check_numbers(const Scenario& scenario) {
-  for (const Quantity& quantity : quantities()) {
-    const double value = quantity.of(scenario);
-    if (!quantity.allows(value))
-      throw std::invalid_argument(
-          fmt::format("{} = {}: must be {}", quantity.name, value, quantity.range()));
-  }
+  const auto the = [&](std::string_view name) { return mention_of(scenario, name); };
+  for (const Quantity& quantity : quantities())
+    if (!quantity.allows(quantity.of(scenario)))
+      throw ScenarioError({the(quantity.name), ": must be " + quantity.range()});
   const Parameters& p = scenario.parameters;
-  require(p.stator_radius > p.rotor_radius,
-          "stator_radius = {} m and rotor_radius = {} m: the ring must be larger than the rotor",
-          p.stator_radius, p.rotor_radius);
-  require(p.eccentricity < p.rotor_radius,
-          "eccentricity = {} m: must be smaller than rotor_radius = {} m", p.eccentricity,
-          p.rotor_radius);
-  require(p.contact_exponent == 1 || p.reference_indentation > 0,
-          "contact_exponent = {} and reference_indentation = {} m: the indentation at which "
-          "contact_stiffness holds must be greater than 0 m",
-          p.contact_exponent, p.reference_indentation);
+  if (!(p.stator_radius > p.rotor_radius))
+    throw ScenarioError({the("stator_radius"), " and ", the("rotor_radius"),
+                         ": the ring must be larger than the rotor"});
+  if (!(p.eccentricity < p.rotor_radius))
+    throw ScenarioError({the("eccentricity"), ": must be smaller than ", the("rotor_radius")});
+  if (p.contact_exponent != 1 && !(p.reference_indentation > 0))
+    throw ScenarioError({the("contact_exponent"), " and ", the("reference_indentation"),
+                         ": the indentation at which contact_stiffness holds must be greater than "
+                         "0 m"});
   if (scenario.method == Method::rk4) {
     constexpr double most_steps = 1e10;
     const auto require_few = [&](std::string_view name, double step) {
-      require(scenario.until / step <= most_steps,
-              "{} = {} s and until = {} s: there must be at most {} steps", name, step,
-              scenario.until, most_steps);
+      if (!(scenario.until / step <= most_steps))
+        throw ScenarioError({the(name), " and ", the("until"),
+                             fmt::format(": there must be at most {} steps", most_steps)});
     };
     require_few("step_run_up", scenario.step_run_up);
     require_few("step_rub", scenario.step_rub);
-    require(scenario.step_run_up <= scenario.until,
-            "step_run_up = {} s: must not be longer than the run, until = {} s",
-            scenario.step_run_up, scenario.until);
+    if (!(scenario.step_run_up <= scenario.until))
+      throw ScenarioError(
+          {the("step_run_up"), ": must not be longer than the run, ", the("until")});
   }
-  require(p.drive == Drive::motor || scenario.start_speed_Hz > 0,
-          "drive = constant_speed and start_speed_hz = {} Hz: the speed must be greater than 0",
-          scenario.start_speed_Hz);
-  if (scenario.start)
-    require(
-        std::hypot(scenario.start->x, scenario.start->y) < p.stator_radius,
-        "start_x = {} m and start_y = {} m: must be nearer the centre than the ring's radius, {} m",
-        scenario.start->x, scenario.start->y, p.stator_radius);
+  if (p.drive == Drive::constant_speed && !(scenario.start_speed_Hz > 0))
+    throw ScenarioError({Mention{"drive", "constant_speed"}, " and ", the("start_speed_Hz"),
+                         ": the speed must be greater than 0"});
+  if (const auto& start = scenario.start;
+      start && !(std::hypot(start->x, start->y) < p.stator_radius))
+    throw ScenarioError(
+        {Mention{"start_x", fmt::format("{} m", start->x)}, " and ",
+         Mention{"start_y", fmt::format("{} m", start->y)},
+         fmt::format(": must be nearer the centre than the ring's radius, {} m", p.stator_radius)});
   const MassLoss<double> loss(p);
-  require(
-      !scenario.loses_mass() || loss.after.inertia > 0,
-      "inertia = {} kg m^2: would be {:.6g} kg m^2 after the loss of {:.6g} kg at rotor_radius = "
-      "{} m, and must be greater than 0 then; mass = {} kg, eccentricity = {} m, "
-      "unbalance_factor = {}",
-      p.inertia, loss.after.inertia, loss.lost_mass, p.rotor_radius, p.mass, p.eccentricity,
-      p.unbalance_factor);
+  if (scenario.loses_mass() && !(loss.after.mass > 0))
+    throw ScenarioError({the("unbalance_factor"), ": no mass would be left of ", the("mass")});
+  if (scenario.loses_mass() && !(loss.after.inertia > 0))
+    throw ScenarioError({the("inertia"),
+                         fmt::format(": would be {:.6g} kg m^2 after the loss of {:.6g} kg at ",
+                                     loss.after.inertia, loss.lost_mass),
+                         the("rotor_radius"), ", and must be greater than 0 then; ", the("mass"),
+                         ", ", the("eccentricity"), ", ", the("unbalance_factor")});
 }
 
 }  // namespace rotor

@@ -1,13 +1,13 @@
 /// What is simulated: which rotor, which equations, for how long, and how.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "model/mechanics/parameters.hpp"
+#include "model/scenario/message.hpp"
 
 namespace rotor {
 
@@ -24,7 +24,7 @@ struct Start {
 
 struct Scenario {
   Parameters parameters{};
-  Equations equations = Equations::published;
+  Equations equations = Equations::corrected;
   Method method = Method::event;
   double start_speed_Hz = 0;     // at which the run starts, in steady response; 0: at rest
   std::optional<Start> start{};  // if stated instead of the steady response
@@ -47,28 +47,35 @@ struct Scenario {
 /// with equal parts share their run-up.
 Scenario run_up_part(const Scenario& scenario);
 
+/// Between these, in SI units, products and powers of several numbers are doubles, too.
+inline constexpr double least_positive = 1e-30, greatest_number = 1e30;
+/// Far beyond any machine: of speeds in Hz, velocities in m/s and gravity in m/s^2.
+inline constexpr double greatest_speed = 1e6;
+
 /// A number of a scenario: its name, its unit and its range.
 struct Quantity {
   std::string_view name;    ///< as in options and scene files, with underscores
   std::string_view symbol;  ///< of the paper
   std::string_view unit;    ///< "" for a pure number
   std::string_view meaning;
-  double& (*in)(Scenario&);    ///< the number itself
-  double least;                ///< smallest allowed value
-  bool least_allowed = false;  ///< whether the value may be the least itself
-  double greatest = std::numeric_limits<double>::infinity();  ///< greatest allowed value
+  double& (*in)(Scenario&);  ///< the number itself
+  double least;              ///< smallest allowed value; 0 or any positive number if it is 0
+  double greatest = greatest_number;  ///< greatest allowed value
 
   double of(Scenario scenario) const { return in(scenario); }
-  std::string text(const Scenario& scenario) const;  ///< "mass = 5 kg"
+  Mention with(double value) const;  ///< "mass = 5 kg"
   bool allows(double value) const;
-  std::string range() const;  ///< for messages: "a finite number greater than 0 kg"
+  std::string range() const;  ///< for messages: "a number from 1e-30 to 1e+30 kg"
 };
 
 /// All numbers of a scenario, in the order in which they are documented.
 std::span<const Quantity> quantities();
 
-/// Throws std::invalid_argument, with the quantity and what is allowed, if the numbers are not
-/// physical or contradict each other.
+/// The number with that name, as the scenario has it.
+Mention mention_of(const Scenario& scenario, std::string_view name);
+
+/// Throws ScenarioError, with the quantity and what is allowed, if the numbers are not physical or
+/// contradict each other.
 void check_numbers(const Scenario& scenario);
 
 }  // namespace rotor

@@ -30,23 +30,6 @@ inline double whirling_friction(const Parameters& p, double mass, double velocit
   return std::sqrt(way * (way * p.support_stiffness + p.support_damping) / mass);
 }
 
-/// Before the mass loss, rad/s.
-inline double critical_speed(const Parameters& p) {
-  return natural_frequency(p.support_stiffness, p.mass);
-}
-
-/// About the largest displacement of O in a run-up through the critical speed, m: the lesser of
-/// those of the steady response and of an undamped rotor at this acceleration (after F. M. Lewis
-/// 1932; the numbers are from our runs). Without damping and torque infinite.
-inline double run_up_displacement(const Parameters& p) {
-  const double critical = critical_speed(p);
-  const double zeta = p.support_damping / (2 * p.mass * critical);
-  const double steady = zeta < std::sqrt(0.5) ? 1 / (2 * zeta * std::sqrt(1 - zeta * zeta)) : 1;
-  const double slow = 1.3 * critical * std::sqrt(std::numbers::pi / 2 * p.inertia / p.torque);
-  const double passing = 1 + std::max(1., slow);  // at once: a circle of radius e_x about C's rest
-  return p.eccentricity * std::min(steady, passing);
-}
-
 /// SI units; speeds and rates in rad/s. Empty: does not happen.
 struct Accident {
   std::optional<double> contact_speed;    ///< by (1)
@@ -54,7 +37,6 @@ struct Accident {
   std::optional<double> contact_s;        ///< first contact after the loss
   std::optional<double> impact_force;     ///< of that contact, N
   std::optional<double> whirl_friction;   ///< above which rebounds may lead to backward whirl; (2)
-  std::optional<double> first_friction;   ///< above which one elastic impact may
   double forward_friction;                ///< up to which there is forward rub
   double stable_forward_friction;         ///< up to which it returns after a small disturbance
   std::optional<double> rolling_speed;    ///< of the rotor when rolling begins; (3)
@@ -93,7 +75,6 @@ struct Accident {
     impact_force = k_t * v_O.real() / contact_rate * impact(zeta);
     whirl_friction =
         whirling_friction(p, m, v_O.real(), swing_after_blow(zeta) * swing_after_blow(zeta));
-    first_friction = whirling_friction(p, m, 2 * v_O.real(), 0);
     if (!(ring.friction > 0)) return;
 
     const double kappa = m * r * r / body.inertia, stiffness = k_t + k;

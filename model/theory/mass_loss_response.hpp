@@ -27,7 +27,7 @@ class MassLossResponse {
   MassLossResponse(const Parameters& p, Equations equations, double speed)
       : speed_(speed), clearance_(Ring<double>(p).clearance) {
     const MassLoss<double> loss(p);
-    const Supports<double> supports(p, equations);
+    const Supports<double> supports(p);
     const auto steady = [&](const Body<double>& body) {
       const Vector<double> centre = supports.unbalance_response(body, speed);
       return Complex(centre.x() - body.eccentricity, centre.y());
@@ -46,9 +46,9 @@ class MassLossResponse {
           "to vibrate after the mass loss, with k > 0 and a damping ratio d / (2 sqrt(k m)) below 1"
           "{}",
           stiffness, p.support_damping,
-          stiffness > 0
-              ? fmt::format("; it is {:.3g}", decay_ / std::sqrt(square + decay_ * decay_))
-              : ""));
+          stiffness > 0 ? fmt::format("; it is {:.3g}",
+                                      decay_ / natural_frequency(stiffness, loss.after.mass))
+                        : ""));
     frequency_ = std::sqrt(square);
     const Complex free = z - steady_, free_rate = rate - i * speed * steady_;
     a_ = (free_rate + (decay_ + i * frequency_) * free) / (2. * i * frequency_);

@@ -23,7 +23,7 @@ class Approved : public CommandLine, public testing::WithParamInterface<std::str
     std::string now, command;
     const auto run = [&] {
       if (command.empty()) return;
-      const auto [status, output] = shell("sources='" ROTOR_SOURCES "' theory='" ROTOR_MAP_THEORY
+      const auto [status, output] = shell("sources='" ROTOR_SOURCES "' build='" ROTOR_BUILD
                                           "'\n. \"$sources/verification/approved/commands.sh\"\n" +
                                           command);
       const std::string sources =

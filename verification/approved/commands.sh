@@ -4,7 +4,7 @@ export LC_ALL=C
 rotor() { "$rotor" "$@"; }
 
 # Blanks the version, and numbers except those within names (q1_m) and after "paper" and "Fig.".
-numbers() { sed -E 's/[0-9]+(\.[0-9]+){2} \([^)]+\)/(version)/;/^(paper|Fig\.)/!s/(^|[^A-Za-z0-9_.])[-+−]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?([^A-Za-z0-9_]|$)/\1N\4/g'; }
+numbers() { sed -E 's/[0-9]+(\.[0-9]+){2}(-dev)? \([^)]+\)/(version)/;/^(paper|Fig\.)/!s/(^|[^A-Za-z0-9_.])[-+−]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?([^A-Za-z0-9_]|$)/\1N\4/g'; }
 
 # Writes a scene, or a sweep, and runs the program on it.
 scene() { printf '%b\n' "$1" >scene.toml && shift && rotor run scene.toml "$@"; }
@@ -23,26 +23,20 @@ draw() {
   "$sources"/figures/draw.sh $svg "$data" "$sources/figures/paper/${svg%.svg}.gp"
 }
 
-# A checkout with two figures and two maps on a simulated machine: Debian's base system with the packages
-# in $packages.
+# A checkout with two figures on a simulated machine: Debian's base system with the packages in $packages.
 checkout() {
-  mkdir -p bin figures/paper figures/maps
-  for program in make bash sh awk sed tail grep mkdir test touch id; do
+  mkdir -p bin figures/paper
+  for program in make bash sh awk sed expand uniq grep mkdir touch; do
     ln -s "$(unset -f make; command -v $program)" bin
   done
-  printf '#!/bin/sh\nfor name; do case " $packages " in *" $name "*) echo "ii $name";; esac; done\n' >bin/dpkg-query
+  printf '#!/bin/sh\nfor name; do case " $there " in *" $name "*) echo "ii $name";; esac; done\n' >bin/dpkg-query
   chmod +x bin/dpkg-query
-  ln -s "$sources"/Makefile "$sources"/model "$sources"/verification "$sources"/reference-data .
-  ln -s "$sources"/figures/paper/fig0[34].* "$sources"/figures/paper/style.gp "$sources"/figures/paper/palette.gp figures/paper
-  ln -s "$sources"/figures/maps/speed-friction.* "$sources"/figures/maps/rounding.* \
-    "$sources"/figures/maps/map.gp "$sources"/figures/maps/shares.awk "$sources"/figures/maps/tolerance.sh figures/maps
+  ln -s "$sources"/Makefile .
+  cp -r "$sources"/figures/make figures
+  touch figures/paper/fig03.toml figures/paper/fig04.toml
 }
 make() {
-  said=$(env -i PATH="$PWD/bin" packages="$packages" $exported make PYTHON=python3 "$@" 2>&1) && failed= || failed=1
+  said=$(env -i PATH="$PWD/bin" there="$packages" $exported make "$@" 2>&1) && failed= || failed=1
   echo "$said" | sed -E 's/Makefile:[0-9]+/Makefile/'
   [ -z "$failed" ]
 }
-needed=$(sed -n '/^PACKAGES :=/,/[^\\]$/p' "$sources/Makefile" | sed 's/PACKAGES :=//;s/\\//')
-
-# What make would do once the program is built.
-plan() { packages=$needed make -n -o build "$@"; }

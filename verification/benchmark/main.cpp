@@ -40,14 +40,15 @@ BasicRunEnd<S> by_events(const Problem& problem, const S& tolerance, const Basic
 /// motor is switched off and where contacts begin and end; in the scenes without any of this its
 /// errors are those of truncation.
 std::vector<Problem> problems() {
-  Scenario run_up{.until = 29.1};
+  Scenario run_up{.equations = Equations::published, .until = 29.1};
   run_up.parameters.loses_mass = false;
   run_up.step_rub = run_up.step_run_up;
   std::vector<Problem> all{
       {"run-up with switch-off", run_up, at_rest<Extended>(run_up.parameters)}};
   run_up.parameters.motor_off_Hz = 1000;
   all.push_back({"run-up", run_up, all.front().start});
-  const auto after_loss = [&](const char* name, const Scenario& scenario) {
+  const auto after_loss = [&](const char* name, Scenario scenario) {
+    scenario.equations = Equations::published;
     all.push_back({name, scenario, after_mass_loss_with<Extended>(scenario, 1e-15L)});
   };
   after_loss("rub mu = 0.3", {.until = 29.2});

@@ -169,15 +169,22 @@ class PeerMethod {
 
   /// Throws std::runtime_error if the solver fails.
   RunEnd run(double until_s) {
-    while (at_.time_s < until_s)
-      if (at_.contact == ContactState::free)
-        pass<FreeFlight<double, ForFlight>, ForFlight>(until_s);
-      else if (at_.contact == ContactState::indented)
-        pass<IndentedFlight<double, ForContact>, ForContact>(until_s);
-      else if (at_.contact == ContactState::sliding)
-        pass<Sliding<double, ForContact>, ForContact>(until_s, at_.slip_sign);
-      else
-        pass<Rolling<double, ForContact>, ForContact>(until_s);
+    while (at_.time_s < until_s) {
+      switch (at_.contact) {
+        case ContactState::free:
+          pass<FreeFlight<double, ForFlight>, ForFlight>(until_s);
+          break;
+        case ContactState::indented:
+          pass<IndentedFlight<double, ForContact>, ForContact>(until_s);
+          break;
+        case ContactState::sliding:
+          pass<Sliding<double, ForContact>, ForContact>(until_s, at_.slip_sign);
+          break;
+        case ContactState::rolling:
+          pass<Rolling<double, ForContact>, ForContact>(until_s);
+          break;
+      }
+    }
     return {at_, counters_};
   }
 

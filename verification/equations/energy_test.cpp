@@ -35,11 +35,11 @@ TEST(EnergyByCause, AddsUpInEveryRub) {
       const double initial = energy.balance().initial;
       law.expect_left(energy.balance().residual() / initial);
       if (energy.until_rolling()) law.expect_left(energy.until_rolling()->residual() / initial);
-      EXPECT_LE(energy.balance().friction, 0);
-      EXPECT_LE(energy.balance().contact_damping, 0);
-      EXPECT_LT(energy.balance().support_damping, 0);
-      EXPECT_EQ(energy.balance().motor, 0);  // off by then
-      EXPECT_EQ(energy.balance().friction == 0, friction == 0);
+      EXPECT_LE(energy.balance().work.friction, 0);
+      EXPECT_LE(energy.balance().work.contact_damping, 0);
+      EXPECT_LT(energy.balance().work.of("support_damping"), 0);
+      EXPECT_EQ(energy.balance().work.of("motor"), 0);  // off by then
+      EXPECT_EQ(energy.balance().work.friction == 0, friction == 0);
     }
 }
 
@@ -63,7 +63,7 @@ TEST(EnergyByCause, AddsUpOverLongSteps) {
   Scenario scenario{.until = 40, .tolerance = 1e-12};
   scenario.parameters.loses_mass = false;
   const EnergyBalance energy = balance_of(scenario);
-  EXPECT_GT(energy.motor, 4000);
+  EXPECT_GT(energy.work.of("motor"), 4000);
   EXPECT_LT(std::abs(energy.residual()), 1e-8);
 }
 

@@ -105,10 +105,10 @@ TEST(NewtonsLaws, GiveTheSameAccelerationsInTheStatorsFrame) {
     const Newton rates = laws.rates(x, rim, pressure, friction);
 
     const Body<double> body = Body<double>::of(p);
-    const Supports<double> supports(p, scenario.equations);
+    const ActingLoads<double> acting(p, scenario.equations);
     const Ring<double> ring(p);
     const auto m = RotatingFrame<double>::motion(body, q);
-    auto loads = supports.loads(body, m, true);
+    auto loads = acting.loads(body, m, true);
     const auto k = ring.rim_point(m);
     const double normal = ring.normal_force(k);
     loads += ring.loads(k, {normal, ring.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1)});

@@ -12,7 +12,7 @@ namespace {
 class Inspector : public Observer {
  public:
   explicit Inspector(const Scenario& scenario)
-      : ring_(scenario.parameters), supports_(scenario.parameters, scenario.equations) {}
+      : ring_(scenario.parameters), acting_(scenario.parameters, scenario.equations) {}
 
   void on_instant(const Instant& at) override {
     if (at.contact != ContactState::sliding && at.contact != ContactState::rolling) return;
@@ -21,14 +21,15 @@ class Inspector : public Observer {
     const double normal = ring_.elastic_force(k);
     // Rounding of rho and of the velocities in the spring and the dashpot.
     const double rounding =
-        2e-14 * ((ring_.law.tangent_stiffness(std::abs(k.indentation)) + supports_.stiffness) *
-                     k.displacement +
-                 ring_.law.damping() * (std::abs(k.normal_velocity) + 1));
+        2e-14 *
+        ((ring_.law.tangent_stiffness(std::abs(k.indentation)) + acting_.supports.stiffness) *
+             k.displacement +
+         ring_.law.damping() * (std::abs(k.normal_velocity) + 1));
     EXPECT_LE(normal, rounding);
     if (at.contact == ContactState::rolling) {
       EXPECT_LE(std::abs(k.slip_velocity), 1e-12 * (1 + std::abs(ring_.rotor_radius * m.speed)));
-      const double friction = friction_without_slip(
-          at.body, ring_, m, k, supports_.loads(at.body, m, at.motor_on), normal);
+      const double friction = friction_without_slip(at.body, ring_, m, k,
+                                                    acting_.loads(at.body, m, at.motor_on), normal);
       EXPECT_LE(std::abs(friction), ring_.friction * -normal * (1 + 1e-9) + 10 * rounding);
     }
     ++seen_;
@@ -66,7 +67,7 @@ class Inspector : public Observer {
         (motion.at(time_s + h).state[5] - motion.at(time_s - h).state[5]) / (2 * h);
     const auto m = at.motion();
     const auto k = ring_.rim_point(m);
-    auto loads = supports_.loads(at.body, m, at.motor_on);
+    auto loads = acting_.loads(at.body, m, at.motor_on);
     loads += ring_.loads(k, {ring_.normal_force(k), 0});
     return (turning - acceleration(at.body, m, loads).angular) * at.body.inertia /
            ring_.friction_arm(m, k);
@@ -78,7 +79,7 @@ class Inspector : public Observer {
   }
 
   Ring<double> ring_;
-  Supports<double> supports_;
+  ActingLoads<double> acting_;
   long seen_ = 0;
   double worst_friction_ = 0;
 };

@@ -70,7 +70,7 @@ struct HeadOn {
     touch = run.first(Event::touch_down);
     release = run.first(Event::release);
     restitution = -release.state[3] / velocity;
-    deepest = summary.summary().max_displacement_m.value_or(0) - Ring<double>(p).clearance;
+    deepest = summary.summary().peak_displacement_m.value_or(0) - Ring<double>(p).clearance;
     peak_N = *summary.summary().peak_normal_force_N;
     residual = energy.balance().residual() / energy.balance().initial;
   }

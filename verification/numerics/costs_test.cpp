@@ -27,6 +27,7 @@ TEST_P(Costs, AreNoHigherThanTheyWere) {
   const Cost& cost = GetParam();
   const Scenario scenario{
       .parameters = {.friction = cost.friction, .mass_loss_time = cost.mass_loss_s},
+      .equations = Equations::published,
       .until = cost.until_s};
   Simulation simulation(scenario);
   if (scenario.loses_mass()) simulation.run_up(cost.mass_loss_s, nobody);  // counted from there

@@ -25,6 +25,7 @@ TEST(Decimals, AreReadInThePrecisionThatIsUsed) {
 // computation leaves some 1e-19 times that.
 TEST(Decimals, MakeTheForceThatAnotherProgramFinds) {
   ScenarioSpec spec;
+  spec.equations = Equations::published;
   spec.numbers = {{"friction", 0.06}, {"until", 29.25}};
   EXPECT_NEAR(exactly(spec).values.peak_normal_force_N.value(), 49280.4052682, 1e-4);
 }
@@ -33,7 +34,7 @@ TEST(Decimals, MakeTheForceThatAnotherProgramFinds) {
 // mass is what was stated.
 TEST(Decimals, MakeTheSameRunHoweverARotorIsStated) {
   ScenarioSpec one, other;
-  one.numbers = {{"start_speed_hz", 140.}, {"clearance", 1e-3}, {"mass_loss_speed_hz", 140.5},
+  one.numbers = {{"start_speed_Hz", 140.}, {"clearance", 1e-3}, {"mass_loss_speed_Hz", 140.5},
                  {"lost_mass", 0.01},      {"until", 0.15},     {"friction", 0.1}};
   other.numbers = one.numbers;
   other.numbers.erase("clearance");

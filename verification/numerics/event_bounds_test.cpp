@@ -42,7 +42,7 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
     if (beyond) rotor.body.eccentricity = ring.rotor_radius * (1 + any(engine) / 2);
     if (n % 4 == 1) {
       rotor.body.eccentricity = 0.2 * ring.rotor_radius * std::abs(any(engine));
-      rotor.supports.damping = 5e3 * std::abs(any(engine));
+      rotor.acting.supports.damping = 5e3 * std::abs(any(engine));
     }
     const double rho = ring.clearance * (1 + 0.1 * std::abs(any(engine)));
     const double direction = 3 * any(engine), speed = two_pi * scenario.start_speed_Hz;
@@ -71,20 +71,22 @@ TEST(RollingBounds, SayOnlyOfARimThatIsHeldThatItIs) {
 // The reserve of friction is the same at both ends of a step; with the slopes there it would be
 // below zero in between.
 TEST(RollingBounds, SayNothingOfAStepInWhichTheReserveMayDip) {
-  const double h = 1e-4, indentation = 0.01 * 3e-3, dips = 8 * indentation / h;  // by twice of it
+  const double h = 1e-4, depth = 0.01 * 3e-3, dips = 8 * depth / h;  // by twice of it
   const auto stays = [&](double damping, double velocity, double acceleration) {
     const RotorSystem<double> rotor({.contact_damping = damping}, Equations::published);
-    const State<double> q = {rotor.ring.clearance + indentation, 0, 0, 0, 0, 300};
+    const State<double> q = {rotor.ring.clearance + depth, 0, 0, 0, 0, 300};
     const ContactChart<double> chart(rotor, q);
     const Rolling<double> phase(rotor, chart);
     Point<double, Unknowns> from{0, chart.without_slip(chart.unknowns(q)), {}};
     phase(from.x, from.rates, 0);
     auto to = from;
     to.time = h;
-    from.x[ContactChart<double>::normal_velocity] -= velocity;
-    to.x[ContactChart<double>::normal_velocity] += velocity;
-    from.rates[ContactChart<double>::normal_velocity] = -acceleration;
-    to.rates[ContactChart<double>::normal_velocity] = acceleration;
+    using enum ContactChart<double>::Unknown;
+    for (auto* const end : {&from, &to}) {
+      const double sign = end == &from ? -1 : 1;
+      end->x[normal_velocity] = end->rates[indentation] = sign * velocity;
+      end->rates[normal_velocity] = sign * acceleration;
+    }
     return phase.bounds(from, to).events[Rolling<double>::BreakAway()].stays_positive;
   };
   EXPECT_TRUE(stays(0, 0, 0));
@@ -103,14 +105,14 @@ bool has_bounds(RotorSystem<double> rotor, const FlightChart<double>& chart,
   const FlightPoint from = point_of(phase, 0, x);
   FlightPoint to = later(from, h);
   // In steps of a tenth of the fastest decay.
-  const int steps = 20 + static_cast<int>(10 * rotor.supports.damping / rotor.body.mass * h);
+  const int steps = 20 + static_cast<int>(10 * rotor.acting.supports.damping / rotor.body.mass * h);
   boost::numeric::odeint::runge_kutta4<FlightChart<double>::Unknowns> stepper;
   double displacement = 0, bearing_force = 0, speed = 0, bend = 0;
   std::array<double, 3> gaps{};  // the last ones, as touch-down's guard has them
   for (int i = 0; i <= steps; ++i) {
     const auto extremes = phase.extremes(to.x, {});
-    displacement = std::max(displacement, extremes[0].value);
-    bearing_force = std::max(bearing_force, extremes[1].value);
+    displacement = std::max(displacement, std::sqrt(extremes[0].square));
+    bearing_force = std::max(bearing_force, std::sqrt(extremes[1].square));
     speed = std::max(speed, std::abs(chart.kinematics(to.x).motion.speed));
     gaps = {gaps[1], gaps[2], phase.guard(FreeFlight<double>::TouchDown(), to.x)};
     if (i > 1) bend = std::max(bend, std::abs(gaps[0] - 2 * gaps[1] + gaps[2]));
@@ -180,7 +182,7 @@ TEST(FlightBounds, AreNeverLessThanWhatIsReachedAboutTheSynchronousMotion) {
     SCOPED_TRACE(n);
     const Scenario scenario = random.scenario();
     RotorSystem<double> rotor(scenario.parameters, scenario.equations);
-    if (n % 3 == 0) rotor.supports.gravity = 0;
+    if (n % 3 == 0) rotor.acting.weight.gravity = 0;
     const double speed = two_pi * scenario.start_speed_Hz, e = rotor.body.eccentricity;
     const double swing = 0.1 * rotor.ring.clearance, frequency = rotor.support_frequency(),
                  h = 0.3 / std::max(std::abs(speed), frequency);

@@ -189,6 +189,7 @@ TEST(MotorOff, EndsRollingWhereFrictionAloneIsTooWeak) {
 // the rim leaves the ring at once, and observers are shown that.
 TEST(LossInSliding, MayEndTheContactForceAtOnce) {
   Scenario scenario = driven(0.01, 1e-5);
+  scenario.equations = Equations::published;
   scenario.parameters.loses_mass = true;
   scenario.parameters.mass_loss_time = 1e-6;
   int released = 0, pressed_on = 0;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <random>
 
@@ -163,11 +165,27 @@ using Stepper2 = Verner87<State2, double>;
 using Control2 = ErrorControl<double, Stepper2>;
 using Point2 = Control2::Point;
 
+/// Odeint's pairs whose last stage is the first of the next step (first same as last). A Step does
+/// not take the rates at its end from there.
+template <class Odeint>
+struct FirstSameAsLast : Odeint {
+  template <class System>
+  void do_step(System system, const State2& x, const State2& rates, double time, State2& later,
+               double length, State2& errors) {
+    State2 unused;
+    Odeint::do_step(system, x, rates, time, later, unused, length, errors);
+  }
+};
+
+static_assert(!StepperOf<boost::numeric::odeint::runge_kutta_dopri5<State2>, double>);  // as it is
 static_assert(SystemOf<Ball, double> && !SystemOf<Toy, double>);  // a Toy has no rates
 
 template <class Stepper>
 struct StepBy : testing::Test {};
-using Steppers = testing::Types<Stepper2, Fehlberg78<State2, double>>;
+using Steppers =
+    testing::Types<Stepper2, Fehlberg78<State2, double>,
+                   boost::numeric::odeint::runge_kutta_cash_karp54<State2>,
+                   FirstSameAsLast<boost::numeric::odeint::runge_kutta_dopri5<State2>>>;
 TYPED_TEST_SUITE(StepBy, Steppers);
 
 /// A step of a toy system to the time of its end.
@@ -294,6 +312,23 @@ TYPED_TEST(StepBy, HasADenseOutputOfItsOwnOrder) {
   };
   constexpr int order = TypeParam::stepper_order_value;  // a constant that Odeint only declares
   EXPECT_GT(std::log2(largest_error(0.25) / largest_error(0.125)) + 0.1, order);
+}
+
+// The step after one that was too long has 0.9^order of the allowed error, 0.4 or 0.6, or less by
+// the terms of higher order in the long one.
+TYPED_TEST(StepBy, HasALengthThatMeetsTheTolerance) {
+  const Pendulum system;
+  ErrorControl<double, TypeParam> control(1e-10);
+  const auto error_in = [&](double length) {
+    Point2 start{.x = {1, 0.5}}, end{.time = length};
+    system(start.x, start.rates, 0);
+    return control.step(system, start, end);
+  };
+  double length = 1e-3;
+  while (error_in(length) < 30) length *= 2;
+  const double next = error_in(length * control.step_factor(error_in(length)));
+  EXPECT_LT(next, 1);
+  EXPECT_GT(next, 0.1);
 }
 
 TEST(ErrorControl, CallsAMotionThatIsNotFiniteInfinitelyWrong) {

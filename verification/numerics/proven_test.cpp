@@ -6,11 +6,11 @@
 #include <limits>
 #include <map>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/results/json.hpp"
 #include "model/digits/digits.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/pattern.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -24,7 +24,7 @@ class Proven : public CommandLine {
     Json& found = runs_[command];
     if (!found.is_null()) return found;
     // Nine digits of a run from rest at mu = 0.08 take the engine half a minute.
-    const int digits = command.find("--start-speed-hz") == std::string::npos ? 6 : 9;
+    const int digits = command.find("--start-speed-Hz") == std::string::npos ? 6 : 9;
     const std::string without_provers_own =
         replaced(command, " --(bits|rounding) \\S+|^build/prove", "");
     const auto [status, output] =

@@ -39,8 +39,10 @@ class ReferenceRub : public testing::TestWithParam<FrictionCase> {};
 TEST_P(ReferenceRub, AgreesWithTheReferenceInQuadruplePrecision) {
   const std::vector<ReferenceLandmark> exact = reference(GetParam().run);
   EventRecorder recorder;
-  const RunEnd end =
-      run({.parameters = {.friction = GetParam().friction}, .tolerance = 1e-12}, recorder);
+  const RunEnd end = run({.parameters = {.friction = GetParam().friction},
+                          .equations = Equations::published,
+                          .tolerance = 1e-12},
+                         recorder);
   EXPECT_EQ(recorder.count(Event::touch_down), GetParam().contacts);
   EXPECT_LT(relative_error(end.last.state, exact.back().state), 1e-9);
   for (const ReferenceLandmark& landmark : exact) {  // is itself good to ten digits and more
@@ -74,14 +76,15 @@ TEST(EventMethod, GainsADigitForEveryDigitOfTheToleranceDownToRounding) {
   const double multiplied = 5 * 360, rounding = 1e-9;
   for (int digits = 4; digits <= 13; ++digits) {
     const double tolerance = std::pow(10, -digits);
-    const double error = relative_error(run({.tolerance = tolerance}, nobody).last.state, exact);
+    const Scenario scenario{.equations = Equations::published, .tolerance = tolerance};
+    const double error = relative_error(run(scenario, nobody).last.state, exact);
     EXPECT_LT(error, multiplied * tolerance + rounding) << tolerance;
   }
 }
 
 TEST(EventMethod, GivesEightDigitsOfEverySummaryValueAtItsDefaultTolerance) {
   for (const double friction : {0.3, 0.2, 0.08}) {
-    Scenario scenario{.parameters = {.friction = friction}};
+    Scenario scenario{.parameters = {.friction = friction}, .equations = Equations::published};
     const Summary summary = summary_of(scenario);
     scenario.tolerance = 1e-13;
     const Summary finer = summary_of(scenario);

@@ -5,10 +5,13 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "figures/input/names.hpp"
 #include "model/run/simulation.hpp"
 #include "model/scenario/instant.hpp"
 #include "model/scenario/observer.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/random_runs.hpp"
+#include "verification/support/result_formulas.hpp"
 #include "verification/support/summary_of.hpp"
 
 namespace rotor {
@@ -22,7 +25,7 @@ TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
   p.eccentricity = 2e-3;
   p.loses_mass = false;
   p.stator_radius = p.rotor_radius + 5e-3;
-  EXPECT_NEAR(summary_until(1.5, scenario).max_displacement_before_loss_m, 2 * p.eccentricity,
+  EXPECT_NEAR(summary_until(1.5, scenario).peak_displacement_before_loss_m, 2 * p.eccentricity,
               1e-3 * p.eccentricity);
   p.stator_radius = p.rotor_radius + 3.999e-3;
   EXPECT_GT(summary_until(1.5, scenario).touch_downs, 0);
@@ -33,7 +36,7 @@ TEST(Summary, OfARotorWithoutSupportsHasItsWholeReach) {
 TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
   int gaps = 0;
   for (int n = 0; n < 100; ++n) {
-    Scenario scenario{.start_speed_Hz = 140, .until = 0.01};
+    Scenario scenario{.equations = Equations::published, .start_speed_Hz = 140, .until = 0.01};
     Parameters& p = scenario.parameters;
     p.mass_loss_time = 0;
     p.rotor_radius = 0.05;
@@ -53,7 +56,8 @@ TEST(Summary, HasTheForceOfTheImpactWhereItIsTheLargest) {
 }
 
 TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
-  const Summary rolling = summary_until(29.35, {});
+  const Scenario scenario{.equations = Equations::published};
+  const Summary rolling = summary_until(29.35, scenario);
   EXPECT_FALSE(rolling.rolling_until_s);
   EXPECT_EQ(rolling.whirl_from_s, rolling.rolling_onset_s);  // whatever the steps are
   // The time integral of the whirl's rate, and what it must be by another method.
@@ -76,25 +80,49 @@ TEST(Summary, SaysWhenRollingEndsAndHowFastTheRotorWhirls) {
     bool rolls = false;
   } whirl;
   whirl.from_s = rolling.whirl_from_s.value_or(0);
-  run(Scenario{}, whirl);
+  run(scenario, whirl);
   EXPECT_LT(whirl.turns, -100);
   EXPECT_EQ(rolling.whirl_until_s, whirl.until_s);
   EXPECT_NEAR(*rolling.whirl_frequency_Hz * (whirl.until_s - whirl.from_s) / whirl.turns, 1, 1e-9);
-  Scenario published;
-  published.method = Method::rk4;
-  EXPECT_NEAR(*summary_until(29.35, published).whirl_frequency_Hz / *rolling.whirl_frequency_Hz, 1,
+  Scenario by_steps = scenario, sliding = scenario;
+  by_steps.method = Method::rk4;
+  EXPECT_NEAR(*summary_until(29.35, by_steps).whirl_frequency_Hz / *rolling.whirl_frequency_Hz, 1,
               0.01);
-  Scenario sliding;
   sliding.parameters.friction = 0.08;
   EXPECT_FALSE(summary_until(29.35, sliding).whirl_frequency_Hz);
-  const Summary later = summary_until(60, {});
+  const Summary later = summary_until(60, scenario);
   EXPECT_NEAR(later.rolling_until_s.value_or(0), 30.49, 0.005);
   EXPECT_EQ(later.outcome, Outcome::rolling);
 }
 
+TEST(Summary, OfRandomRotorsIsWhatTheirMotionsGive) {
+  RandomRuns runs(7);
+  for (int n = 0; n < 250; ++n) {
+    const RandomInputs::Rotor rotor = runs.rotor();
+    EXPECT_EQ(wrong_results(rotor.scenario), "") << options_of(rotor.stated);
+  }
+}
+
+// Random rotors run too shortly to stall. The critical speed of these is 10 Hz.
+TEST(Summary, OfRotorsThatMayStallIsWhatTheirMotionsGive) {
+  long stalled = 0;
+  for (const Method method : {Method::event, Method::rk4})
+    for (double torque = 0.02; torque < 0.5; torque *= 1.5) {
+      Scenario scenario{
+          .equations = Equations::corrected, .method = method, .start_speed_Hz = 9, .until = 3};
+      Parameters& p = scenario.parameters;
+      p.torque = torque;
+      p.eccentricity = 4.5e-4;
+      p.loses_mass = false;
+      EXPECT_EQ(wrong_results(scenario), "") << torque << ' ' << name_of(method);
+      stalled += summary_of(scenario).outcome == Outcome::stalled;
+    }
+  EXPECT_GT(stalled, 3);
+}
+
 // What a rotor does before it loses mass is what it does without a loss.
 TEST(Summary, BeforeTheLossIsThatOfARunThatEndsThere) {
-  Scenario scenario{.until = 10.3, .tolerance = 1e-9};
+  Scenario scenario{.equations = Equations::published, .until = 10.3, .tolerance = 1e-9};
   scenario.parameters.support_stiffness = 1.2e5;
   scenario.parameters.mass_loss_time = 10;
   const Summary whole = summary_of(scenario);
@@ -104,7 +132,22 @@ TEST(Summary, BeforeTheLossIsThatOfARunThatEndsThere) {
   EXPECT_LT(before.touch_downs, whole.touch_downs);
   EXPECT_EQ(whole.touch_downs_before_loss, before.touch_downs);
   EXPECT_EQ(whole.peak_normal_force_before_loss_N, before.peak_normal_force_N);
-  EXPECT_EQ(whole.max_displacement_before_loss_m, before.max_displacement_m);
+  EXPECT_EQ(whole.peak_displacement_before_loss_m, before.peak_displacement_m);
+}
+
+TEST(Summary, HasNoSwitchOffOfTheMotorAtConstantSpeedNorACriticalSpeedWithoutStiffness) {
+  Scenario scenario{.equations = Equations::corrected, .start_speed_Hz = 60, .until = 0.01};
+  Parameters& p = scenario.parameters;
+  p.mass_loss_time = 0;
+  p.motor_off_Hz = 50;
+  p.support_stiffness = p.gravity = 0;
+  const Summary with_motor = summary_of(scenario);
+  EXPECT_EQ(with_motor.motor_off_s, 0);
+  EXPECT_TRUE(with_motor.speed_at_mass_loss_Hz);
+  EXPECT_FALSE(with_motor.speed_ratio_at_mass_loss);
+  p.drive = Drive::constant_speed;
+  p.torque = 0;
+  EXPECT_FALSE(summary_of(scenario).motor_off_s);
 }
 
 // If the rim rolls again, the end is that of the new rolling, and there is none yet. A touch-down

@@ -38,7 +38,7 @@ TEST_P(Run, IsSubtractedExactly) {
   for (const auto& [gravity, swing] : std::vector<std::pair<S, std::optional<S>>>{
            {9.81L, {}}, {9.81L, 0}, {9.81L, 1e-3L}, {0, {}}, {0, 0}, {0, 1e-3L}})
     for (const S speed : {S(100), S(300), S(900)}) {
-      rotor.supports.gravity = gravity;
+      rotor.acting.weight.gravity = gravity;
       const FlightChart<S> chart = this->chart(speed, swing);
       const FreeFlight<S> phase(rotor, chart);
       for (int n = 0; n < 20;

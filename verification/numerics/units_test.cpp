@@ -25,7 +25,7 @@ class Units : public testing::TestWithParam<Case> {
 };
 
 TEST_P(Units, ChangeNothingThatIsSaidOfARun) {
-  Scenario scenario{.start_speed_Hz = 149.5, .until = 0.1};
+  Scenario scenario{.equations = Equations::published, .start_speed_Hz = 149.5, .until = 0.1};
   scenario.parameters.mass_loss_time = 1e-3;
   GetParam().change(scenario);
   for (const std::optional<StopOn> stop_on :
@@ -55,21 +55,29 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"rolling", Outcome::rolling, [](Scenario&) {}},
                     Case{"bouncing", Outcome::bouncing, [](Scenario& s) { s.until = 0.01; }},
                     Case{"sliding", Outcome::sliding,
-                         [](Scenario& s) { s.parameters.friction = 0.08, s.until = 0.25; }},
+                         [](Scenario& s) {
+                           s.parameters.friction = 0.08;
+                           s.until = 0.25;
+                         }},
                     Case{"freed", Outcome::freed,
                          [](Scenario& s) {
-                           s.parameters.friction = 0.08, s.parameters.contact_damping = 1.2e4;
+                           s.parameters.friction = 0.08;
+                           s.parameters.contact_damping = 1.2e4;
                          }},
                     Case{"undecided", Outcome::undecided, [](Scenario& s) { s.until = 1.5e-3; }},
                     Case{"stalled", Outcome::stalled,
                          [](Scenario& s) {
-                           s.start_speed_Hz = 0, s.parameters.mass_loss_time = 1, s.until = 12;
+                           s.start_speed_Hz = 0;
+                           s.parameters.mass_loss_time = 1;
+                           s.until = 12;
                            s.tolerance = 1e-6;
                          }},
                     // Slower than the critical speed, but it becomes faster: no stall.
                     Case{"rising", Outcome::no_contact,
                          [](Scenario& s) {
-                           s.start_speed_Hz = 0, s.parameters.loses_mass = false, s.until = 1.5;
+                           s.start_speed_Hz = 0;
+                           s.parameters.loses_mass = false;
+                           s.until = 1.5;
                          }}),
     [](const auto& c) { return c.param.name; });
 

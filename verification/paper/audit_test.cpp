@@ -61,7 +61,7 @@ TEST(Audit, ALossBeforeTheGreatestSwingTouchesTheRing) {
 // Eq. (24), F_tau c_y and -mu F_ny, differ in sign. Condition (23) then reverses whichever was
 // taken.
 TEST(Audit, TheFrictionOfEq22HasTheOppositeSignOfThatInEq24) {
-  const Scenario scenario{.until = 29.11};
+  const Scenario scenario{.equations = Equations::published, .until = 29.11};
   const EventRecorder seen = recorded(scenario);
   const Instant& at = seen.first(Event::touch_down);
   const Ring<double> ring(scenario.parameters);

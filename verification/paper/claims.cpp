@@ -9,15 +9,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "figures/data/csv.hpp"
-#include "figures/data/text.hpp"
 #include "verification/paper/readings.hpp"
 
 namespace rotor {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-const std::vector<std::string> from_best = {"reproduced", "within rounding", "refuted"};
 
 /// How far a range is from the middle of what is allowed; infinite if there are too few values.
 double off_range(const Allowed& allowed, const Spread& spread) {
@@ -30,34 +27,37 @@ double off_median(const Allowed& allowed, const Spread& spread) {
   return spread.valued >= 0.5 ? allowed.off(spread.median) : infinity;
 }
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
-std::string cell(const std::optional<double>& value) { return cell(value.value_or(infinity)); }
 std::string cells(const Stored& stored) {
   const Spread& s = stored.spread;
   if (s.draws == 0) return ",,,,,";
-  return fmt::format("{},{},{},{},{},{}", s.draws, cell(s.valued), cell(s.median), cell(s.low),
-                     cell(s.high), cell(stored.holds));
+  return fmt::format("{},{},{},{},{},{}", s.draws, csv_number(s.valued), csv_number(s.median),
+                     csv_number(s.low), csv_number(s.high), csv_number(stored.holds));
 }
 
-Verdict verdict_of(const Number& number, const Reading::InSet& in, const Judging& judging) {
+Judgement judgement_on(const Number& number, const Reading::InSet& in, const Judging& judging) {
   const Allowed allowed = number.allowed(judging);
-  Verdict verdict{{}, infinity, infinity};
+  double off_a = infinity, off_b = infinity;
   const auto note = [](double& off, double another) { off = std::min(off, another); };
-  if (in.by_rk4 && judging.own_method) note(verdict.off_a, allowed.off(*in.by_rk4));
+  if (in.by_rk4 && judging.own_method) note(off_a, allowed.off(*in.by_rk4));
   if (!number.is_drawn()) {
-    if (in.converged) note(verdict.off_a, allowed.off(*in.converged));
+    if (in.converged) note(off_a, allowed.off(*in.converged));
   } else {
-    note(verdict.off_a, off_median(allowed, in.a.spread));
-    const auto off_b = judging.medians && bounds_a_change(number.rule) ? off_median : off_range;
-    note(verdict.off_b, off_b(allowed, in.a.spread));
-    note(verdict.off_b, off_b(allowed, in.b.spread));
+    note(off_a, off_median(allowed, in.a.spread));
+    const auto off = judging.medians && bounds_a_change(number.rule) ? off_median : off_range;
+    note(off_b, off(allowed, in.a.spread));
+    note(off_b, off(allowed, in.b.spread));
   }
-  verdict.verdict = from_best[verdict.off_a <= 1 ? 0 : verdict.off_b <= 1 ? 1 : 2];
-  return verdict;
+  const Verdict verdict = off_a <= 1   ? Verdict::reproduced
+                          : off_b <= 1 ? Verdict::within_rounding
+                                       : Verdict::refuted;
+  return {verdict, off_a, off_b};
 }
 
-bool is_worse(const std::string& one, const std::string& other) {
-  return std::ranges::find(from_best, one) > std::ranges::find(from_best, other);
+/// The verdict that a row of the table states.
+Verdict verdict_in(const CsvRow& row, const char* column) {
+  for (const Verdict verdict : all_verdicts)
+    if (words_of(verdict) == row[column]) return verdict;
+  row.fail(fmt::format("{}: there is no verdict {}", column, row[column]));
 }
 
 /// Whether a number counts: those that have `instead` in the place of another one, or not at all.
@@ -68,10 +68,32 @@ bool counts(const Number& number, const std::vector<Number>& all, const Judging&
 
 }  // namespace
 
+std::string csv_number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "";
+}
+
 Allowed Number::allowed(const Judging& judging) const {
   Allowed result = rotor::allowed(printed, rule, judging.word_width_factor, judging.zeros_count);
   result.half *= judging.limits;
   return result;
+}
+
+std::string words_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return "reproduced";
+    case Verdict::within_rounding:
+      return "within rounding";
+    case Verdict::refuted:
+      return "refuted";
+  }
+  throw std::logic_error("no such verdict");
+}
+
+std::string key_of(Verdict verdict) {
+  std::string key = words_of(verdict);
+  std::ranges::replace(key, ' ', '_');
+  return key;
 }
 
 const std::vector<Judging>& other_rules() {
@@ -91,17 +113,17 @@ const std::vector<Judging>& other_rules() {
   return rules;
 }
 
-Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging) {
+Judgement judgement_on(const Number& number, std::size_t set, const Judging& judging) {
   const auto by = [&](std::size_t reading) {
-    return verdict_of(
+    return judgement_on(
         number, number.readings[std::min(reading, number.readings.size() - 1)].in[set], judging);
   };
   if (judging.by == Judging::By::first) return by(0);
   if (judging.by == Judging::By::second) return by(1);
   if (judging.by != Judging::By::every) return by(number.decides[set]);
-  Verdict worst = by(0);
+  Judgement worst = by(0);
   for (std::size_t n = 1; n < number.readings.size(); ++n)
-    if (const Verdict one = by(n); is_worse(one.verdict, worst.verdict)) worst = one;
+    if (const Judgement one = by(n); one.verdict > worst.verdict) worst = one;
   return worst;
 }
 
@@ -118,55 +140,30 @@ void choose_readings(std::vector<Number>& numbers) {
         std::pair<long, long> count;
         for (Number* number : of_sentence) {
           number->decides[set] = n;
-          const std::string verdict = verdict_of(*number, set).verdict;
-          count.first += verdict == "refuted";
-          count.second += verdict == "within rounding";
+          const Verdict verdict = verdict_of(*number, set);
+          count.first += verdict == Verdict::refuted;
+          count.second += verdict == Verdict::within_rounding;
         }
-        if (!fewest || count < *fewest) fewest = count, best = n;
+        if (!fewest || count < *fewest) {
+          fewest = count;
+          best = n;
+        }
       }
       for (Number* number : of_sentence)
         number->decides[set] = std::min(best, number->readings.size() - 1);
     }
 }
 
-std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
-                                                      std::size_t set, const Judging& judging) {
-  std::map<std::string, std::string> worst;
+std::map<std::string, Verdict> verdicts_of_claims(const std::vector<Number>& numbers,
+                                                  std::size_t set, const Judging& judging) {
+  std::map<std::string, Verdict> worst;
   for (const Number& number : numbers) {
     if (!counts(number, numbers, judging)) continue;
-    const std::string of_number = verdict_of(number, set, judging).verdict;
-    std::string& verdict = worst.try_emplace(number.claim, of_number).first->second;
-    if (is_worse(of_number, verdict)) verdict = of_number;
+    const Verdict of_number = verdict_of(number, set, judging);
+    Verdict& verdict = worst.try_emplace(number.claim, of_number).first->second;
+    verdict = std::max(verdict, of_number);
   }
   return worst;
-}
-
-std::map<std::string, std::string> settled_verdicts(const std::vector<Number>& numbers,
-                                                    std::size_t set) {
-  auto settled = verdicts_of_claims(numbers, set);
-  for (const Judging& rule : other_rules())
-    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set, rule))
-      if (settled.at(claim) != verdict) settled.at(claim) = "depends";
-  return settled;
-}
-
-std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers) {
-  std::vector<Turned> turned;
-  for (std::size_t set = 0; set < sets.size(); ++set)
-    for (const Number& number : numbers) {
-      if (!number.instead.empty()) continue;
-      const std::string verdict = verdict_of(number, set).verdict;
-      Turned one{number, set, verdict, {}};
-      const auto other = std::ranges::find(numbers, number.id, &Number::instead);
-      for (const Judging& rule : other_rules()) {
-        const bool is_other = rule.instead && other != numbers.end();
-        const std::string by_rule = verdict_of(is_other ? *other : number, set, rule).verdict;
-        if (by_rule != verdict)
-          one.others.push_back(fmt::format("{}: {}", by_rule, is_other ? other->says : rule.says));
-      }
-      if (!one.others.empty()) turned.push_back(one);
-    }
-  return turned;
 }
 
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers) {
@@ -201,7 +198,7 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
                   .kind = kinds.at(row["kind"]),
                   .conditions = row["conditions"] == "yes",
                   .readings = {},
-                  .expected = {row["verdict"], row["corrected"]},
+                  .expected = {verdict_in(row, "verdict"), verdict_in(row, "corrected")},
                   .reason = row["reason"]};
     try {
       number.allowed();
@@ -225,15 +222,21 @@ bool is_arithmetic(const std::vector<Number>& numbers, const std::string& claim)
   });
 }
 
-std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& claim) {
+std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& id) {
   std::vector<Number> found;
-  std::ranges::copy_if(numbers, std::back_inserter(found),
-                       [&](const Number& number) { return number.claim == claim; });
+  const auto copy_numbers_of = [&](const std::string& claim) {
+    std::ranges::copy_if(numbers, std::back_inserter(found),
+                         [&](const Number& number) { return number.claim == claim; });
+  };
+  copy_numbers_of(id);
+  if (const auto number = std::ranges::find(numbers, id, &Number::id);
+      found.empty() && number != numbers.end())
+    copy_numbers_of(number->claim);
   if (!found.empty()) return found;
   std::set<std::string> claims;
   for (const Number& number : numbers) claims.insert(number.claim);
   throw std::runtime_error(
-      fmt::format("there is no claim \"{}\"; there are: {}", claim, fmt::join(claims, ", ")));
+      fmt::format("there is no claim \"{}\"; there are: {}", id, fmt::join(claims, ", ")));
 }
 
 std::vector<Number> judged_numbers(const std::filesystem::path& folder) {
@@ -293,66 +296,6 @@ std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
           cells({spread(values), static_cast<double>(hold) / static_cast<double>(values.size())}));
     }
   return rows;
-}
-
-std::string to_csv(const std::vector<Number>& numbers) {
-  std::string csv =
-      "claim,number,figures,printed,unit,rule,least,greatest,equations,verdict,off_a,off_b,reading,"
-      "converged,published_method,reason\n";
-  for (const Number& n : numbers)
-    for (std::size_t set = 0; set < sets.size(); ++set) {
-      const Verdict verdict = verdict_of(n, set);
-      for (const Reading& r : n.readings)
-        csv += fmt::format("{},{},{},{},{},{},{:.6g},{},{},{},{},{},{},{},{},{}\n", n.claim, n.id,
-                           n.figures, n.printed, n.unit, n.rule, n.allowed().least(),
-                           cell(n.allowed().greatest()), sets[set].name, verdict.verdict,
-                           cell(verdict.off_a), cell(verdict.off_b), r.name,
-                           cell(r.in[set].converged), cell(r.in[set].by_rk4), csv_field(n.reason));
-    }
-  return csv;
-}
-
-std::string claims_list(const std::vector<Number>& numbers, const std::vector<CsvRow>& trends) {
-  std::array<std::vector<std::string>, 3> groups;
-  std::set<std::string> seen;
-  for (const Number& number : numbers)
-    if (seen.insert(number.claim).second)
-      groups[is_arithmetic(numbers, number.claim)].push_back(
-          fmt::format("  {:<22} {} ({})\n", number.claim, number.says, number.place));
-  for (const CsvRow& row : trends)
-    groups[2].push_back(
-        fmt::format("  {:<22} {} ({})\n", row["reason"], row["says"], row["place"]));
-  return fmt::format(
-      "{} claims about runs:\n{}\n{} claims that are arithmetic:\n{}\n{} trends, which make "
-      "reasons tries:\n{}",
-      groups[0].size(), fmt::join(groups[0], ""), groups[1].size(), fmt::join(groups[1], ""),
-      groups[2].size(), fmt::join(groups[2], ""));
-}
-
-std::string claims_table(const std::vector<Number>& numbers) {
-  std::string table;
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    std::map<std::string, int> how_many;
-    for (const auto& [claim, verdict] : settled_verdicts(numbers, set)) ++how_many[verdict];
-    table += fmt::format("{:<22}", set == 0 ? "equations as printed" : "corrected equations");
-    for (const std::string& verdict : from_best)
-      table += fmt::format("{:>5} {}", how_many[verdict], verdict);
-    table += fmt::format(" by every rule, {} depend on it\n", how_many["depends"]);
-  }
-  table += fmt::format("\n{:<16}{:<16}{:<13}{:<11}{}\n", "as printed", "corrected", "printed",
-                       "converged", "claim");
-  for (auto verdict = from_best.rbegin(); verdict != from_best.rend(); ++verdict)
-    for (const Number& n : numbers) {
-      if (verdict_of(n, 0).verdict != *verdict || !n.instead.empty()) continue;
-      const auto converged = n.readings[n.decides[0]].in[0].converged;
-      table += wrapped(fmt::format("{:<15} {:<15} {:<12} {:<10}", *verdict,
-                                   verdict_of(n, 1).verdict, n.printed.empty() ? n.rule : n.printed,
-                                   converged ? fmt::format("{:.5g}", *converged) : "-"),
-                       fmt::format("{}{}: {}{}", n.claim, n.unit.empty() ? "" : ", " + n.unit,
-                                   n.says, n.reason.empty() ? "" : " (" + n.reason + ')'),
-                       100);
-    }
-  return table;
 }
 
 }  // namespace rotor

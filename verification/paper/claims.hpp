@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "figures/data/read_csv.hpp"
 #include "verification/paper/ensembles.hpp"
 #include "verification/paper/rules.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 
@@ -28,9 +28,18 @@ struct Reading {
 /// largest result over all values of a continuous quantity.
 enum class Kind { arithmetic, method, simulated, extreme };
 
-/// A verdict with its margins: see policy.md.
-struct Verdict {
-  std::string verdict;  ///< reproduced, within rounding or refuted
+/// The best one first: see policy.md.
+enum class Verdict { reproduced, within_rounding, refuted };
+inline constexpr std::array all_verdicts = {Verdict::reproduced, Verdict::within_rounding,
+                                            Verdict::refuted};
+
+/// "within rounding"; as a key, such as a class of the page's style: "within_rounding".
+std::string words_of(Verdict verdict);
+std::string key_of(Verdict verdict);
+
+/// A verdict with its margins.
+struct Judgement {
+  Verdict verdict = Verdict::refuted;
   double off_a = 0, off_b = 0;
 };
 
@@ -55,7 +64,7 @@ struct Number {
   Kind kind = Kind::simulated;
   bool conditions = false;  ///< population (b)
   std::vector<Reading> readings;
-  std::array<std::string, sets.size()> expected{};  ///< verdicts that the table states
+  std::array<Verdict, sets.size()> expected{};  ///< verdicts that the table states
   std::string reason;
   std::array<std::size_t, sets.size()> decides{};  ///< the reading of its sentence
 
@@ -63,8 +72,11 @@ struct Number {
   Allowed allowed(const Judging& judging = {}) const;
 };
 
-/// The verdict in a set of equations.
-Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging = {});
+/// In a set of equations.
+Judgement judgement_on(const Number& number, std::size_t set, const Judging& judging = {});
+inline Verdict verdict_of(const Number& number, std::size_t set, const Judging& judging = {}) {
+  return judgement_on(number, set, judging).verdict;
+}
 
 /// Chooses the readings that decide: one for all numbers of a sentence.
 void choose_readings(std::vector<Number>& numbers);
@@ -72,8 +84,9 @@ void choose_readings(std::vector<Number>& numbers);
 /// Only the table, readings without values.
 std::vector<Number> read_numbers(const std::filesystem::path& table);
 
-/// The numbers of a claim. Throws std::runtime_error, with all claims, if there is no such claim.
-std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& claim);
+/// The numbers of a claim, by its name or that of one of its numbers. Throws std::runtime_error,
+/// with all claims, if there is none.
+std::vector<Number> of_claim(const std::vector<Number>& numbers, const std::string& id);
 
 /// The table with values from runs at the inputs as printed and from the stored ensembles.
 std::vector<Number> judged_numbers(const std::filesystem::path& folder);
@@ -83,26 +96,11 @@ std::vector<Number> judged_numbers(const std::filesystem::path& folder,
 const std::vector<Number>& judged();
 
 /// The verdict of each claim in a set of equations: the worst one of its numbers.
-std::map<std::string, std::string> verdicts_of_claims(const std::vector<Number>& numbers,
-                                                      std::size_t set, const Judging& judging = {});
+std::map<std::string, Verdict> verdicts_of_claims(const std::vector<Number>& numbers,
+                                                  std::size_t set, const Judging& judging = {});
 
 /// Whether all numbers of a claim follow without a run.
 bool is_arithmetic(const std::vector<Number>& numbers, const std::string& claim);
-
-/// The verdict that each claim has by every rule; "depends" for those that another rule turns.
-std::map<std::string, std::string> settled_verdicts(const std::vector<Number>& numbers,
-                                                    std::size_t set);
-
-/// The verdict on a number, and those that other rules of policy.md would give: "refuted: every
-/// reading must hold".
-struct Turned {
-  Number number;
-  std::size_t set;
-  std::string verdict;
-  std::vector<std::string> others;
-};
-/// All numbers with a verdict that another rule would turn.
-std::vector<Turned> turned_by_other_rules(const std::vector<Number>& numbers);
 
 /// The readings to draw over populations.
 std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers);
@@ -111,13 +109,7 @@ std::vector<std::string> readings_to_draw(const std::vector<Number>& numbers);
 std::string ensembles_rows(const std::vector<Number>& numbers, const char* set,
                            const char* population, const Draws& draws);
 
-std::string to_csv(const std::vector<Number>& numbers);
-
-/// The claims: those about runs, then arithmetic; and the trends of reasons.csv, which `make
-/// reasons` tries. Each group has a heading with its count.
-std::string claims_list(const std::vector<Number>& numbers, const std::vector<CsvRow>& trends);
-
-/// All numbers with their verdicts.
-std::string claims_table(const std::vector<Number>& numbers);
+/// Six digits; empty for what is not finite or not there.
+std::string csv_number(const std::optional<double>& value);
 
 }  // namespace rotor

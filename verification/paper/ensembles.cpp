@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/sweep/compute_in_order.hpp"
 #include "verification/paper/readings.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

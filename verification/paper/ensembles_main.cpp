@@ -1,15 +1,17 @@
 /// Recomputes reference-data/ensembles.csv, every reading over the populations of policy.md:
 /// `ensembles FOLDER COUNT`; or only the rows of one claim: `ensembles FOLDER COUNT CLAIM`. With
 /// `ensembles FOLDER COUNT seed SEED TABLE` it writes another table, and prints the claims whose
-/// verdict, the same by every rule, it turns.
+/// verdict no other rule turns, and it does.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <thread>
 
-#include "verification/paper/claims.hpp"
+#include "figures/input/words.hpp"
+#include "verification/paper/tally.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
@@ -26,22 +28,26 @@ void add(Rows& rows, std::istream& lines) {
   }
 }
 
-/// How many claims have a verdict by every rule that is another one with these ensembles.
+/// How many claims that no other rule turns have another verdict with these ensembles, or are
+/// then turned by a rule.
 int print_turned(const std::filesystem::path& folder, const std::filesystem::path& ensembles) {
   const auto stored = judged_numbers(folder), anew = judged_numbers(folder, ensembles);
-  int settled = 0, turned = 0;
+  int unturned = 0, turned = 0;
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    const auto now = settled_verdicts(anew, set);
-    for (const auto& [claim, verdict] : settled_verdicts(stored, set)) {
-      if (verdict == "depends") continue;
-      ++settled;
-      if (now.at(claim) == verdict) continue;
+    const auto now = judged_claims(anew, set);
+    for (const JudgedClaim& claim : judged_claims(stored, set)) {
+      if (!claim.turned_by.empty()) continue;
+      ++unturned;
+      const auto& [id, verdict, turned_by] =
+          *std::ranges::find(now, claim.claim, &JudgedClaim::claim);
+      if (verdict == claim.verdict && turned_by.empty()) continue;
       ++turned;
-      fmt::print("{}, {} equations: {}; {} with the other seed\n", claim, sets[set].name, verdict,
-                 now.at(claim));
+      fmt::print("{}, {}: {}; {} with the other seed{}\n", id, sets_in_words[set].words,
+                 words_of(claim.verdict), words_of(verdict),
+                 turned_by.empty() ? "" : ", and turned by another rule");
     }
   }
-  fmt::print("{} of {} verdicts by every rule are turned\n", turned, settled);
+  fmt::print("{} of {} verdicts that no other rule turns are turned\n", turned, unturned);
   return turned;
 }
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <set>
 
+#include "figures/data/read_csv.hpp"
 #include "verification/paper/claims.hpp"
 #include "verification/paper/contact_laws.hpp"
 #include "verification/paper/readings.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -28,7 +28,7 @@ TEST(PopulationB, PrintsEveryConditioningNumber) {
     EXPECT_TRUE(torques.insert(of.at("torque")).second) << n;
     const double m = of.at("mass"), e = of.at("eccentricity"), r = of.at("rotor_radius"),
                  k_u = of.at("unbalance_factor"), inertia = of.at("inertia"),
-                 w = two_pi * of.at("motor_off_hz");
+                 w = two_pi * of.at("motor_off_Hz");
     const double e_1 = k_u * e, m_u = m * (e_1 - e) / (r + e_1), m_1 = m - m_u, v = w * (r + e);
     const double left = inertia - m_u * std::pow(r + e, 2) - m_1 * std::pow(e_1 - e, 2);
     EXPECT_EQ(fmt::format("{:.1f} g, {:.1f} %, {:.0f}", 1e3 * m_u, 100 * m_u / m, k_u),

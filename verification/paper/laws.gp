@@ -1,8 +1,9 @@
 # Runs against laws for part of the random rotors of laws.toml: speed at the onset of rolling, largest force.
 limit = 0.1
+sparse = 17                                        # one of so many is drawn
 eval "set terminal ".wide
 set multiplot layout 1,2 margins 0.085,0.985,0.16,0.86 spacing 0.1 \
-  title "{/:Bold Random rotors}: runs against closed forms, within 10 % between the dashed lines"
+  title sprintf("{/:Bold Random rotors that roll}, one in %d of them: runs against closed forms, within 10 %% between the dashed lines", sparse)
 set logscale xy
 set key bottom right noopaque font small samplen 0.5
 share = "law_unbalance_share"
@@ -17,9 +18,9 @@ do for [i = 1:2] {
   set xrange [least[i]:most[i]]; set yrange [least[i]:most[i]]
   set xlabel (of[i].": law") offset 0,0.4
   set ylabel "run" offset 1,0
-  plot data every 17 using (column(law)/units[i]):(y(run, units[i], limit, 1e9)) with points pointtype 7 pointsize 0.22 \
+  plot data every sparse using (column(law)/units[i]):(y(run, units[i], limit, 1e9)) with points pointtype 7 pointsize 0.22 \
       linecolor rgb "#e69f00" title sprintf("share of the unbalance κ e_{x1}/(μ r) above %g", limit), \
-    data every 17 using (column(law)/units[i]):(y(run, units[i], 0, limit)) with points pointtype 7 pointsize 0.22 \
+    data every sparse using (column(law)/units[i]):(y(run, units[i], 0, limit)) with points pointtype 7 pointsize 0.22 \
       linecolor rgb event_tint title sprintf("up to %g", limit), \
     x with lines linecolor rgb law_tint notitle, \
     for [p = 90:110:20] 0.01*p*x with lines linecolor rgb law_tint dashtype (6,7) notitle

@@ -49,9 +49,7 @@ class PaperWatch : public Observer {
       run_.before_loss_ = last_;
       run_.after_loss_ = at;
     }
-    const bool touches = at.contact != ContactState::free;
-    const bool touched = last_.contact != ContactState::free;
-    if (touches && !touched) run_.touch_downs_.push_back(at);
+    if (touch_downs_.begins_with(at.contact)) run_.touch_downs_.push_back(at);
     if (last_.touches() && !at.touches()) run_.releases_.push_back(at);
     if (at.contact == ContactState::rolling && !run_.onset_) run_.onset_ = at;
     note_force(at);
@@ -93,6 +91,7 @@ class PaperWatch : public Observer {
 
   PaperRun& run_;
   Ring<double> ring_;
+  TouchDowns touch_downs_;
   Instant last_;
   double greatest_ = 0, angle_ = 0, turned_ = 0;
 };
@@ -136,6 +135,13 @@ double PaperRun::change_of_speed_in_flight() const {
       greatest = std::max(greatest, std::abs(next->state[5] / release.state[5] - 1));
   }
   return greatest;
+}
+
+std::optional<double> PaperRun::relative_peak() const {
+  const Parameters& p = scenario_.parameters;
+  if (!summary_.peak_normal_force_N) return std::nullopt;
+  return *summary_.peak_normal_force_N /
+         (p.mass * std::pow(before_loss_.state[5], 2) * (p.stator_radius - p.rotor_radius));
 }
 
 double PaperRun::peak_until(double time_s) const {
@@ -200,29 +206,17 @@ std::optional<PaperRun::Rolling> PaperRun::measured(double duration_s) const {
                  (first / first_s - last / last_s) / (first / first_s) / turns};
 }
 
-/// The work of friction until each touch-down, and the share of the first impact that is damped.
+/// The work of friction until each touch-down.
 class FrictionWatch : public EnergyObserver {
  public:
-  explicit FrictionWatch(const Scenario& scenario)
-      : EnergyObserver(scenario), ring_(scenario.parameters) {}
+  using EnergyObserver::EnergyObserver;
 
   void on_instant(const Instant& at) override {
     EnergyObserver::on_instant(at);
-    if (at.event == Event::touch_down) {
-      until_touch_downs.push_back(-balance().friction);
-      const double normal = ring_.rim_point(at.motion()).normal_velocity;
-      if (until_touch_downs.size() == 1) impact_ = at.body.mass * normal * normal / 2;
-    }
-    if (at.event == Event::release && until_touch_downs.size() == 1)
-      first_impact_damped = -balance().contact_damping / impact_;
+    if (at.event == Event::touch_down) until_touch_downs.push_back(-balance().work.friction);
   }
 
   std::vector<double> until_touch_downs;
-  double first_impact_damped = 0;
-
- private:
-  Ring<double> ring_;
-  double impact_ = 0;  ///< energy along the normal, J
 };
 
 const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
@@ -234,8 +228,7 @@ const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
     until_rolling.until = run.onset()->time_s;
     FrictionWatch watch(until_rolling);
     finish(run_ups_.checkpoint_before(until_rolling, nobody), until_rolling, std::nullopt, watch);
-    *friction_work_ =
-        FrictionWork{watch.until_touch_downs, -watch.balance().friction, watch.first_impact_damped};
+    *friction_work_ = FrictionWork{watch.until_touch_downs, -watch.balance().work.friction};
   }
   return *friction_work_;
 }
@@ -302,7 +295,7 @@ const PaperRun& PaperRuns::from_steady(double part) {
   const Parameters p = parameters();
   return get(spec_with({{"friction", inputs_.mu_high},
                         {"torque", 0},
-                        {"start_speed_hz", part * p.motor_off_Hz},
+                        {"start_speed_Hz", part * p.motor_off_Hz},
                         {"support_stiffness", part * part * p.support_stiffness}}));
 }
 

@@ -14,7 +14,9 @@ namespace rotor {
 
 /// Inputs from the paper's Nomenclature and text.
 struct PaperInputs {
-  ScenarioSpec spec;  ///< of the rotor, and of the method
+  PaperInputs() { spec.equations = Equations::published; }
+
+  ScenarioSpec spec;  ///< of the rotor, of the equations, and of the method
   double mu_high = 0.3, mu_intermediate = 0.2, mu_low = 0.08;
   double t_operating = 29.1, t_100 = 19.1, t_75 = 14.15, t_50 = 9.4, t_critical = 2.2;
   // Results from which the text computes others, SI.
@@ -55,6 +57,9 @@ class PaperRun {
   std::vector<Collision> collisions() const;
   /// Largest change of the speed between a release and the next touch-down, relative.
   double change_of_speed_in_flight() const;
+  /// Largest normal force relative to m w^2 (r_a - r) at the loss, which is the same in a similar
+  /// rotor. Empty without contact.
+  std::optional<double> relative_peak() const;
   /// Largest normal force until a time, N.
   double peak_until(double time_s) const;
 
@@ -116,7 +121,6 @@ class PaperRuns {
   struct FrictionWork {
     std::vector<double> until_touch_downs;  ///< one after the other
     double until_rolling;
-    double first_impact_damped;  ///< share of its energy along the normal that the dashpot takes
   };
   const std::optional<FrictionWork>& friction_work();
   /// The same loss at high friction from another point of the rim, until its outcome: see

@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "figures/data/read_csv.hpp"
 #include "verification/paper/readings.hpp"
 #include "verification/paper/rules.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -38,7 +38,7 @@ void put_in_place(std::map<std::string, double, std::less<>>& numbers) {
   numbers.at("eccentricity") -= p.eccentricity * more("mass", p.mass);
   numbers.at("unbalance_factor") -=
       p.unbalance_factor * (more("mass", p.mass) + more("eccentricity", p.eccentricity));
-  numbers.at("rotor_radius") -= p.rotor_radius * more("motor_off_hz", p.motor_off_Hz);
+  numbers.at("rotor_radius") -= p.rotor_radius * more("motor_off_Hz", p.motor_off_Hz);
 }
 
 /// Draws of the run-up, from which the torque and a time follow.
@@ -99,8 +99,8 @@ double run_up_time(const ScenarioSpec& spec, double speed_Hz) {
 /// share of the losses.
 double torque_for(const PaperInputs& inputs, double off_s) {
   ScenarioSpec spec = inputs.spec;
-  const double speed_Hz = spec.numbers.at("motor_off_hz");
-  spec.numbers["motor_off_hz"] = 1.01 * speed_Hz;  // the motor still drives at that instant
+  const double speed_Hz = spec.numbers.at("motor_off_Hz");
+  spec.numbers["motor_off_Hz"] = 1.01 * speed_Hz;  // the motor still drives at that instant
   double torque = Parameters{}.torque;
   for (int n = 0; n < 8; ++n) {
     spec.numbers["torque"] = torque;
@@ -134,7 +134,7 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
   // Independent draws: an accepted part of Sobol's sequence would not be one.
   sweep_.sample.method = Sampling::random;
   for (const auto& [input, least, greatest] : proposals()) add(sweep_, input, least, greatest);
-  const auto speed = std::ranges::find(ranges, "motor_off_hz", &InputRange::input);
+  const auto speed = std::ranges::find(ranges, "motor_off_Hz", &InputRange::input);
   add(sweep_, speed->input, speed->least, speed->greatest);
   const Sweep proposed = sweep_;
   const Conditions conditions = read_conditions(reference_data / "claims.csv");
@@ -155,7 +155,7 @@ PopulationDraws::PopulationDraws(Population population, const std::filesystem::p
   }
   proposals_a_draw_ = static_cast<double>(tried) / static_cast<double>(count);
   for (const auto& [input, least, greatest] : ranges)
-    if (!is_left_to_arithmetic(input) && input != "motor_off_hz")
+    if (!is_left_to_arithmetic(input) && input != "motor_off_Hz")
       add(sweep_, input, least, greatest);
   const Allowed ring = allowed("0.063", "digits");  // r_a
   add(sweep_, "stator_radius", ring.least(), ring.greatest());

@@ -9,8 +9,7 @@
 
 namespace rotor {
 
-/// The range that an input's digits allow: a row of printed-inputs.csv. All rows are population
-/// (c).
+/// The range that an input's digits allow: a row of printed-inputs.csv.
 struct InputRange {
   std::string input;
   double least, greatest;

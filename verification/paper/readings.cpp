@@ -284,10 +284,6 @@ void add_rolling(Table& table) {
     const auto& work = r.friction_work();
     return work ? Value(100 * work->until_rolling / energy_before(r)) : std::nullopt;
   });
-  table.add("first_impact_damped", [](Runs r) -> Value {
-    const auto& work = r.friction_work();
-    return work ? Value(100 * work->first_impact_damped) : std::nullopt;
-  });
   // Of C_1 relative to that of O.
   table.onset("velocity_off", [](Runs, At at) {
     return *difference(at.motion().mass_centre_velocity().norm(), at.motion().velocity.norm());
@@ -442,8 +438,9 @@ void add_other_losses_and_contacts(Table& table) {
     const Instant& at = r.at_50_Hz().last();
     return 100 * std::abs(rho(at) / at.body.eccentricity - 1);
   });
-  table.add("force_by_ratio",
-            [](Runs r) { return difference(peak(r.from_steady(0.5)), peak(r.from_steady(1))); });
+  table.add("force_by_ratio", [](Runs r) {
+    return difference(r.from_steady(0.5).relative_peak(), r.from_steady(1).relative_peak());
+  });
   // A tenth larger radii with the same clearance change the largest force by more than 1 %.
   table.add("by_dimensions", [](Runs r) -> Value {
     const Parameters p = r.parameters();

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/results/run_result.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "verification/paper/ensembles.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -113,9 +113,9 @@ std::vector<Trial> tried(const std::vector<Reason>& reasons, const Equations& eq
     for (const Reason& reason : reasons) {
       Trial& trial = all[static_cast<std::size_t>(n)].emplace_back();
       if (rotor.numbers.at("friction") > reason.most_friction) continue;
-      const RubEnd end = at(reason, less);
-      trial = trial_of(reason.judged, end,
-                       reason.judged == Criterion::harmless ? end : at(reason, more));
+      const bool is_one_value = reason.judged == Criterion::harmless;
+      const RubEnd end = at(reason, is_one_value ? shares[0] : less);
+      trial = trial_of(reason.judged, end, is_one_value ? end : at(reason, more));
     }
   });
   std::vector<Trial> sums(reasons.size());

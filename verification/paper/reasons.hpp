@@ -15,7 +15,7 @@ enum class Criterion {
   rolls,     ///< applies if it rolls at the first one, holds if it does at the second
   touches,   ///< the same for touching the ring
   force,     ///< applies if it rolls at both, holds if the largest force in rolling is not less
-  harmless,  ///< applies if it touches at the first one, holds if it does not roll there
+  harmless,  ///< at one value: applies if it touches, holds if it does not roll there
 };
 
 /// A row of reference-data/reasons.csv.

@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "figures/data/read_csv.hpp"
 #include "verification/paper/ensembles.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -54,6 +55,22 @@ TEST(Reasons, HoldAsOftenAsTheTableSays) {
   }
 }
 
+// All speeds of the range are drawn equally often: the opposite range gives as many contacts.
+TEST(Reasons, DrawSpeedsWithoutPreference) {
+  std::vector<Reason> harmless;
+  std::ranges::copy_if(reasons(), std::back_inserter(harmless), [](const Reason& reason) {
+    return reason.judged == Criterion::harmless && reason.most_friction >= 0.5;
+  });
+  ASSERT_EQ(harmless.size(), 1U);
+  harmless.push_back(harmless[0]);
+  std::swap(harmless[1].from, harmless[1].until);
+  constexpr long draws = 1000;
+  const auto trials = tried(harmless, Equations::published, 6, draws, 2);
+  const double share = static_cast<double>(trials[0].apply) / draws;
+  EXPECT_NEAR(static_cast<double>(trials[1].apply), static_cast<double>(trials[0].apply),
+              3 * std::sqrt(2 * draws * share * (1 - share)));
+}
+
 // The largest force of a run may come before rolling: here it falls with speed, and the largest one
 // in rolling rises.
 TEST(Reasons, CompareTheForceInRolling) {
@@ -66,7 +83,7 @@ TEST(Reasons, CompareTheForceInRolling) {
   std::string name;
   for (double value = 0; words >> name >> value;) spec.numbers[name] = value;
   const auto at = [&](double speed_Hz) {
-    spec.numbers["start_speed_hz"] = speed_Hz;
+    spec.numbers["start_speed_Hz"] = speed_Hz;
     return end_of(spec);
   };
   const RubEnd slower = at(80), faster = at(85);

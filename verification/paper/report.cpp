@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "figures/data/files.hpp"
-#include "verification/paper/claims.hpp"
+#include "figures/input/words.hpp"
+#include "verification/paper/tally.hpp"
+#include "verification/paper/words.hpp"
 #include "verification/support/program.hpp"
 
 namespace rotor {
@@ -19,15 +22,16 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
                             const std::filesystem::path& out) {
   const auto draws = static_cast<double>(numbers.front().readings.front().in[0].b.spread.draws);
   fmt::print(
-      "\nThe claims of the paper's text, by the rules of reference-data/policy.md, over {} draws\n"
-      "of each population (standard error of a share: {:.1f} % at most). make claim ID=... prints\n"
-      "all that is known about one of them.\n\n{}",
+      "\nThe claims of the paper's text, each by its own rule of reference-data/policy.md, over {} "
+      "draws\nof each population (standard error of a share: {:.1f} % at most), and in brackets "
+      "how many of\nthese no other rule turns. make claim ID=... prints all that is known about "
+      "one.\n\n{}",
       draws, 50 / std::sqrt(draws), claims_table(numbers));
   files.write(out / "claims.csv", to_csv(numbers));
   bool as_expected = true;
   for (std::size_t set = 0; set < sets.size(); ++set)
     for (const Number& number : numbers)
-      as_expected = as_expected && verdict_of(number, set).verdict == number.expected[set];
+      as_expected = as_expected && verdict_of(number, set) == number.expected[set];
   return as_expected;
 }
 
@@ -35,7 +39,7 @@ bool print_and_write_claims(const std::vector<Number>& numbers, FileTransaction&
 void print_reading(const Number& number, const Reading& reading, std::size_t set) {
   const auto text = [](const auto& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
   const Reading::InSet& in = reading.in[set];
-  fmt::print("    {:<11} {:<24} converged {}{}\n", sets[set].name, reading.name, text(in.converged),
+  fmt::print("    {:<24} converged {}{}\n", reading.name, text(in.converged),
              set == 0 ? ", published method " + text(in.by_rk4) : "");
   if (!number.is_drawn()) return;
   for (const auto& [population, over] : {std::pair("a", in.a), std::pair("b", in.b)})
@@ -46,36 +50,44 @@ void print_reading(const Number& number, const Reading& reading, std::size_t set
         over.spread.draws);
 }
 
+void print_number(const Number& n, const std::vector<Number>& numbers) {
+  fmt::print("{}: {} ({})\n  paper: {}; allowed by rule {}\n", n.id, words_of(n), n.place,
+             printed(n), rule_of(n));
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const auto value = value_of(n, set), share = share_with_value(n, set);
+    fmt::print(
+        "  {}: {}, {}{}{}\n", sets_in_words[set].words, words_of(verdict_of(n, set)),
+        shown(value, n),
+        share && *share < 1 ? fmt::format(" (such a value in {:.0f} % of (b))", 100 * *share) : "",
+        n.readings.size() > 1 ? ", by " + n.readings[n.decides[set]].name : "");
+    for (const Reading& reading : n.readings) print_reading(n, reading, set);
+    for (const std::string& other : other_verdicts(n, set, numbers))
+      fmt::print("    by another rule {}\n", other);
+  }
+  if (!n.reason.empty()) fmt::print("  reason: {}\n", n.reason);
+  std::istringstream figures(n.figures);
+  for (int figure = 0; figures >> figure;)
+    fmt::print("  shown by: make fig{0:02}; build/rotor run figures/paper/fig{0:02}.toml\n",
+               figure);
+}
+
 int show_claim(const std::filesystem::path& data, const std::string& id) {
   const std::vector<Number> table = read_numbers(data / "claims.csv");
   if (id.empty()) {
-    fmt::print("{}", claims_list(table, read_csv(data / "reasons.csv")));
+    fmt::print("{}", claims_list(judged_numbers(data), read_csv(data / "reasons.csv")));
     return 0;
   }
-  of_claim(table, id);  // before all are computed
+  const std::string claim = of_claim(table, id).front().claim;  // before all are computed
   const std::vector<Number> numbers = judged_numbers(data);
-  for (const Number& n : of_claim(numbers, id)) {
-    fmt::print("{}: {} ({})\n", n.id, n.says, n.place);
-    if (!n.printed.empty())
-      fmt::print("  printed: {} {}; allowed by rule \"{}\": {:.6g} to {:.6g}\n", n.printed, n.unit,
-                 n.rule, n.allowed().least(), n.allowed().greatest());
-    else
-      fmt::print("  rule: {}\n", n.rule);
-    for (std::size_t set = 0; set < sets.size(); ++set) {
-      const std::string& decides = n.readings[n.decides[set]].name;
-      fmt::print("  {} equations: {}{}\n", sets[set].name, verdict_of(n, set).verdict,
-                 n.readings.size() > 1 ? ", by " + decides : "");
-      for (const Reading& reading : n.readings) print_reading(n, reading, set);
-    }
-    if (!n.reason.empty()) fmt::print("  reason: {}\n", n.reason);
-    std::istringstream figures(n.figures);
-    for (int figure = 0; figures >> figure;)
-      fmt::print("  shown by: make fig{0:02}; build/rotor run figures/paper/fig{0:02}.toml\n",
-                 figure);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const auto claims = judged_claims(numbers, set);
+    const auto of = std::ranges::find(claims, claim, &JudgedClaim::claim);
+    fmt::print("{}, {}: {}, {}\n", claim, sets_in_words[set].words, words_of(of->verdict),
+               of->turned_by.empty() ? "turned by no other rule"
+                                     : fmt::format("turned by {} of {} other rules",
+                                                   of->turned_by.size(), other_rules().size()));
   }
-  for (const Turned& turned : turned_by_other_rules(of_claim(numbers, id)))
-    fmt::print("{}, {} equations: {}, but by other rules {}\n", turned.number.id,
-               sets[turned.set].name, turned.verdict, fmt::join(turned.others, "; "));
+  for (const Number& n : of_claim(numbers, id)) print_number(n, numbers);
   return 0;
 }
 

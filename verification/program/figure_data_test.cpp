@@ -7,11 +7,11 @@
 #include <map>
 #include <optional>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/data/thinning.hpp"
 #include "model/run/simulation.hpp"
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/paper_figures.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {

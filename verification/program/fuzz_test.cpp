@@ -204,7 +204,7 @@ TEST_F(Fuzz, TextsAreNeverCommands) {
     const std::string title = random.hostile(79), folder = name(""), scene_file = name(".toml"),
                       picture = name(".svg");
     std::string scene =
-        "title = " + Json(title).dump() + "\n[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n";
+        "title = " + Json(title).dump() + "\n[parameters]\nstart_speed_Hz = 150\nuntil = 1e-3\n";
     std::vector<std::string> names;
     for (int run = 1; run <= 4; ++run) {
       names.push_back(std::to_string(run) + random.hostile(34));

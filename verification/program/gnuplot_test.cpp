@@ -17,7 +17,7 @@ class Gnuplot : public CommandLine {
   void SetUp() override {
     CommandLine::SetUp();
     write("it's.toml",
-          "title = \"It's 100 %\"\n[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n");
+          "title = \"It's 100 %\"\n[parameters]\nstart_speed_Hz = 150\nuntil = 0.03\n");
   }
 
   /// A program of this name instead of gnuplot, in the folder.
@@ -58,7 +58,7 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
 
 // Values that do not vary. gnuplot prints nothing.
 TEST_F(Gnuplot, DrawsWhatHasNoExtent) {
-  for (const std::string parameters : {"support_stiffness = 0\nstart_speed_hz = 50\nuntil = 0.01\n",
+  for (const std::string parameters : {"support_stiffness = 0\nstart_speed_Hz = 50\nuntil = 0.01\n",
                                        "torque = 0\nno_mass_loss = true\nuntil = 0.01\n"}) {
     write("s.toml", "[parameters]\nequations = \"corrected\"\n" + parameters);
     EXPECT_EQ(rotor("plot s.toml 2>messages").output, "s.svg\n") << parameters;
@@ -86,7 +86,7 @@ TEST_F(Gnuplot, ExecutesNothingThatASceneSays) {
   const std::string name =
       R"(a'.system('touch done').'`touch done`\"; system("touch done") # 100 %\\n)";
   write("fig40.toml",
-        "columns = [\"time_s\", \"rho_m\"]\n[parameters]\nstart_speed_hz = 150\nuntil = "
+        "columns = [\"time_s\", \"rho_m\"]\n[parameters]\nstart_speed_Hz = 150\nuntil = "
         "0.01\n[[run]]\nname = '''" +
             name + "'''\n[[run]]\nname = \"b\"\nmass = 4\n");
   write("fig40.gp",
@@ -101,6 +101,33 @@ TEST_F(Gnuplot, ExecutesNothingThatASceneSays) {
   const DrawnPicture picture(content("a.svg"));
   for (const std::string text : {"5 kg", "4 kg"})
     EXPECT_TRUE(std::ranges::find(picture.texts, text) != picture.texts.end()) << text;
+}
+
+// The closed form of the first run exists, and its friction is above the limits of whirl and
+// forward rub, but the ring lets it go; the second run rolls below one of these limits.
+TEST_F(Gnuplot, MarksTheClosedFormOfRollingWhereTheRunRolls) {
+  for (const auto& [parameters, rolls] : std::vector<std::pair<std::string, bool>>{
+           {"contact_damping = 26\ncontact_stiffness = 448898.329\nsupport_damping = 5.538981\n"
+            "friction = 0.92590756\nstart_speed_Hz = 182.362809\nclearance = 0.005301126650\n",
+            false},
+           {"start_speed_Hz = 150\nfriction = 0.12\n", true}}) {
+    write("fig40.toml",
+          "columns = [\"time_s\", \"normal_force_N\"]\n[parameters]\ntorque = 0\nuntil = 0.2\n" +
+              parameters);
+    write("fig40.gp",
+          "eval mark_law('run')\nset xlabel number('run', 'outcome') noenhanced\n"
+          "plot data using 2:3 with lines\n");
+    ASSERT_EQ(rotor("figure --scenes . --out . --equations corrected").status, 0);
+    EXPECT_EQ(shell("\"" ROTOR_SOURCES
+                    "/figures/draw.sh\" a.svg \"data_corrected = 'fig40.csv'\" fig40.gp")
+                  .output,
+              "a.svg\n");
+    EXPECT_TRUE(has(content("fig40.var"), "law_peak_force_N1 = "));
+    EXPECT_FALSE(has(content("fig40.var"), "law_peak_force_N1 = NaN"));
+    const auto texts = DrawnPicture(content("a.svg")).texts;
+    EXPECT_EQ(std::ranges::find(texts, "rolling") != texts.end(), rolls);
+    EXPECT_EQ(has(content("a.svg"), "estimate of the largest force"), rolls) << parameters;
+  }
 }
 
 TEST_F(Gnuplot, LeavesNothingBehindWhereItFails) {

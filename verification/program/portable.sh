@@ -20,7 +20,7 @@ for friction in 0.3 0.2 0.08; do
     echo "mu = $friction, $method: the same to the last bit"
   done
 done
-estimated() { "$@" run --start-speed-hz 150 --until 0.02 --equations published --digits "$digits"; }
+estimated() { "$@" run --start-speed-Hz 150 --until 0.02 --equations published --digits "$digits"; }
 for digits in 6 12; do
   diff <(estimated "$build/rotor") <(estimated qemu-aarch64 -L /usr/aarch64-linux-gnu "$build/aarch64/rotor") ||
     { echo "$digits digits: differ" >&2; exit 1; }

@@ -36,7 +36,7 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
   for (const char* arguments :
        {"", "--until 0.5 --no-mass-loss", "--method rk4 --until 0.01", "--stop-on rolling",
         "--stop-on outcome", "--until 0.5 --stop-on outcome", "--until 31 --tolerance 1e-8",
-        "--energy", "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 --digits 6"}) {
+        "--energy", "--start-speed-Hz 150 --mass-loss-time 1e-3 --until 0.03 --digits 6"}) {
     const Json printed = summary(arguments);
     EXPECT_EQ(rotor(std::string("run ") + arguments).status, 0) << arguments;
     for (const auto& key : schema["required"]) EXPECT_TRUE(printed.contains(key)) << key;
@@ -51,7 +51,8 @@ TEST_F(RunCommand, PrintsWhatItsSchemaSays) {
 // speed is stated; there times after the mass loss are marked by words, here by a plus.
 TEST_F(RunCommand, PrintsSeveralRunsInTheUnitsOfOne) {
   write("s.toml",
-        "[parameters]\nmass_loss_time = 1e-3\nuntil = 0.03\nstart_speed_rpm = 9000\n"
+        "[parameters]\nequations = \"published\"\nmass_loss_time = 1e-3\nuntil = 0.03\n"
+        "start_speed_rpm = 9000\n"
         "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.1\n[[run]]\nname = \"c\"\n"
         "clearance = 0.2\nno_mass_loss = true\n");
   const std::string table = rotor("run s.toml 2>messages").output;
@@ -71,7 +72,7 @@ TEST_F(RunCommand, PrintsSeveralRunsInTheUnitsOfOne) {
 // A mark is explained where it stands; a motor without torque drives nothing.
 TEST_F(RunCommand, ExplainsWhatIsThere) {
   write("s.toml",
-        "[parameters]\nstart_speed_hz = 100\ntorque = 0\nuntil = 0.05\nno_mass_loss = true\n"
+        "[parameters]\nstart_speed_Hz = 100\ntorque = 0\nuntil = 0.05\nno_mass_loss = true\n"
         "[[run]]\nname = \"a\"\n[[run]]\nname = \"b\"\nfriction = 0.1\n");
   EXPECT_EQ(rotor("run s.toml 2>messages").output.find("after the mass loss"), std::string::npos);
   const std::string unreached = rotor("run s.toml --run a --stop-on rest").output;
@@ -92,13 +93,13 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
   EXPECT_TRUE(summary("--energy --stop-on rolling")["energy_J"]["until_end"].is_null());
   // The drive that holds the speed gives what the damping of a shifted start takes.
   const Json held = summary(
-      "--energy --drive constant_speed --start-speed-hz 100 --start-x 1e-3 "
+      "--energy --drive constant_speed --start-speed-Hz 100 --start-x 1e-3 "
       "--no-mass-loss --until 0.1")["energy_J"]["until_end"];
   EXPECT_GT(held["drive"], 1e-3);
   EXPECT_LT(std::abs(held["residual"].get<double>()), 1e-9 * held["drive"].get<double>());
   // What a rotor starts with is no work of a mass loss that it has not.
   const Json turning =
-      summary("--energy --no-mass-loss --start-speed-hz 100 --until 0.1")["energy_J"]["until_end"];
+      summary("--energy --no-mass-loss --start-speed-Hz 100 --until 0.1")["energy_J"]["until_end"];
   const double speed = 200 * std::numbers::pi;
   EXPECT_NEAR(turning["initial"].get<double>() / (Parameters().inertia / 2 * speed * speed), 1,
               1e-3);  // and a little of the response to the unbalance
@@ -107,7 +108,8 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
 
 // In JSON all results keep their types, and each number of the run has its error beside it.
 TEST_F(RunCommand, PrintsErrorsBesideTheNumbersIfDigitsAreAskedFor) {
-  const std::string rolls = "--start-speed-hz 150 --mass-loss-time 1e-3 --until 0.03 ";
+  const std::string rolls =
+      "--equations published --start-speed-Hz 150 --mass-loss-time 1e-3 --until 0.03 ";
   const Json plain = summary(rolls), sure = summary(rolls + "--digits 6");
   const Json& errors = sure["errors"];
   EXPECT_TRUE(plain["whirl_frequency_Hz"].is_number());

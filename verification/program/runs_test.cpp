@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/data/text.hpp"
 #include "figures/input/scenario_spec.hpp"
 #include "figures/program/progress.hpp"
@@ -15,7 +16,6 @@
 #include "verification/support/contradiction.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/random_inputs.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -56,17 +56,29 @@ TEST(ScenarioSpec, ReadsNumbersThatAreNothingElse) {
 TEST(ScenarioSpec, TakesTheLostMassForTheUnbalanceFactor) {
   const Scenario scenario = scenario_of(numbers({{"lost_mass", 0.04}}));
   EXPECT_NEAR(MassLoss<double>(scenario.parameters).lost_mass, 0.04, 1e-15);
-  EXPECT_THROW(scenario_of(numbers({{"lost_mass", -0.01}})), InputError);  // as a draw may be
+  EXPECT_THROW(scenario_of(numbers({{"lost_mass", -0.01}})), ScenarioError);  // as a draw may be
   // m e/m/e may be less than 1 by rounding.
   EXPECT_EQ(scenario_of(numbers({{"lost_mass", 0}, {"mass", 5.6}, {"eccentricity", 4e-4}}))
                 .parameters.unbalance_factor,
             1);
 }
 
+// As they were stated; their values are no inputs.
+TEST(ScenarioSpec, OfAContradictionIsRefusedWithTheInputsToBlame) {
+  ScenarioSpec held = numbers({{"start_speed_rpm", 0}});
+  held.drive = Drive::constant_speed;
+  try {
+    scenario_of(held);
+    FAIL() << "a drive at rest";
+  } catch (const ScenarioError& error) {
+    EXPECT_EQ(error.message().inputs(), (std::vector<std::string>{"drive", "start_speed_rpm"}));
+  }
+}
+
 TEST(ScenarioSpec, OfAMassLossAboveAnotherTakesWhenAndWhetherItIs) {
   ScenarioSpec none = numbers({{"until", 3}});
   none.loses_mass = false;
-  for (const char* name : {"mass_loss_time", "mass_loss_speed_hz"}) {
+  for (const char* name : {"mass_loss_time", "mass_loss_speed_Hz"}) {
     const ScenarioSpec at = numbers({{name, 1.5}, {"torque", 3}});
     EXPECT_FALSE(scenario_of(at.overridden_by(none)).loses_mass()) << name;
     EXPECT_TRUE(scenario_of(none.overridden_by(at)).loses_mass()) << name;
@@ -83,17 +95,17 @@ TEST(SeparationSpeed, IsThatAtTheMassLoss) {
   for (const double off_Hz : {150., 20 + std::numbers::pi})
     for (const double speed_Hz : {20., 75., 149.9995, off_Hz}) {
       Scenario scenario = scenario_of(numbers(
-          {{"mass_loss_speed_hz", speed_Hz}, {"motor_off_hz", std::max(off_Hz, speed_Hz)}}));
+          {{"mass_loss_speed_Hz", speed_Hz}, {"motor_off_Hz", std::max(off_Hz, speed_Hz)}}));
       scenario.until = scenario.parameters.mass_loss_time;
       SummaryObserver observer(scenario);
       run(scenario, observer);
       EXPECT_NEAR(*observer.summary().speed_at_mass_loss_Hz / speed_Hz, 1, 1e-12);
     }
   const auto at_start =
-      numbers({{"start_speed_hz", 60}, {"mass_loss_speed_hz", 60}, {"torque", 0}});
+      numbers({{"start_speed_Hz", 60}, {"mass_loss_speed_Hz", 60}, {"torque", 0}});
   EXPECT_EQ(scenario_of(at_start).parameters.mass_loss_time, 0);
   // A higher speed after a contact, here at 1.77 s, does not count.
-  EXPECT_THROW(scenario_of(numbers({{"mass_loss_speed_hz", 75}, {"eccentricity", 1e-3}})),
+  EXPECT_THROW(scenario_of(numbers({{"mass_loss_speed_Hz", 75}, {"eccentricity", 1e-3}})),
                std::exception);
 }
 
@@ -117,7 +129,8 @@ TEST(SeparationSpeed, IsNotReachedAfterAStartOverTheRing) {
 // The runs of a scene are the same as single runs, even if one fails.
 TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
   write("two.toml",
-        "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\nmass_loss_time = 1e-3\n[[run]]\n"
+        "[parameters]\nequations = \"published\"\nstart_speed_Hz = 150\nuntil = 0.03\n"
+        "mass_loss_time = 1e-3\n[[run]]\n"
         "name = \"a\"\n[[run]]\nname = \"diverges\"\nmethod = \"rk4\"\n"
         "contact_stiffness = 1e13\n[[run]]\nname = \"b\"\nfriction = 0.2\n");
   const Outcome all = rotor("run two.toml --json 2>messages");
@@ -138,11 +151,12 @@ TEST_F(Runs, OfASceneAreThoseOfTheirOwn) {
 }
 
 TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
-  const Json whole = summary(""), stopped = summary("--stop-on rolling");
+  const std::string printed = "--equations published ";
+  const Json whole = summary(printed), stopped = summary(printed + "--stop-on rolling");
   EXPECT_EQ(stopped["stop_reached"], true);
   EXPECT_LT(stopped["final_time_s"], 29.13);
   EXPECT_LT(stopped["right_hand_sides"], whole["right_hand_sides"]);
-  EXPECT_EQ(summary("--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
+  EXPECT_EQ(summary(printed + "--stop-on outcome")["final_time_s"], stopped["final_time_s"]);
   const Scenario by_steps{.parameters = {.mass_loss_time = 0},
                           .method = Method::rk4,
                           .start_speed_Hz = 150,
@@ -161,7 +175,7 @@ RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
 // forces, also by fixed steps.
 TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
   const auto rolls_faster =
-      numbers({{"torque", 100}, {"motor_off_hz", 1000}, {"start_speed_hz", 120}, {"until", 0.5}});
+      numbers({{"torque", 100}, {"motor_off_Hz", 1000}, {"start_speed_Hz", 120}, {"until", 0.5}});
   for (auto [stated, equations, method, outcome] :
        {std::tuple(numbers({{"support_damping", 1},
                             {"clearance", 5.2e-4},
@@ -170,7 +184,7 @@ TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
                             {"support_stiffness", 1.11e4},
                             {"unbalance_factor", 2},
                             {"torque", 0},
-                            {"start_speed_hz", 4},
+                            {"start_speed_Hz", 4},
                             {"until", 20}}),
                    Equations::published, Method::event, Outcome::freed),
         {numbers({{"support_damping", 0.05},
@@ -179,10 +193,10 @@ TEST(StopsAtTheOutcome, LeaveOutWhatTheRestOfTheRunDecides) {
                   {"eccentricity", 8e-4},
                   {"unbalance_factor", 1.5},
                   {"torque", 0},
-                  {"start_speed_hz", 5.3},
+                  {"start_speed_Hz", 5.3},
                   {"until", 3}}),
          Equations::corrected, Method::event, Outcome::bouncing},
-        {numbers({{"torque", 1e-3}, {"start_speed_hz", 5}, {"until", 30}}), Equations::corrected,
+        {numbers({{"torque", 1e-3}, {"start_speed_Hz", 5}, {"until", 30}}), Equations::corrected,
          Method::event, Outcome::stalled},
         {rolls_faster, Equations::corrected, Method::event, Outcome::rolling},
         {rolls_faster, Equations::published, Method::rk4, Outcome::rolling}}) {
@@ -232,11 +246,11 @@ TEST_F(Stops, AreAtRest) {
        {std::pair(" --gravity 0 --torque 8e-4 --mass-loss-time 5 --until 8", true),
         {" --gravity 0 --torque 8e-4 --mass-loss-time 5 --until 8 --method rk4", true},
         {" --gravity 0 --torque 0.001 --no-mass-loss --until 8", false},
-        {" --torque 0 --no-mass-loss --eccentricity 1.15e-3 --start-speed-hz 0.64 --until 8",
+        {" --torque 0 --no-mass-loss --eccentricity 1.15e-3 --start-speed-Hz 0.64 --until 8",
          false}})
     EXPECT_EQ(summary(std::string("--stop-on rest") + run)["stop_reached"], rests) << run;
   for (const auto& [speed_Hz, rests] : {std::pair("0", true), {"0.09", true}, {"0.11", false}})
-    EXPECT_EQ(summary(std::string("--stop-on rest --eccentricity 0 --start-speed-hz ") + speed_Hz +
+    EXPECT_EQ(summary(std::string("--stop-on rest --eccentricity 0 --start-speed-Hz ") + speed_Hz +
                       still)["stop_reached"],
               rests)
         << speed_Hz;
@@ -262,7 +276,7 @@ TEST_F(Stops, AreNotBeforeAResonanceThatIsStillToCome) {
         "11.2006793 --torque 0 --contact-stiffness 31535.4352 "
         "--contact-damping 71.6030764 --friction 0.0849230434 "
         "--rotor-radius 0.170408734 --stator-radius 0.194472672 "
-        "--start-speed-hz 15.0538245 --mass-loss-time 0.00219956671 "
+        "--start-speed-Hz 15.0538245 --mass-loss-time 0.00219956671 "
         "--unbalance-factor 1.03157215 --until 12 ",
         // In steady motion 60 nm from the ring, until its motor changes the speed.
         "--clearance 0.00013560025164 --contact-damping 108 --contact-stiffness 667919819 "

@@ -6,6 +6,7 @@
 #include "figures/results/run_result.hpp"
 #include "figures/runs/run_ups.hpp"
 #include "verification/support/observers.hpp"
+#include "verification/support/short_run.hpp"
 
 namespace rotor {
 namespace {
@@ -100,6 +101,23 @@ TEST(RunUps, FindASpeedWhereASearchFromTheStartFindsIt) {
     }
     scenario.parameters.mass_loss_time = found.time_s.value_or(1);
     run_ups.checkpoint_before(scenario, nobody);  // leaves checkpoints
+  }
+}
+
+// A rim without slip, pressed against the ring, sticks to it from the start: so says the run that
+// begins there, not the start.
+TEST(Start, InRollingIsRollingForTheLibraryTheProgramAndTheDigits) {
+  Scenario scenario{.equations = Equations::corrected, .until = 5e-5};
+  scenario.start = Start{.x = 3.01e-3};
+  scenario.parameters.torque = 0;
+  scenario.parameters.loses_mass = false;
+  SummaryObserver library(scenario);
+  run(scenario, library);
+  for (const Summary& summary :
+       {library.summary(), finish(RunUpCheckpoint(scenario), scenario, {}, nobody).summary,
+        compare(Precision::double_, scenario, 1e-9, always)->values}) {
+    EXPECT_EQ(summary.rolling_onset_s, 0);
+    EXPECT_EQ(summary.whirl_from_s, 0);
   }
 }
 

@@ -1,19 +1,15 @@
-/// The points of sweeps: their order, their draws, and their distribution to workers.
+/// The points of sweeps: their order and their draws.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
-#include <thread>
 
-#include "figures/sweep/compute_in_order.hpp"
+#include "figures/data/read_csv.hpp"
 #include "figures/sweep/sweep.hpp"
 #include "verification/support/command_line.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -87,39 +83,6 @@ TEST_F(SweepPointsOf, ANormalDistributionAreSo) {
     EXPECT_NEAR(static_cast<double>(below) / 4096, std::erfc(-deviations / std::sqrt(2.)) / 2,
                 1e-3);
   }
-}
-
-// Although the first one is slow, for which not all others wait.
-TEST(ComputeInOrder, PassesEachRowOnOnce) {
-  long passed = 0;
-  std::atomic<long> computed = 0;
-  long computed_while_slow = 0;
-  const auto make = [&]() -> Work {
-    return [&](long n) {
-      if (n == 10) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        computed_while_slow = computed;
-      }
-      ++computed;
-      return fmt::format("{}", n);
-    };
-  };
-  compute_in_order(10, 40000, 3, make, [&](const std::string& row) {
-    EXPECT_EQ(row, fmt::format("{}", 10 + passed++));
-  });
-  EXPECT_EQ(passed, 40000 - 10);
-  EXPECT_GT(computed_while_slow, 1000);
-  EXPECT_LT(computed_while_slow, 20000);  // memory is bounded
-}
-
-TEST(ComputeInOrder, EndsWithWhatTheWorkThrows) {
-  long passed = 0;
-  const auto make = []() -> Work {
-    return [](long n) -> std::string { return n == 500 ? throw std::runtime_error("at 500") : ""; };
-  };
-  EXPECT_THROW(compute_in_order(0, 1000, 2, make, [&](const std::string&) { ++passed; }),
-               std::runtime_error);
-  EXPECT_LE(passed, 500);
 }
 
 // The map over the rounding of the inputs varies printed inputs within their digits.

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "figures/data/csv.hpp"
+#include "figures/data/read_csv.hpp"
 #include "figures/data/thinning.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -35,6 +35,24 @@ TEST(Csv, ReadsWhatItHasWritten) {
     EXPECT_EQ(static_cast<double>(rows[n].number("x")), written[n].second);
     EXPECT_EQ(rows[n]["y"], "");
     EXPECT_THROW(static_cast<void>(rows[n].number("y")), std::runtime_error);
+  }
+}
+
+// Wherever a program splits the lines of provenance, which keep all but blanks.
+TEST(Csv, HasNoFormulasAboveItsRows) {
+  std::mt19937_64 random(1);
+  const std::string odd = ",;=+-@ a";
+  const auto without_blanks = [](std::string text) {
+    std::erase(text, ' ');
+    return text;
+  };
+  for (int n = 0; n < 1000; ++n) {
+    std::string text(random() % 9, ' ');
+    for (char& c : text) c = odd[random() % odd.size()];
+    const std::string head = csv_head({text}, {"run"});
+    EXPECT_EQ(without_blanks(head), without_blanks("#" + text + "\nrun\n"));
+    for (const char* formula : {",=", ",+", ",-", ",@", ";=", ";+", ";-", ";@"})
+      EXPECT_EQ(head.find(formula), head.npos) << head;
   }
 }
 

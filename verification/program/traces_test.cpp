@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/input/names.hpp"
 #include "figures/record/columns.hpp"
 #include "figures/record/recorder.hpp"
@@ -17,7 +18,6 @@
 #include "verification/support/column_formulas.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/observers.hpp"
-#include "verification/support/read_csv.hpp"
 #include "verification/support/short_run.hpp"
 
 namespace rotor {
@@ -153,7 +153,7 @@ class Trace : public CommandLine {
 
 // The largest force is exact wherever in its step the window starts or ends.
 TEST_F(Trace, ShowsAMaximumCloseToTheEndsOfItsWindow) {
-  const Scenario scenario{.until = 29.11};
+  const Scenario scenario{.equations = Equations::published, .until = 29.11};
   const auto& force = find_column("normal_force_N");
   const auto record = [&](const Window& window) {
     std::pair<double, double> largest{0, 0};  // F_n and its time

@@ -116,14 +116,55 @@ TEST_F(Writing, ReportsAFullDiskAndALostStandardOutput) {
       1);  // the folder is gone
 }
 
-// If the reader disappears, the run ends with a message and leaves no partial file.
-TEST_F(Writing, LeavesNothingBehindWhenItsReaderGoesAway) {
-  const std::string output =
-      shell("{ " + std::string("$rotor ") + long_run +
-            " --trace - --events e.csv; echo status $? >&2; } | head -n 3 >/dev/null")
-          .output;
-  EXPECT_TRUE(has(output, "standard output: cannot be written: Broken pipe"));
-  EXPECT_TRUE(has(output, "status 1"));
+// If the reader of standard output disappears, nothing is said, and no partial file is left. The
+// status is that of a program that SIGPIPE ends.
+TEST_F(Writing, EndsQuietlyWhenItsReaderGoesAway) {
+  EXPECT_EQ(shell("{ $rotor " + long_run +
+                  " --trace - --events e.csv; echo status $? >&2; } | head -n 3 >/dev/null")
+                .output,
+            "status 141\n");
+  write("s.toml",
+        "[parameters]\nstart_speed_Hz = 150\nuntil = 1e-3\n[[run]]\nname = \"a\"\n"
+        "[[run]]\nname = \"b\"\n");
+  for (const char* command :
+       {"--help", "run --help", "run --json-schema", "run --columns help", "run s.toml 2>/dev/null",
+        "run s.toml --json", "run s.toml --run a", "run s.toml --trace /dev/stdout 2>/dev/null",
+        "run s.toml --events - 2>/dev/null", "estimate 2>/dev/null", "estimate --json 2>/dev/null",
+        "plot s.toml"})
+    EXPECT_EQ(shell(fmt::format("{{ sleep 0.1; $rotor {}; echo status $? >&2; }} | true", command))
+                  .output,
+              "status 141\n")
+        << command;
+  // Of another pipe it is an error.
+  EXPECT_TRUE(has(
+      shell("mkfifo pipe; head -n 3 <pipe >/dev/null & $rotor " + long_run + " --trace pipe; wait")
+          .output,
+      "rotor: pipe: cannot be written: Broken pipe"));
+  remove({"s.toml", "s.svg", "pipe"});
+}
+
+// From a pipe the text comes once, and a sweep can tell no name for its results.
+TEST_F(Writing, ReadsPipesAsItReadsFiles) {
+  write("s.toml", "[parameters]\nstart_speed_Hz = 150\nuntil = 1e-3\n");
+  write("w.toml", content("s.toml") + "[[axis]]\nquantity = \"friction\"\nvalues = [0.1, 0.2]\n");
+  const std::string whole = rotor("run s.toml --json").output;
+  for (const char* command :
+       {"cat s.toml | $rotor run /dev/stdin --json",
+        "bash -c '\"$0\" run <(cat s.toml) --json' $rotor",
+        "mkfifo pipe; timeout 5 bash -c 'cat s.toml > pipe' & $rotor run pipe --json; rm pipe"})
+    EXPECT_EQ(shell(command).output, whole) << command;
+  EXPECT_EQ(rotor("sweep w.toml").status, 0);
+  EXPECT_EQ(shell("cat w.toml | $rotor sweep /dev/stdin --out r.csv").status, 0);
+  EXPECT_EQ(content("r.csv"), content("w.csv"));
+  expect_refusal("sweep /dev/stdin < w.toml", "--out: must be stated");
+  EXPECT_TRUE(has(shell("cat s.toml | $rotor plot /dev/stdin").output, "--out: must be stated"));
+  EXPECT_EQ(shell("cat s.toml | $rotor plot /dev/stdin --out p.svg").output, "p.svg\n");
+  EXPECT_TRUE(has(shell("yes | $rotor run /dev/stdin").output, "it is larger than"));
+  EXPECT_EQ(shell("mkfifo pipe; timeout --foreground --signal=INT --kill-after=10 0.2 $rotor run "
+                  "pipe; echo status $?")
+                .output,
+            "rotor: interrupted; no file has been written\nstatus 124\n");
+  remove({"s.toml", "w.toml", "w.csv", "r.csv", "p.svg", "pipe"});
 }
 
 TEST_F(Writing, LeavesNothingBehindWhenInterrupted) {
@@ -150,7 +191,7 @@ TEST_F(Writing, RemovesWhatAKilledProcessHasLeft) {
   EXPECT_TRUE(output.ends_with("\nmessages\nt.csv\n")) << output;
   EXPECT_EQ(output.rfind(".part"), output.find(".part")) << output;
   remove({"messages", "t.csv"});
-  write("s.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 1e-3\n");
+  write("s.toml", "[parameters]\nstart_speed_Hz = 150\nuntil = 1e-3\n");
   // rotor calls a shell that calls gnuplot
   write("gnuplot",
         "#!/bin/bash\nls -A $TMPDIR >&2\nread -r _ _ _ rotor _ </proc/$PPID/stat; kill -KILL "
@@ -168,7 +209,7 @@ TEST_F(Writing, RemovesWhatAKilledProcessHasLeft) {
 // `ulimit -f` limits files to some kB. Only a sweep leaves something: the journal from which it
 // resumes.
 TEST_F(Writing, LeavesNothingBehindWhereFilesMayNotGrow) {
-  write("s.toml", "[parameters]\nstart_speed_hz = 150\nuntil = 0.03\n");
+  write("s.toml", "[parameters]\nstart_speed_Hz = 150\nuntil = 0.03\n");
   write("sweep.toml", content("s.toml") +
                           "[[axis]]\nquantity = \"friction\"\nfrom = 0.1\nto = 0.3\npoints = 9\n");
   fs::create_directory(folder_ / "drafts");
@@ -193,8 +234,8 @@ TEST_F(Writing, EndsWhateverItDoesWhenInterrupted) {
         "columns = [\"time_s\", \"rho_m\"]\nwindow = { from_s = 99999, until_s = 1e5 }\n"
         "[parameters]\nfriction = 0.05\nmass_loss_time = 1\nuntil = 1e5\n");
   for (const char* work :
-       {"run --torque 1e-6 --gravity 0 --mass-loss-speed-hz 1",
-        "run --torque 1e-8 --support-damping 0 --start-speed-hz 55 --mass-loss-speed-hz 55.003",
+       {"run --torque 1e-6 --gravity 0 --mass-loss-speed-Hz 1",
+        "run --torque 1e-8 --support-damping 0 --start-speed-Hz 55 --mass-loss-speed-Hz 55.003",
         "figure --scenes . --out out"})
     EXPECT_EQ(shell(std::string("timeout --foreground --signal=INT --kill-after=10 0.5 $rotor ") +
                     work + "; echo status $?")

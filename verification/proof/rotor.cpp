@@ -26,10 +26,10 @@ struct Rotor : Flow {
 
   Term m = input("mass"), I = input("inertia"), e = input("eccentricity");
   Term k = input("support-stiffness"), d = input("support-damping"), g = input("gravity");
-  Term M_mot = input("torque"), f_max = input("motor-off-hz");
+  Term M_mot = input("torque"), f_max = input("motor-off-Hz");
   Term k_t = input("contact-stiffness"), d_t = input("contact-damping"), mu = input("friction");
   Term r = input("rotor-radius"), c = input("clearance"), k_u = input("unbalance-factor");
-  Term f_0 = input("start-speed-hz"), t_1 = input("mass-loss-time"), t_end = input("until");
+  Term f_0 = input("start-speed-Hz"), t_1 = input("mass-loss-time"), t_end = input("until");
   Term two_pi = tape.constant(2 * Ball::pi());
 
   // The lost mass, and the rotor without it.
@@ -150,7 +150,7 @@ class Run {
     }
     found_.emplace_back("touch_downs", touch_downs_);
     if (touch_downs_ > 0) found_.emplace_back("peak_normal_force_N", force_.value());
-    found_.emplace_back("max_displacement_m", sqrt(displacement_.value()));
+    found_.emplace_back("peak_displacement_m", sqrt(displacement_.value()));
     return std::move(found_);
   }
 

@@ -157,12 +157,16 @@ class Series {
       case Kind::root:  // s s = a
         if (k == 0 && d == 0) return sqrt(a_0);
         return (a_k - of_product(term, term, k, d)) / (2 * row(term, 0)[0]);
-      default:
+      case Kind::sine:
+        if (k == 0) return d == 0 ? sin(a_0) : cos(a_0) * a_k;
+        break;
+      case Kind::cosine:
+        if (k == 0) return d == 0 ? cos(a_0) : -(sin(a_0) * a_k);
+        break;
+      case Kind::input:  // which is given for k = 0
         break;
     }
-    if (k > 0) return row(b, d)[k - 1] / k;  // z' = b
-    if (kind == Kind::sine) return d == 0 ? sin(a_0) : cos(a_0) * a_k;
-    return d == 0 ? cos(a_0) : -(sin(a_0) * a_k);
+    return row(b, d)[k - 1] / k;  // z' = b
   }
 
   const Tape* tape_;

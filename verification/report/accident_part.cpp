@@ -85,7 +85,8 @@ std::vector<std::pair<const char*, Frame>> moments(const std::vector<Frame>& fra
 
 Json accident_json() {
   const Parameters p;
-  const auto frames = frames_of(Explorer().run({{"until", "29.14"}}, 1e-6));
+  const auto frames =
+      frames_of(Explorer().run({{"equations", "published"}, {"until", "29.14"}}, 1e-6));
   Json all = Json::array();
   for (const auto& [title, frame] : moments(frames, p.mass_loss_time)) {
     Json still = drawn(frame, p);

@@ -1,14 +1,16 @@
 /// The claims and their verdicts.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <set>
 #include <sstream>
-#include <tuple>
 
+#include "figures/input/words.hpp"
+#include "verification/paper/tally.hpp"
+#include "verification/paper/words.hpp"
 #include "verification/report/document.hpp"
-#include "verification/support/pattern.hpp"
 
 namespace rotor {
 namespace {
@@ -16,213 +18,161 @@ namespace {
 /// As keys of the document.
 constexpr std::array set_keys = {"as_printed", "corrected"};
 
-/// A statement, 1 if it is true and 0 if not, as its words explain in brackets.
-std::string words_of(const Number& number) {
-  return replaced(number.says, " \\((1: yes|0: no)\\)", "");
-}
-bool is_statement(const Number& number) { return words_of(number) != number.says; }
-
-bool is_tiny(double size) { return size != 0 && size < 1e-6; }
-
-/// In a unit, without superfluous digits; in powers of ten if the paper has them.
-std::string shown(const std::optional<double>& value, const Number& number) {
-  if (!value || !std::isfinite(*value)) return "–";
-  if (is_statement(number)) return *value == 1 ? "yes" : "no";
-  const double size = std::abs(*value);
-  const bool in_powers = number.printed.find('e') != std::string::npos;
-  return (is_tiny(size) && !in_powers              ? "below 1e-06"
-          : size != 0 && size < 1e-3 && !in_powers ? "below 0.001"
-          : size >= 1e4                            ? fmt::format("{:.0f}", *value)
-          : in_powers && size < 1e-2
-              ? fmt::format("{:.2e}", *value)
-              : fmt::format("{:.{}g}", *value, number.printed.empty() ? 3 : 4)) +
-         ' ' + number.unit;
-}
-
-/// What the paper states: a number or a word.
-std::string printed(const Number& number) {
-  if (is_statement(number)) return shown(std::stod(number.printed), number);
-  return number.printed.empty() ? number.rule : number.printed + ' ' + number.unit;
-}
-
-/// The number's rule, with what it allows.
-std::string rule_of(const Number& number) {
-  const Allowed allowed = number.allowed();
-  const std::string_view judged = number.is_drawn() ? "" : ", at the inputs as printed";
-  const std::string limits =
-      number.rule == "is"      ? printed(number)
-      : number.rule == "major" ? fmt::format("at least {:g} {}", allowed.least(), number.unit)
-      : number.printed.empty() && number.rule != "few"
-          ? fmt::format("at most {:g} {}", allowed.greatest(), number.unit)
-          : fmt::format("{:.6g} to {:.6g} {}", allowed.least(), allowed.greatest(), number.unit);
-  return fmt::format("{}: {}{}", number.rule, limits, judged);
-}
-
-/// The range of population (b).
-std::string range_of(const Stored& stored) {
-  const Spread& spread = stored.spread;
-  if (!std::isfinite(spread.low) || spread.draws == 0) return "";
-  return is_tiny(std::max(-spread.low, spread.high))
-             ? "below 1e-06"
-             : fmt::format("{:.4g} to {:.4g}", spread.low, spread.high);
-}
-
-/// How far a value is from the number as printed, which needs no rule.
-std::string deviation(const std::optional<double>& value, const Number& number) {
-  const bool is_number = !number.printed.empty() && !is_statement(number) && number.rule != "range";
-  if (!is_number || !value || !std::isfinite(*value) || std::stod(number.printed) == 0) return "";
-  return fmt::format("({:+.2g} %)", 100 * (*value / std::stod(number.printed) - 1));
-}
-
 /// With its class of the page's style.
-Json verdict_json(const std::string& verdict) {
-  return {{"verdict", verdict}, {"mark", verdict == "within rounding" ? "rounding" : verdict}};
+Json verdict_json(Verdict verdict) {
+  return {{"verdict", words_of(verdict)}, {"mark", key_of(verdict)}};
 }
 
-/// A number by the reading that decides.
-Json number_json(const Number& number) {
-  const Reading::InSet &reading = number.readings[number.decides[0]].in[0],
-                       &corrected = number.readings[number.decides[1]].in[1];
-  const auto here = number.kind == Kind::method ? reading.by_rk4 : reading.converged;
-  Json all = {{"says", words_of(number)},
-              {"place", number.place},
-              {"printed", printed(number)},
-              {"rule", rule_of(number)},
-              {"is_word", number.printed.empty()},
-              {"here", shown(here, number)},
-              {"deviation", deviation(here, number)},
-              {"corrected_value", shown(corrected.converged, number)},
-              {"corrected_deviation", deviation(corrected.converged, number)},
-              {"reason", number.reason}};
+/// A number in a set of equations, by the reading that decides.
+Json in_set_json(const Number& number, std::size_t set, const std::vector<Number>& numbers) {
+  const auto value = value_of(number, set), share = share_with_value(number, set);
+  Json all = verdict_json(verdict_of(number, set));
+  all["equations"] = sets_in_words[set].words;
+  all["value"] = shown(value, number);
+  all["deviation"] = deviation(value, number);
+  all["others"] = other_verdicts(number, set, numbers);
   if (number.rule != "is" && number.is_drawn())
-    all["ranges"] = {{"as_printed", range_of(reading.b)}, {"corrected", range_of(corrected.b)}};
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    const Verdict verdict = verdict_of(number, set);
-    all[set_keys[set]] = verdict_json(verdict.verdict);
-    all[set_keys[set]]["off"] = std::isfinite(verdict.off_b) ? verdict.off_b : verdict.off_a;
-  }
+    all["range"] = range_of(number.readings[number.decides[set]].in[set].b);
+  if (share && *share < 1) all["share"] = fmt::format("{:.0f} %", 100 * *share);
   return all;
 }
 
-/// Refuted, within rounding, reproduced; then by how far off.
-bool is_worse(const Json& one, const Json& other) {
-  const auto severity = [](const Json& judged) {
-    const Json& as_printed = judged.at("as_printed");
-    const double off = as_printed.at("off");
-    const bool is_refuted = as_printed.at("verdict") == "refuted";
-    return std::tuple(is_refuted, as_printed.at("verdict") == "within rounding",
-                      std::isfinite(off) ? off : 0);
-  };
-  return severity(one) > severity(other);
+std::vector<int> figures_of(const Number& number) {
+  std::vector<int> figures;
+  std::istringstream all(number.figures);
+  for (int figure = 0; all >> figure;) figures.push_back(figure);
+  return figures;
+}
+
+/// By the worst verdict.
+std::string mark_of(const std::vector<Count>& tally) {
+  std::string mark = "none";
+  for (const Count& count : tally)
+    if (count.claims > 0) mark = key_of(count.verdict);
+  return mark;
+}
+
+/// A value, its verdict, and the rules that turn it.
+std::string in_a_cell(const Number& number, std::size_t set, const std::vector<Number>& numbers) {
+  const std::size_t turned = other_verdicts(number, set, numbers).size();
+  return fmt::format(
+      "{}: {}, {}", shown(value_of(number, set), number), words_of(verdict_of(number, set)),
+      turned == 0 ? "by every rule"
+                  : fmt::format("{} of {} other rules turn it", turned, other_rules().size()));
+}
+
+/// The other numbers of a claim that are reproduced as printed.
+std::vector<std::string> others_that_hold(const Number& of, const std::vector<Number>& numbers) {
+  std::vector<std::string> hold;
+  for (const Number& number : of_claim(numbers, of.claim))
+    if (number.id != of.id && number.instead.empty() &&
+        verdict_of(number, 0) == Verdict::reproduced)
+      hold.push_back(fmt::format("{} ({})", words_of(number), shown(value_of(number, 0), number)));
+  return hold;
 }
 
 }  // namespace
 
 Json claims_json(const std::vector<Number>& numbers) {
-  Json claims = Json::object();
-  for (const Number& number : numbers) {
-    if (!number.instead.empty()) continue;
-    if (!claims.contains(number.claim))
-      claims[number.claim] = {{"claim", number.claim},    {"opens", Json()},
-                              {"changes", Json()},        {"says", words_of(number)},
-                              {"figures", Json::array()}, {"place", number.place},
-                              {"numbers", Json::array()}};
-    Json& claim = claims[number.claim];
-    std::istringstream figures(number.figures);
-    for (int figure = 0; figures >> figure;)
-      if (std::find(claim["figures"].begin(), claim["figures"].end(), figure) ==
-          claim["figures"].end())
-        claim["figures"].push_back(figure);
-    claim["numbers"].push_back(number_json(number));
-  }
-  for (std::size_t set = 0; set < sets.size(); ++set)
-    for (const auto& [claim, verdict] : verdicts_of_claims(numbers, set))
-      claims[claim][set_keys[set]] = verdict_json(verdict);
   Json all = Json::array();
-  for (Json& claim : claims) {
-    Json& numbers_of = claim["numbers"];
-    std::stable_sort(numbers_of.begin(), numbers_of.end(), is_worse);
-    claim["as_printed"]["off"] = numbers_of[0]["as_printed"]["off"];
-    claim["worst"] = numbers_of[0];
-    claim["many"] = numbers_of.size() > 1 ? Json(numbers_of.size()) : Json();
-    if (!claim["figures"].empty()) {
-      const int figure = claim["figures"][0];
-      claim["opens"] = {{"name", fmt::format("fig{:02}", figure)}, {"number", figure}};
+  std::set<std::string> seen;
+  for (const Passage& passage : in_the_papers_order(numbers)) {
+    Json rows = Json::array();
+    for (const Number& number : passage.numbers) {
+      Json row = {{"id", number.id},
+                  {"claim", number.claim},
+                  {"says", words_of(number)},
+                  {"place", number.place},
+                  {"paper", printed(number)},
+                  {"rule", rule_of(number)},
+                  {"reason", number.reason},
+                  {"figures", Json::array()},
+                  {"first_of", seen.insert(number.claim).second ? Json(number.claim) : Json()}};
+      for (const int figure : figures_of(number))
+        row["figures"].push_back({{"name", fmt::format("fig{:02}", figure)}, {"number", figure}});
+      for (std::size_t set = 0; set < sets.size(); ++set)
+        row["sets"].push_back(in_set_json(number, set, numbers));
+      rows.push_back(row);
     }
-    if (claim["as_printed"]["verdict"] != claim["corrected"]["verdict"])
-      claim["changes"] = claim["corrected"];
-    all.push_back(claim);
+    all.push_back({{"heading", passage.heading}, {"rows", rows}});
   }
-  std::stable_sort(all.begin(), all.end(), is_worse);
   return all;
 }
 
-Json turned_json(const std::vector<Number>& numbers) {
-  Json rows = Json::array();
-  for (const Turned& turned : turned_by_other_rules(numbers))
-    rows.push_back({{"claim", turned.number.claim},
-                    {"says", words_of(turned.number)},
-                    {"set", turned.set == 0 ? "as printed" : "corrected"},
-                    {"verdict", verdict_json(turned.verdict)},
-                    {"others", turned.others}});
-  return rows;
-}
-
-Json settled_json(const std::vector<Number>& numbers) {
+Json tally_json(const std::vector<Number>& numbers) {
   Json all;
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    Json counts;
-    for (const char* of : {"runs", "arithmetic"})
-      for (const char* verdict : {"claims", "reproduced", "within rounding", "refuted", "depends"})
-        counts[of][verdict] = 0;
-    for (const auto& [claim, verdict] : settled_verdicts(numbers, set))
-      for (const std::string& key : {std::string("claims"), verdict}) {
-        Json& count = counts[is_arithmetic(numbers, claim) ? "arithmetic" : "runs"][key];
-        count = count.get<int>() + 1;
-      }
-    counts["runs"]["within_rounding"] = counts["runs"]["within rounding"];
-    all[set_keys[set]] = counts;
-    const auto verdicts = verdicts_of_claims(numbers, set);
-    for (const Judging& rule : other_rules())
-      all["turned_by"][rule.says][set_keys[set]] = std::ranges::count_if(
-          verdicts_of_claims(numbers, set, rule),
-          [&](const auto& one) { return one.second != verdicts.at(one.first); });
+    const auto claims = judged_claims(numbers, set);
+    Json& of = all[set_keys[set]] = {{"claims", claims.size()}, {"words", in_words(tally(claims))}};
+    for (const Count& count : tally(claims)) {
+      of["counts"].push_back({{"mark", key_of(count.verdict)}, {"claims", count.claims}});
+      of[key_of(count.verdict)] = fmt::format("{} ({})", count.claims, count.unturned);
+    }
+    for (const auto& [rule, count] : turned_by_rule(claims))
+      all["turned_by"][rule][set_keys[set]] = count;
   }
   return all;
 }
 
-Json claims_of(int figure, const Json& claims) {
-  Json of_figure = Json::array();
-  for (const Json& claim : claims)
-    for (const Json& number : claim.at("figures"))
-      if (number == figure) of_figure.push_back(claim);
-  return of_figure;
-}
-
-Json verdicts_json(const Json& claims) {
-  Json all = {{"claims", claims.size()}, {"claims_something", !claims.empty()}};
-  for (const char* set : set_keys) {
-    const auto count = [&](const char* verdict) {
-      return std::count_if(claims.begin(), claims.end(), [&](const Json& claim) {
-        return claim.at(set).at("verdict") == verdict;
-      });
-    };
-    const auto reproduced = count("reproduced"), rounding = count("within rounding"),
-               refuted = count("refuted");
-    std::string says = claims.empty() ? "nothing is claimed" : "";
-    for (const auto& [number, verdict] :
-         {std::pair(reproduced, "reproduced"), {rounding, "within rounding"}, {refuted, "refuted"}})
-      if (number > 0) says += fmt::format("{}{} {}", says.empty() ? "" : ", ", number, verdict);
-    all[set] = {{"reproduced", reproduced},
-                {"within_rounding", rounding},
-                {"refuted", refuted},
-                {"mark", claims.empty() ? "none"
-                         : refuted > 0  ? "refuted"
-                         : rounding > 0 ? "rounding"
-                                        : "reproduced"},
-                {"says", says}};
+Json tally_of_figure(int figure, const std::vector<Number>& numbers) {
+  Json all;
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const auto claims = shown_in(figure, judged_claims(numbers, set), numbers);
+    all[set_keys[set]] = {{"words", in_words(tally(claims))}, {"mark", mark_of(tally(claims))}};
+    if (set > 0) continue;
+    all["claims"] = Json::array();
+    for (const JudgedClaim& of : claims)
+      all["claims"].push_back(
+          {{"claim", of.claim}, {"says", words_of(of_claim(numbers, of.claim).front())}});
+    all["claims_something"] = !claims.empty();
   }
   return all;
+}
+
+Json causes_json(const std::vector<Number>& numbers, const Json& causes) {
+  const auto corrected = verdicts_of_claims(numbers, 1);
+  Json all = causes;
+  for (Json& cause : all) cause["claims"] = Json::array();
+  for (const JudgedClaim& claim : judged_claims(numbers, 0)) {
+    if (claim.verdict != Verdict::refuted) continue;
+    const auto its_numbers = of_claim(numbers, claim.claim);
+    const bool has_a_number = std::ranges::any_of(its_numbers, [](const Number& number) {
+      return !number.printed.empty() && verdict_of(number, 0) == Verdict::refuted;
+    });
+    const char* cause = corrected.at(claim.claim) == Verdict::reproduced ? "equations"
+                        : has_a_number                                   ? "numbers"
+                                                                         : "words";
+    all[cause]["claims"].push_back({{"claim", claim.claim}});
+    all[cause]["count"] = all[cause]["claims"].size();
+  }
+  Json list = Json::array();
+  for (const Json& cause : all) list.push_back(cause);
+  return list;
+}
+
+std::string claim_rows(const std::vector<Number>& numbers) {
+  std::vector<std::string> rows;
+  for (const Passage& passage : in_the_papers_order(numbers))
+    for (const Number& number : passage.numbers)
+      rows.push_back(fmt::format("| {}: {} | {} | {} | {} | `make claim ID={}` |", number.id,
+                                 words_of(number), words_of(verdict_of(number, 0)),
+                                 words_of(verdict_of(number, 1)),
+                                 fmt::join(figures_of(number), ", "), number.claim));
+  return fmt::format("{}", fmt::join(rows, "\n"));
+}
+
+std::string refuted_rows(const std::vector<Number>& numbers) {
+  std::vector<std::string> rows;
+  for (const Passage& passage : in_the_papers_order(numbers))
+    for (const Number& number : passage.numbers) {
+      if (verdict_of(number, 0) != Verdict::refuted && verdict_of(number, 1) != Verdict::refuted)
+        continue;
+      rows.push_back(fmt::format("| {}: {} | {} | {} | {} | {} |", number.claim, words_of(number),
+                                 rule_of(number), in_a_cell(number, 0, numbers),
+                                 in_a_cell(number, 1, numbers),
+                                 fmt::join(others_that_hold(number, numbers), "; ")));
+    }
+  return fmt::format("{}", fmt::join(rows, "\n"));
 }
 
 }  // namespace rotor

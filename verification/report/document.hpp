@@ -17,20 +17,26 @@ struct Sources {
   std::filesystem::path scenes{};          ///< figNN.toml
   std::filesystem::path reference_data{};  ///< claims, ensembles, assumptions
   std::filesystem::path pictures{};        ///< figNN.svg
-  std::string commit_date{};
 };
 
 Json document(const Sources& sources);
 
 // Its parts.
-Json claims_json(const std::vector<Number>& numbers);
-Json claims_of(int figure, const Json& claims);
-Json turned_json(const std::vector<Number>& numbers);  ///< verdicts that other rules would turn
-/// How many claims have which verdict by every rule, those without a run apart; and how many of all
-/// each other rule turns.
-Json settled_json(const std::vector<Number>& numbers);
+Json claims_json(const std::vector<Number>& numbers);  ///< by passages of the paper
+/// The tally in each set of equations, and how many claims each other rule turns.
+Json tally_json(const std::vector<Number>& numbers);
+/// The tally of the claims that a figure shows, in each set of equations, and these claims.
+Json tally_of_figure(int figure, const std::vector<Number>& numbers);
+/// Causes, by their names, with the claims that are refuted as printed: an error in the equations,
+/// a number or a word.
+Json causes_json(const std::vector<Number>& numbers, const Json& causes);
+/// Rows of tables in Markdown: of all numbers, and of those that are refuted.
+std::string claim_rows(const std::vector<Number>& numbers);
+std::string refuted_rows(const std::vector<Number>& numbers);
 Json values_json(const std::vector<Number>& numbers);
-Json figures_json(const Sources& sources, const Json& claims);
+Json figures_json(const Sources& sources, const std::vector<Number>& numbers);
+/// A picture from gnuplot as part of a page: as wide as possible, with unique names.
+std::string inline_svg(std::string svg, const std::string& name);
 
 /// Stills of the accident, and the recorded runs and maps of the interactive part.
 Json accident_json();
@@ -41,13 +47,9 @@ Json instrument_json(const std::filesystem::path& report);
 /// standard error.
 Json rows_by(const std::filesystem::path& csv, const std::vector<const char*>& keys);
 
-/// Words and colours: figures/paper/palette.gp, script/words.js, and properties before page.css.
-std::string palette_of_gnuplot();
+/// Words and colours: script/words.js, and properties before page.css.
 std::string words_of_page();
 std::string tints_of_page();
-
-/// The numbers of verdicts in each set of equations, in words and as a mark.
-Json verdicts_json(const Json& claims);
 
 /// A JSON file. Throws std::runtime_error, naming it, if it is not valid JSON.
 Json read_json(const std::filesystem::path& file);

@@ -27,11 +27,11 @@ Json findings(Json summary) {
 // To the bit, though runs share what they can.
 TEST_F(Explore, SaysWhatRotorRunSays) {
   for (const Options& options :
-       std::vector<Options>{{{"friction", "0.2"}, {"equations", "corrected"}},
+       std::vector<Options>{{{"friction", "0.2"}, {"equations", "published"}},
                             {{"mass-loss-time", "19.1"}},
-                            {{"mass-loss-speed-hz", "75"}, {"unbalance-factor", "4"}},
+                            {{"mass-loss-speed-Hz", "75"}, {"unbalance-factor", "4"}},
                             {{"clearance", "1e-3"}, {"mass-loss-time", "19.1"}},
-                            {{"method", "rk4"}, {"start-speed-hz", "100"}}}) {
+                            {{"method", "rk4"}, {"start-speed-Hz", "100"}}}) {
     const std::string arguments = as_arguments(options);
     EXPECT_EQ(findings(explorer_.run(options).metadata["summary"]),
               findings(Json::parse(rotor("run --json" + arguments + " 2>/dev/null").output)))
@@ -44,7 +44,7 @@ TEST_F(Explore, RefusesInTheWordsOfTheCommandLine) {
   for (const Options& options : std::vector<Options>{{{"friction", "many"}},
                                                      {{"unbalance-factor", "400"}},
                                                      {{"clearance", "-1"}},
-                                                     {{"mass-loss-speed-hz", "200"}}}) {
+                                                     {{"mass-loss-speed-Hz", "200"}}}) {
     std::string refusal;
     try {
       explorer_.run(options);

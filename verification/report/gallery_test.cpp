@@ -11,7 +11,6 @@ namespace rotor {
 namespace {
 
 TEST(ApprovedGallery, ShowsEachFigureWithItsCommandItsVerdictsAndItsNumbers) {
-  const Json claims = claims_json(judged());
   const Json texts = with_numbers(read_json(ROTOR_SOURCES "/verification/report/texts.json"),
                                   values_json(judged()));
   std::string text = R"(# The figures
@@ -20,11 +19,12 @@ Redrawn from the equations as printed and from the corrected ones: in blue and i
 `make approve`. The paper's printed curves were not available.
 )";
   for (const Figure& figure : paper_figures()) {
-    const Json of_figure = claims_of(figure.number, claims), verdicts = verdicts_json(of_figure);
+    const Json tally = tally_of_figure(figure.number, judged());
     text += fmt::format(
         "\n## Fig. {0}: {1}\n\n`make fig{0:02}`. Claims: {2}{3}.\n\n{4}\n\n![{5}]({6})\n",
-        figure.number, figure.scene.title, verdicts["as_printed"]["says"].get<std::string>(),
-        of_figure.empty() ? "" : "; corrected: " + verdicts["corrected"]["says"].get<std::string>(),
+        figure.number, figure.scene.title, tally["as_printed"]["words"].get<std::string>(),
+        tally["claims"].empty() ? ""
+                                : "; corrected: " + tally["corrected"]["words"].get<std::string>(),
         texts.at("captions").at(std::to_string(figure.number)).get<std::string>(),
         texts.at("seen").at(std::to_string(figure.number)).get<std::string>(),
         preview_of(figure.number));

@@ -3,13 +3,19 @@
 #include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <boost/geometry/algorithms/simplify.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "figures/data/csv.hpp"
+#include "figures/data/read_csv.hpp"
 #include "verification/report/document.hpp"
 #include "verification/report/engine/explorer.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -75,7 +81,7 @@ Json runs_json() {
   Json runs = Json::array();
   for (const Set& set : sets)
     for (Options options : cases) {
-      if (set.equations != Equations::published) options["equations"] = set.name;
+      if (set.equations != Scenario().equations) options["equations"] = set.name;
       const Picture picture = explorer.run(options, closeness);
       Json run = picture.metadata;
       const double until_s = std::min(run["until_s"].get<double>(), last_change_s(run) + kept_s);
@@ -95,7 +101,7 @@ Json maps_json(const std::filesystem::path& csv) {
   std::map<std::string, Json> maps;
   for (const CsvRow& row : read_csv(csv)) {
     const auto number = [&](const char* column) { return static_cast<double>(row.number(column)); };
-    const Json point = {number("start_speed_hz"), number("friction")};
+    const Json point = {number("start_speed_Hz"), number("friction")};
     Json& map = maps.try_emplace(row["equations_varied"], Json{{"from", point}, {"cells", Json()}})
                     .first->second;
     if (map["to"].is_null() || point[1] != map["to"][1]) map["cells"].push_back("");
@@ -108,12 +114,43 @@ Json maps_json(const std::filesystem::path& csv) {
   return maps;
 }
 
+/// The lines of the map, as gnuplot prints them: `line SET NUMBER`, then the points of its parts,
+/// parted by empty lines. Points are left out that a straight line misses by less than half a
+/// pixel.
+Json lines_json(const std::filesystem::path& printed) {
+  namespace geometry = boost::geometry;
+  constexpr double width_Hz = 180, height = 0.5, half_a_pixel = 0.5 / 800;
+  geometry::model::linestring<geometry::model::d2::point_xy<double>> part, kept;
+  Json lines = Json::array();
+  std::string set, line;
+  int number = 0;
+  const auto end_part = [&] {
+    geometry::simplify(part, kept, half_a_pixel);
+    Json points = Json::array();
+    for (const auto& point : kept) points.push_back({point.x() * width_Hz, point.y() * height});
+    if (!points.empty()) lines.push_back({{"set", set}, {"line", number - 1}, {"points", points}});
+    part.clear();
+  };
+  for (std::ifstream text(printed); std::getline(text, line);) {
+    std::istringstream words(line);
+    double x = 0, y = 0;
+    if (words >> x >> y) {
+      part.emplace_back(x / width_Hz, y / height);
+      continue;
+    }
+    end_part();
+    if (line.starts_with("line ")) std::istringstream(line.substr(5)) >> set >> number;
+  }
+  end_part();
+  return lines;
+}
+
 }  // namespace
 
 Json instrument_json(const std::filesystem::path& report) {
   return {{"runs", runs_json()},
           {"maps", maps_json(report / "map.csv")},
-          {"lines", read_json(report / "lines.json")}};
+          {"lines", lines_json(report / "lines.txt")}};
 }
 
 }  // namespace rotor

@@ -33,18 +33,26 @@ std::string bundled(const fs::path& module, std::set<fs::path>& seen) {
                      module.stem().string(), text, names);
 }
 
+/// The names of numbers in the picture of claims lead to their rows.
+std::string with_links(std::string picture, const Json& shown) {
+  for (const Json& passage : shown.at("claims"))
+    for (const Json& row : passage.at("rows")) {
+      const auto id = row.at("id").get<std::string>();
+      picture = replaced(picture, "(<text[^>]*>(?:<tspan[^>]*>)?" + id + "(?:</tspan>)?</text>)",
+                         "<a href=\"#number-" + id + "\">$1</a>");
+    }
+  return picture;
+}
+
 int main(const Arguments& arguments) {
-  if (arguments.size() != 4)
-    throw std::runtime_error(
-        "needs the folders of the sources, of what was built and of the page, and the date of the "
-        "commit");
+  if (arguments.size() != 3)
+    throw std::runtime_error("needs the folders of the sources, of what was built and of the page");
   const fs::path root = arguments[0], build = arguments[1], out = arguments[2],
                  room = root / "verification/report";
   Json shown = document({.texts = room / "texts.json",
                          .scenes = root / "figures/paper",
                          .reference_data = root / "reference-data",
-                         .pictures = build / "figures",
-                         .commit_date = arguments[3]});
+                         .pictures = build / "figures"});
   std::set<fs::path> seen;
   shown["style"] = tints_of_page() + content_of(room / "page.css");
   shown["script"] = bundled(room / "script/main.js", seen);
@@ -55,10 +63,11 @@ int main(const Arguments& arguments) {
         {"wasm", content_of(packed)}};
   shown["instrument"] = instrument_json(out).dump();
   shown["model"] = content_of(root / "figures/paper/preview/model.svg");
+  shown["picture"] = with_links(inline_svg(content_of(out / "claims.svg"), "claims"), shown);
   shown["stills"] = render(content_of(room / "accident.mustache.svg"), {}, accident_json());
   const std::string html =
       render(content_of(room / "index.mustache.html"),
-             {{"claim_rows", content_of(room / "claim_rows.mustache.html")}}, shown);
+             {{"claims_part", content_of(room / "claims.mustache.html")}}, shown);
   FileTransaction files;
   files.write(out / "index.html", html);
   files.commit();

@@ -2,11 +2,13 @@
 /// the table of that name in tables.mustache, whose places are those of `with_numbers`; `make
 /// approve` writes it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <sstream>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/input/names.hpp"
 #include "model/mechanics/mass_loss.hpp"
 #include "model/theory/accident.hpp"
@@ -45,7 +47,7 @@ std::map<std::string, std::string> tables_of(const std::string& templates) {
   std::istringstream lines(templates);
   std::string* table = nullptr;
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with('|') && table != nullptr)
+    if ((line.starts_with('|') || line.starts_with("{{")) && table != nullptr)
       *table += line + '\n';
     else
       table = &tables[line];
@@ -70,10 +72,45 @@ std::string with_tables(const std::string& markdown,
   return text;
 }
 
-/// What can be named: `values_json`, and beside it settled, reasons, laws, contact_laws, limits.
+/// A row for each run of proven.csv: its start, equations and end, what is proven of it, and within
+/// how much of the printed clearance, if the inputs are not the printed ones alone.
+std::string proof_rows(const fs::path& proven) {
+  std::vector<std::string> commands, rows;
+  std::map<std::string, std::map<std::string, std::string>> values;
+  for (const CsvRow& row : read_csv(proven)) {
+    auto& of_run = values[row["command"]];
+    if (of_run.empty()) commands.push_back(row["command"]);
+    of_run[row["quantity"]] = row["lower"];
+  }
+  for (const std::string& command : commands) {
+    std::map<std::string, std::string> option;
+    for (const Match& stated : matches(command, "--(\\S+) (\\S+)")) option[stated[1]] = stated[2];
+    const auto& of_run = values.at(command);
+    constexpr double half_digit_of_clearance_nm = 500'000;  // 0.003 m
+    rows.push_back(fmt::format(
+        "| {}, mu = {} | {} | {} | {}{} | {} |",
+        option.contains("start-speed-Hz")
+            ? fmt::format("steady motion at {} Hz, loss at once", option["start-speed-Hz"])
+            : "from rest, loss at 29.1 s",
+        option["friction"], option["equations"] == "published" ? "as printed" : "corrected",
+        option["until"], of_run.at("touch_downs"),
+        of_run.contains("rolling_onset_s") ? ", then rolling" : ", no rolling",
+        option.contains("rounding")
+            ? fmt::format("a box, clearance +- {:.0f} nm",
+                          half_digit_of_clearance_nm * std::stod(option["rounding"]))
+            : "as printed"));
+  }
+  return fmt::format("{}", fmt::join(rows, "\n"));
+}
+
+/// What can be named: `values_json`, and beside it tally, rows, reasons, laws, contact_laws,
+/// limits.
 Json table_values(const std::vector<Number>& judged, const fs::path& reference_data) {
   Json values = values_json(judged);
-  values["settled"] = settled_json(judged);
+  values["tally"] = tally_json(judged);
+  values["rows"] = {{"claims", claim_rows(judged)},
+                    {"refuted", refuted_rows(judged)},
+                    {"proofs", proof_rows(reference_data / "proven.csv")}};
   values["reasons"] = rows_by(reference_data / "reasons-tried.csv", {"reason", "equations"});
   values["laws"] =
       rows_by(reference_data / "laws.csv", {"equations", "quantity", "share_from", "share_to"});

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/results/run_result.hpp"
 #include "model/mechanics/mass_loss.hpp"
+#include "verification/paper/words.hpp"
 #include "verification/report/document.hpp"
 #include "verification/support/observers.hpp"
 #include "verification/support/onset_speed.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 namespace {
@@ -71,8 +72,8 @@ std::string with_error(double share, double count) {
   const double percent = 100 * std::round(share * count) / count;
   if (percent == 0 || percent == 100) return fmt::format("{:.0f} % of {:.0f}", percent, count);
   const double error = std::sqrt(percent * (100 - percent) / count);
-  return fmt::format("{:.{}f} +- {:.{}f} %", percent, error < 0.05 ? 2 : 1, error,
-                     error < 0.05 ? 2 : 1);
+  const int decimals = error < 0.005 ? 3 : error < 0.05 ? 2 : 1;
+  return fmt::format("{:.{}f} +- {:.{}f} %", percent, decimals, error, decimals);
 }
 
 }  // namespace
@@ -96,10 +97,11 @@ Json rows_by(const std::filesystem::path& csv, const std::vector<const char*>& k
 }
 
 Json values_json(const std::vector<Number>& numbers) {
-  Json readings, corrected, printed, shares;
+  Json readings, corrected, printed, paper, shares;
   long draws = 0;
   for (const Number& number : numbers) {
     printed[number.id] = number.printed;
+    paper[number.id] = rotor::printed(number);
     for (std::size_t set = 0; set < sets.size(); ++set) {
       const Reading::InSet& in = number.readings.front().in[set];
       shares[sets[set].name][number.id] = {{"a", 100 * in.a.holds}, {"b", 100 * in.b.holds}};
@@ -115,6 +117,7 @@ Json values_json(const std::vector<Number>& numbers) {
   return {{"reading", readings},
           {"reading_corrected", corrected},
           {"printed", printed},
+          {"paper", paper},
           {"holds_in_percent", shares},
           {"published", runs_json(Equations::published, true)},
           {"corrected", runs_json(Equations::corrected, true)},

@@ -29,7 +29,7 @@ int main(const Arguments& arguments) {
   const auto worker = [&]() -> Work {
     return [&](long n) {
       std::string letters;
-      for (const Verdict& verdict : judge(scenarios[static_cast<std::size_t>(n)])) {
+      for (const JudgedDigits& verdict : judge(scenarios[static_cast<std::size_t>(n)])) {
         letters += verdict.given;
         if (verdict.falsehood.empty()) continue;
         ++falsehoods;

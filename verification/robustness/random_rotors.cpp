@@ -1,14 +1,17 @@
-/// `random-rotors COUNT FOLDER` runs random rotors, and checks their balances, that runs which stop
-/// at their outcome report what the whole run does, and that Newton's laws, integrated in another
-/// way, give the same. Fails if one is wrong. The folder gets the options of all of them, which
-/// `random-rotors COUNT` prints instead.
+/// `random-rotors COUNT FOLDER` runs random rotors, and checks their balances, their largest
+/// values, that each result is what the motion gives, that runs which stop at their outcome report
+/// what the whole run does, and that Newton's laws, integrated in another way, give the same; then
+/// the largest values of four times as many that drift near the centre. Fails if one is wrong. The
+/// folder gets the options of all of the first, which `random-rotors COUNT` prints instead.
 #include <fmt/format.h>
 
 #include "verification/support/balance.hpp"
 #include "verification/support/contradiction.hpp"
+#include "verification/support/dense_maxima.hpp"
 #include "verification/support/newton.hpp"
 #include "verification/support/program.hpp"
 #include "verification/support/random_runs.hpp"
+#include "verification/support/result_formulas.hpp"
 
 namespace rotor {
 namespace {
@@ -42,7 +45,6 @@ class Inspection : public BalanceObserver {
 };
 
 RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on, Observer& observer) {
-  observer.on_instant(start_of(scenario));
   return finish(RunUpCheckpoint(scenario), scenario, stop_on, observer);
 }
 
@@ -132,11 +134,23 @@ struct Findings {
       wrong = by_balances(finer);
     }
     try {
-      return wrong + by_early_end(scenario) + by_newtons_laws(scenario);
+      return wrong + by_maxima(scenario) + wrong_results(scenario) + by_early_end(scenario) +
+             by_newtons_laws(scenario);
     } catch (const std::runtime_error&) {
       if (scenario.method == Method::rk4) return "";  // its steps are too long for this rotor
       throw;
     }
+  }
+
+  /// At the tolerance of maps, that of figures and a loose one.
+  static std::string by_maxima(Scenario scenario) {
+    std::string wrong;
+    if (scenario.method == Method::event)
+      for (const double tolerance : {1e-6, 1e-8, 1e-11}) {
+        scenario.tolerance = tolerance;
+        wrong += exceeded_maximum(scenario);
+      }
+    return wrong;
   }
 
  private:
@@ -204,28 +218,42 @@ struct Findings {
 int main(const Arguments& arguments) {
   if (arguments.empty() || arguments.size() > 2) throw std::runtime_error("needs: COUNT [FOLDER]");
   const long count = std::stol(arguments[0]);
+  RandomRuns random(1);
+  if (arguments.size() == 1) {
+    for (long n = 0; n < count; ++n) fmt::print("{}\n", options_of(random.rotor().stated));
+    return 0;
+  }
   Findings findings;
   std::string options;
   long failed = 0;
-  RandomRuns random(1);
-  for (long n = 0; n < count; ++n) {
-    const auto& [stated, scenario] = random.rotor();
-    options += options_of(stated) + '\n';
-    if (arguments.size() == 1) continue;
+  // Runs are made to draw a rotor, too, and may fail.
+  const auto judge = [&failed](std::string drawn, const auto& draw, const auto& look_at) {
     std::string wrong;
     try {
-      wrong = findings.look_at(scenario);
-    } catch (const std::runtime_error& error) {
+      const RandomInputs::Rotor rotor = draw();
+      drawn = "rotor run " + options_of(rotor.stated);
+      wrong = look_at(rotor.scenario);
+    } catch (const std::exception& error) {
       wrong = error.what();
     }
-    if (wrong.empty()) continue;
+    if (wrong.empty()) return;
     ++failed;
-    fmt::print("rotor run {}\n  {}\n", options_of(stated), wrong);
-  }
-  if (arguments.size() == 1) {
-    fmt::print("{}", options);
-    return 0;
-  }
+    fmt::print("{}\n  {}\n", drawn, wrong);
+  };
+  const auto draw = [&] {
+    const RandomInputs::Rotor rotor = random.rotor();
+    options += options_of(rotor.stated) + '\n';
+    return rotor;
+  };
+  for (long n = 0; n < count; ++n)
+    judge(fmt::format("draw {}", n), draw,
+          [&](const Scenario& scenario) { return findings.look_at(scenario); });
+  const long drifting = 4 * count;
+  RandomInputs inputs(2);
+  for (long n = 0; n < drifting; ++n)
+    judge(
+        fmt::format("draw {} of a drift", n), [&] { return drifting_rotor(inputs); },
+        Findings::by_maxima);
   const double left_out = 1 - static_cast<double>(findings.compared + findings.fixed_steps) /
                                   static_cast<double>(count);
   fmt::print(
@@ -235,10 +263,11 @@ int main(const Arguments& arguments) {
       "{} stopped at their outcome before the end\n"
       "compared with Newton's laws: {} by events, largest difference {:.1e}, and {} by fixed "
       "steps; left out, because two tolerances or two steps differ: {:.0f} % (at most {:.0f} %)\n"
+      "{} rotors drift near the centre; no sample of a motion exceeds its largest values\n"
       "wrong: {}\n",
       count, findings.touched, findings.rolled, findings.penetration, findings.residual,
       findings.reruns, findings.sooner, findings.compared, findings.difference,
-      findings.fixed_steps, 100 * left_out, 100 * Findings::most_left_out, failed);
+      findings.fixed_steps, 100 * left_out, 100 * Findings::most_left_out, drifting, failed);
   write_file(std::filesystem::path(arguments[1]) / "random-rotors.txt", options);
   return failed == 0 && left_out <= Findings::most_left_out ? 0 : 1;
 }

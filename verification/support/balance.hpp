@@ -16,7 +16,7 @@ class BalanceObserver : public Observer {
  public:
   explicit BalanceObserver(const Scenario& scenario)
       : parameters_(scenario.parameters),
-        supports_(scenario.parameters, scenario.equations),
+        acting_(scenario.parameters, scenario.equations),
         ring_(scenario.parameters) {}
 
   bool wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const override {
@@ -69,17 +69,17 @@ class BalanceObserver : public Observer {
     return residual == 0 ? 0 : residual / content;  // a rotor at rest has nothing to lose
   }
 
-  bool conserves_gravity() const { return supports_.balanced_by_springs; }
+  bool conserves_gravity() const { return acting_.weight.balanced_by_springs; }
 
   /// Kinetic energy, springs of supports and contact, and gravity if it has a potential.
   Contents contents(const Instant& at) const {
     const Motion<double> m = at.motion();
     const double indentation =
         at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
-    double energy = kinetic_energy(at.body, m) + supports_.spring_energy(m.displacement) +
+    double energy = kinetic_energy(at.body, m) + acting_.supports.potential(at.body, m) +
                     contact_energy_by_formula(parameters_, indentation);
     if (conserves_gravity())
-      energy -= at.body.mass * supports_.gravity * m.eccentricity.dot(m.down);
+      energy -= at.body.mass * acting_.weight.gravity * m.eccentricity.dot(m.down);
     const double spin = at.body.has_constant_speed() ? 0 : at.body.inertia * m.speed;
     return {energy, at.body.mass * cross(m.mass_centre(), m.mass_centre_velocity()) + spin};
   }
@@ -87,12 +87,12 @@ class BalanceObserver : public Observer {
   /// Power and moment of everything that has no potential.
   Contents rates(const Instant& at) const {
     const Motion<double> m = at.motion();
-    const Loads<double> supports = supports_.loads(at.body, m, at.motor_on);
-    double power = -supports_.damping * m.velocity.squaredNorm() +
-                   (at.motor_on ? supports_.torque * m.speed : 0);
-    if (!conserves_gravity()) power += supports_.gravity_moment(at.body, m) * m.speed;
-    double moment = supports.moment;
-    Vector<double> force = supports.force;
+    const Loads<double> acting = acting_.loads(at.body, m, at.motor_on);
+    double power = -parameters_.support_damping * m.velocity.squaredNorm() +
+                   acting_.constant_moment(at.motor_on) * m.speed;
+    if (!conserves_gravity()) power += acting_.weight.loads(at.body, m).moment * m.speed;
+    double moment = acting.moment;
+    Vector<double> force = acting.force;
     if (at.contact != ContactState::free) {
       const RimPoint<double> k = ring_.rim_point(m);
       if (at.contact == ContactState::indented) {
@@ -118,12 +118,12 @@ class BalanceObserver : public Observer {
                      double normal) const {
     if (at.contact == ContactState::sliding)
       return ring_.sliding_friction(normal, k.slip_velocity > 0 ? 1 : -1);
-    return friction_without_slip(at.body, ring_, m, k, supports_.loads(at.body, m, at.motor_on),
+    return friction_without_slip(at.body, ring_, m, k, acting_.loads(at.body, m, at.motor_on),
                                  normal);
   }
 
   Parameters parameters_;
-  Supports<double> supports_;
+  ActingLoads<double> acting_;
   Ring<double> ring_;
   bool begun_ = false;
   Contents expected_, largest_, residual_;

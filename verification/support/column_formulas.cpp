@@ -7,6 +7,7 @@
 #include <string>
 
 #include "verification/support/contact_formulas.hpp"
+#include "verification/support/place_of_loss.hpp"
 
 namespace rotor {
 namespace {
@@ -31,8 +32,8 @@ struct Rotor {
     inertia = p.inertia;
     e = p.eccentricity;
     if (at.mass_lost) {
-      const double e_1 = p.unbalance_factor * e;
-      const double m_u = m * (e_1 - e) / (p.rotor_radius + e_1);
+      const double m_u = lost_mass_by_formula(p);
+      const double e_1 = (m * e + m_u * p.rotor_radius) / (m - m_u);
       m -= m_u;
       inertia -= m_u * std::pow(p.rotor_radius + e, 2) + m * std::pow(e_1 - e, 2);
       e = e_1;
@@ -102,7 +103,8 @@ double contact_damping_power(const Rotor& r) {
 
 double kinetic_energy_of(const Rotor& r) {
   const double v_x = r.v_x - r.w * r.e_y, v_y = r.v_y + r.w * r.e_x;
-  return 0.5 * r.m * (v_x * v_x + v_y * v_y) + 0.5 * r.inertia * r.w * r.w;
+  const double rotation = r.p.drive == Drive::constant_speed ? 0 : 0.5 * r.inertia * r.w * r.w;
+  return 0.5 * r.m * (v_x * v_x + v_y * v_y) + rotation;
 }
 
 double contact_number(ContactState contact) {

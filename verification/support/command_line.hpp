@@ -26,6 +26,17 @@ inline testing::AssertionResult has(std::string_view text, std::string_view part
   return testing::AssertionResult(text.find(part) != text.npos) << part << " in: " << text;
 }
 
+/// A value of a summary as the cell of a table has it.
+inline std::string cell_of(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_array()) {
+    std::string all;
+    for (const Json& item : value) all += (all.empty() ? "" : "; ") + item.get<std::string>();
+    return all;
+  }
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 /// A folder for each test, removed afterwards.
 class CommandLine : public testing::Test {
  protected:

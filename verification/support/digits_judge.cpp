@@ -56,11 +56,11 @@ std::string falsehood(const Comparison& found, int digits, const Comparison& exa
   return falsehoods;
 }
 
-std::array<Verdict, judged_digits.size()> judge(const Scenario& scenario) {
+std::array<JudgedDigits, judged_digits.size()> judge(const Scenario& scenario) {
   constexpr double finest = 1e-22;
   constexpr long most_steps = 100'000;  // a minute's work
   const auto patiently = [n = 0L](double /*time_s*/) mutable { return ++n < most_steps; };
-  std::array<Verdict, judged_digits.size()> all;
+  std::array<JudgedDigits, judged_digits.size()> all;
   const auto exact = compare(Precision::quadruple, scenario, finest, patiently);
   if (!exact) return all;
   std::optional<Comparison> found;

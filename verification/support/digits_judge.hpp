@@ -15,13 +15,13 @@ inline constexpr std::array judged_digits = {3, 6, 9, 12};
 RandomRuns judged_runs(unsigned seed);
 
 /// What was found of a run to so many digits.
-struct Verdict {
+struct JudgedDigits {
   char given = '-';       ///< in double (d) or quadruple (q) precision; or not all, or too late (-)
   std::string falsehood;  ///< an error that is too small, or a wrong printed digit; empty if none
 };
 
 /// One for each of judged_digits.
-std::array<Verdict, judged_digits.size()> judge(const Scenario& scenario);
+std::array<JudgedDigits, judged_digits.size()> judge(const Scenario& scenario);
 
 /// What is false; empty if nothing is.
 std::string falsehood(const Comparison& found, int digits, const Comparison& exact);

@@ -13,8 +13,8 @@ template <class S, class Stepper = Verner87<std::array<S, 6>, S>>
 BasicRunEnd<S> follow_with(const Scenario& scenario, const S& tolerance,
                            const BasicInstant<S>& from, const S& until_s,
                            BasicObserver<S>& observer) {
-  observer.on_instant(from);
   EventMethod<S, Stepper> method(scenario, tolerance, from);
+  observer.on_instant(method.instant());
   method.advance(until_s, observer);
   observer.on_instant(method.instant());
   return {method.instant(), method.counters()};

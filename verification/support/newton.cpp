@@ -36,9 +36,7 @@ NewtonRim NewtonLaws::rim(const Newton& x) const {
 }
 
 double NewtonLaws::pressure(const NewtonRim& k) const {
-  return std::copysign(spring_force_by_formula(parameters, std::abs(k.indentation)),
-                       k.indentation) +
-         parameters.contact_damping * k.rate;
+  return spring_force_by_formula(parameters, k.indentation) + parameters.contact_damping * k.rate;
 }
 
 Newton NewtonLaws::rates(const Newton& x, const NewtonRim& k, double pressure,
@@ -174,8 +172,8 @@ class Run {
   }
   Event end_slip() {
     const double holding = laws_.holding_friction(x_);
-    const bool held =
-        std::abs(holding) <= laws_.parameters.friction * laws_.pressure(laws_.rim(x_));
+    const double friction = laws_.parameters.friction;
+    const bool held = friction > 0 && std::abs(holding) <= friction * laws_.pressure(laws_.rim(x_));
     at_.contact = held ? ContactState::rolling : ContactState::sliding;
     at_.slip_sign = held ? 0 : holding > 0 ? -1 : 1;
     return held ? Event::rolling_onset : Event::slip_reversal;
@@ -294,7 +292,7 @@ class Run {
       there.time_s += length;
       there.state = in_rotating_axes(step(length));
       there.event = Event::none;
-      observer_.on_maximum({of, std::numeric_limits<double>::infinity(), there});
+      observer_.on_maximum({of, value(of, in_stator_axes(there.state)), there});
     }
   }
 
@@ -339,7 +337,10 @@ class Run {
           if (guard(which, there) < 0) {
             const double length =
                 bisect(end, 0, [&](const Newton& x) { return guard(which, x) >= 0; });
-            if (!event || length < first) event = which, first = length;
+            if (!event || length < first) {
+              event = which;
+              first = length;
+            }
           }
       };
       // Between both ends of a step a guard may become negative, by more than rounding, and

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "figures/data/read_csv.hpp"
 #include "figures/input/names.hpp"
 #include "figures/runs/scene.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 

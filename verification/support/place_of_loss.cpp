@@ -2,12 +2,15 @@
 
 #include <cmath>
 
-#include "model/mechanics/mass_loss.hpp"
-
 namespace rotor {
 
+double lost_mass_by_formula(const Parameters& p) {
+  const double e_1 = p.unbalance_factor * p.eccentricity;
+  return p.lost_mass.value_or(p.mass * (e_1 - p.eccentricity) / (p.rotor_radius + e_1));  // Eq. (5)
+}
+
 PlaceOfLoss::PlaceOfLoss(const Parameters& p, double angle)
-    : PlaceOfLoss(p, angle, MassLoss<double>(p).lost_mass) {}
+    : PlaceOfLoss(p, angle, lost_mass_by_formula(p)) {}
 
 PlaceOfLoss::PlaceOfLoss(const Parameters& p, double angle, double lost_mass)
     : lost_mass_(lost_mass),

@@ -6,6 +6,9 @@
 
 namespace rotor {
 
+/// m_u, kg: as stated, or that of which the loss moves the mass centre from e_x to k_u e_x.
+double lost_mass_by_formula(const Parameters& parameters);
+
 class PlaceOfLoss {
  public:
   /// A loss at an angle from the point opposite to the unbalance, rad: of the mass (kg) that at

@@ -7,6 +7,31 @@
 
 namespace rotor {
 
+/// A rotor at a constant speed on undamped supports that starts near the centre, for up to three
+/// turns: near the centre the direction of O turns at any rate.
+inline RandomInputs::Rotor drifting_rotor(RandomInputs& inputs) {
+  ScenarioSpec fixed;
+  fixed.loses_mass = false;
+  fixed.equations = Equations::corrected;
+  fixed.method = Method::event;
+  fixed.drive = Drive::constant_speed;
+  fixed.numbers["support_damping"] = 0;
+  const auto [drawn, scenario] = inputs.rotor(1, fixed);
+  const double clearance = Ring<double>(scenario.parameters).clearance,
+               turn_s = 1 / std::max(scenario.start_speed_Hz, 1.);
+  const auto signed_between = [&](double least, double greatest) {
+    return inputs.between(least, greatest) * (inputs.one_in(2) ? 1 : -1);
+  };
+  ScenarioSpec start;
+  for (const char* of_O : {"start_x", "start_y"})
+    start.numbers[of_O] = signed_between(1e-4, 0.1) * clearance;
+  for (const char* of_O : {"start_velocity_x", "start_velocity_y"})
+    start.numbers[of_O] = signed_between(1e-3, 6) * clearance / turn_s;
+  start.numbers["until"] = inputs.between(0.05, 3) * turn_s;
+  const ScenarioSpec stated = drawn.overridden_by(start);
+  return {stated, scenario_of(stated)};
+}
+
 class RandomRuns {
  public:
   /// Runs that take at most so many steps and events.
@@ -51,7 +76,7 @@ class RandomRuns {
     Scenario wide = drawn.scenario;
     wide.parameters.stator_radius += 100 * wide.parameters.rotor_radius;
     wide.method = Method::event;
-    const double furthest = summary_of(wide).max_displacement_m.value_or(0),
+    const double furthest = summary_of(wide).peak_displacement_m.value_or(0),
                  off = inputs_.between(1e-10, 1e-2) * (inputs_.one_in(2) ? 1 : -1);
     ScenarioSpec clearance;
     clearance.numbers["clearance"] = furthest * (1 + off);

@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
+#include "figures/data/read_csv.hpp"
 #include "model/mechanics/rotating_frame.hpp"
-#include "verification/support/read_csv.hpp"
 
 namespace rotor {
 

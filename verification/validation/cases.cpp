@@ -163,7 +163,7 @@ double deepest_for_viscosity(const Parameters& p) { return (p.stator_radius - p.
 Course with_lever(const ComparedAccident& accident) {
   const Parameters& p = accident.scenario.parameters;
   const Body<double>& body = accident.from.body;
-  const Supports<double> supports(p, accident.scenario.equations);
+  const ActingLoads<double> acting(p, accident.scenario.equations);
   const double step_s = 2 * coarse_step_s(p), braking = viscosity(p, step_s / 2 / finer),
                deepest = deepest_for_viscosity(p);
   Course::Sample sample{};
@@ -176,7 +176,7 @@ Course with_lever(const ComparedAccident& accident) {
                  of_root = std::sqrt(std::max(0.0, k.indentation) / deepest),
                  share = p.contact_exponent == 1 ? 1 : of_root,
                  friction = std::clamp(-braking * share * k.slip_velocity, -limit, limit);
-    Loads<double> loads = supports.loads(body, motion, false);
+    Loads<double> loads = acting.loads(body, motion, false);
     loads += ring.loads(k, {normal, friction});
     rate = RotatingFrame<double>::rates(motion, q, acceleration<double>(body, motion, loads));
     sample = {time_s, -k.indentation, -normal, friction, in_Hz(q[5])};

@@ -1,7 +1,7 @@
 # The accident by two codes; below, rebounds measured and by the engine's contact law. `folder` has the data.
 eval "set terminal ".square
-set multiplot layout 2,1 margins 0.11,0.97,0.08,0.93 spacing 0.1
-set title "{/:Bold An independent code and a measurement}: corrected equations, μ = 0.3"
+set multiplot layout 2,1 margins 0.11,0.97,0.08,0.93 spacing 0.14
+set title "{/:Bold An independent code}: corrected equations, μ = 0.3"
 set key top left
 set xrange [9:34.4]; set yrange [0:500]
 set xlabel "time after the mass loss, ms" offset 0,0.4
@@ -10,7 +10,7 @@ plot folder."/engine.csv" using (1e3*(column("time_s") - 29.1)):(-1e-3*column("n
     linestyle 21 linewidth 5 title "engine", \
   folder."/force.csv" using (1e3*column("time_s")):(1e-3*column("normal_force_N")) with lines \
     linecolor rgb event_tint linewidth 1 title "LIGGGHTS"
-unset title
+set title "{/:Bold A measurement}: rebounds of a sphere, μ = 0.092" offset 0,-0.5
 set key bottom right
 set xrange [0:90]; set yrange [0.5:1]; set xtics 15
 set xlabel "angle of incidence from the normal, degrees"

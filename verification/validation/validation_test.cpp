@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "figures/data/read_csv.hpp"
 #include "model/run/simulation.hpp"
 #include "verification/support/content.hpp"
 #include "verification/support/observers.hpp"
-#include "verification/support/read_csv.hpp"
 #include "verification/validation/cases.hpp"
 
 namespace rotor {

@@ -134,7 +134,7 @@ TEST(Rotor, DisagreesWithTheEngineByOneWrongSign) {
   const Ball expected = hull(Ball(lower), Ball(upper));
   const auto agrees = [&](const std::string& name, const std::string& value) {
     Case of;
-    of.inputs.at("start-speed-hz").value = "150";
+    of.inputs.at("start-speed-Hz").value = "150";
     of.inputs.at("until").value = "0.015";
     of.inputs.at(name).value = value;
     const auto [quantity, time] = prove(of)[1];

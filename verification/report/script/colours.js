@@ -1,5 +1,6 @@
 // Colours and canvases. The style sheet knows light and dark.
-export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+export const colour = (name) =>
+  getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 /// Calls act when a canvas has another size, or colours are others.
 export function onChanged(canvas, act) {
@@ -20,7 +21,8 @@ export function cleared(canvas, { clientWidth: width, clientHeight: height } = c
 /// A line through points, with a filled head at its end.
 export function arrow(ctx, points, head = 9) {
   if (points.length < 2) return;
-  const [x, y] = points.at(-1), [x0, y0] = points.at(-2);
+  const [x, y] = points.at(-1),
+    [x0, y0] = points.at(-2);
   const angle = Math.atan2(y - y0, x - x0);
   ctx.beginPath();
   for (const point of points) ctx.lineTo(...point);
@@ -37,5 +39,8 @@ export function onDragged(element, act) {
     element.setPointerCapture(event.pointerId);
     act(event);
   });
-  element.addEventListener("pointermove", (event) => element.hasPointerCapture(event.pointerId) && act(event));
+  element.addEventListener(
+    "pointermove",
+    (event) => element.hasPointerCapture(event.pointerId) && act(event),
+  );
 }

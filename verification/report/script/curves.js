@@ -4,24 +4,53 @@ import { whirlAt } from "./motion.js";
 const scaled = (column, factor) => column.map((value) => factor * value);
 
 const force = {
-  title: "normal force", unit: "kN", share: 0.4,
+  title: "normal force",
+  unit: "kN",
+  share: 0.4,
   curves: [{ label: "normal force", of: ({ motion }) => scaled(motion.normal_force_N, -1e-3) }],
 };
 const speed = {
-  title: "speed", unit: "Hz", share: 0.25,
+  title: "speed",
+  unit: "Hz",
+  share: 0.25,
   curves: [{ label: "speed", of: ({ motion }) => motion.speed_Hz }],
 };
 const distance = {
-  title: "distance of O from the axis", unit: "mm", share: 0.35,
-  level: ({ summary: { inputs } }) => ({ value: 1e3 * (inputs.stator_radius - inputs.rotor_radius), text: "clearance" }),
-  curves: [{ label: "distance", of: ({ motion }) => motion.x_a_m.map((x, row) => 1e3 * Math.hypot(x, motion.y_a_m[row])) }],
+  title: "distance of O from the axis",
+  unit: "mm",
+  share: 0.35,
+  level: ({ summary: { inputs } }) => ({
+    value: 1e3 * (inputs.stator_radius - inputs.rotor_radius),
+    text: "clearance",
+  }),
+  curves: [
+    {
+      label: "distance",
+      of: ({ motion }) => motion.x_a_m.map((x, row) => 1e3 * Math.hypot(x, motion.y_a_m[row])),
+    },
+  ],
 };
 const velocity = {
-  title: "velocity: rim, and O backwards", unit: "m/s",
+  title: "velocity: rim, and O backwards",
+  unit: "m/s",
   curves: [
-    { label: "rim", of: ({ motion, summary: { inputs } }) => scaled(motion.speed_Hz, 2 * Math.PI * inputs.rotor_radius) },
-    { label: "O", dashes: [6, 3], of: ({ motion }) => motion.time_s.map((time_s, row) =>
-      -2 * Math.PI * whirlAt(motion, time_s) * Math.hypot(motion.x_a_m[row], motion.y_a_m[row])) },
+    {
+      label: "rim",
+      of: ({ motion, summary: { inputs } }) =>
+        scaled(motion.speed_Hz, 2 * Math.PI * inputs.rotor_radius),
+    },
+    {
+      label: "O",
+      dashes: [6, 3],
+      of: ({ motion }) =>
+        motion.time_s.map(
+          (time_s, row) =>
+            -2 *
+            Math.PI *
+            whirlAt(motion, time_s) *
+            Math.hypot(motion.x_a_m[row], motion.y_a_m[row]),
+        ),
+    },
   ],
 };
 
@@ -31,7 +60,8 @@ export const stepPanels = { force, speed, distance, velocity };
 
 /// Round numbers in a range, about so many, with enough decimals to differ.
 export function ticks(least, greatest, about) {
-  const rough = (greatest - least) / about, decade = 10 ** Math.floor(Math.log10(rough));
+  const rough = (greatest - least) / about,
+    decade = 10 ** Math.floor(Math.log10(rough));
   const step = decade * [1, 2, 5, 10].find((digit) => digit * decade >= rough);
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const all = [];

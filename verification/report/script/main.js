@@ -1,4 +1,5 @@
-// The interactive part of the page: a run, recorded or computed, as a rotor in its ring, curves and results.
+// The interactive part of the page: a run, recorded or computed, as a rotor in its ring, curves and
+// results.
 import { Engine, isEmbedded } from "./engine.js";
 import { OutcomeMap } from "./map.js";
 import { climaxOf, inWords, stateAt } from "./motion.js";
@@ -16,31 +17,58 @@ const engine = isEmbedded() ? new Engine() : null;
 document.body.classList.toggle("has-engine", engine !== null);
 
 let options = settingsIn(location.hash);
-let picture = null, others = [], playing = false, last_ms = null, time_s = 0;
+let picture = null,
+  others = [],
+  playing = false,
+  last_ms = null,
+  time_s = 0;
 
 // ---- pictures
 
 const rotor = new RotorView(at("rotor"), at("rotor-state"));
-const plots = new Plots(at("plots"), (to_s) => { play(false); goTo(to_s); });
-/// Shows settings, then the curves of the other equations beside them; replaces all earlier requests.
+const plots = new Plots(at("plots"), (to_s) => {
+  play(false);
+  goTo(to_s);
+});
+/// Shows settings, then the curves of the other equations beside them; replaces all earlier
+/// requests.
 async function refresh() {
-  const asked_ms = performance.now(), mine = options;
+  const asked_ms = performance.now(),
+    mine = options;
   let off = false; // the map
   at("command").textContent = commandOf(options);
   for (const set of sets) at(set).checked = setOf(options) === set;
-  for (const input of at("inputs").elements) if (input.name) {
-    const asked = options[input.name] ?? input.defaultValue;
-    input.value = asked;
-    input.previousElementSibling.textContent = Number((asked * (input.dataset.per ?? 1)).toPrecision(6));
-    off = off || Number(asked) !== Number(input.defaultValue);
-  }
+  for (const input of at("inputs").elements)
+    if (input.name) {
+      const asked = options[input.name] ?? input.defaultValue;
+      input.value = asked;
+      input.previousElementSibling.textContent = Number(
+        (asked * (input.dataset.per ?? 1)).toPrecision(6),
+      );
+      off = off || Number(asked) !== Number(input.defaultValue);
+    }
   document.body.classList.toggle("off-map", off);
   if (!picture) show(recorded.answer({}), {}); // a refused address leaves the paper's run
-  const answer = recorded.answer(mine) ?? (engine ? await engine.ask(mine)
-    : { refusal: "This page has no engine; make deps-explore explore embeds it. Only the pins of the map are recorded." });
+  // A run that lasts is announced, and the pictures do not match until it ends.
+  const lasts = setTimeout(() => {
+    at("status").textContent = "The engine computes …";
+    document.body.classList.add("stale");
+  }, 200);
+  const answer =
+    recorded.answer(mine) ??
+    (engine
+      ? await engine.ask(mine)
+      : {
+          refusal:
+            "This page has no engine; make deps-explore explore embeds it. " +
+            "Only the pins of the map are recorded.",
+        });
+  clearTimeout(lasts);
   if (answer === null) return;
   const leftOut = leftOutOf(location.hash);
-  at("status").textContent = answer.refusal ?? (leftOut.length ? `Not understood: ${leftOut.join(", ")}.` : ""); // why the pictures do not match
+  // Why the pictures do not match.
+  at("status").textContent =
+    answer.refusal ?? (leftOut.length ? `Not understood: ${leftOut.join(", ")}.` : "");
   document.body.classList.toggle("stale", Boolean(answer.refusal));
   if (answer.refusal) return;
   performance.measure("engine run", { start: asked_ms });
@@ -55,10 +83,15 @@ async function refresh() {
 }
 
 /// The same settings in the other equations.
-const otherOf = (of) => inSet(of, sets.find((set) => set !== setOf(of)));
+const otherOf = (of) =>
+  inSet(
+    of,
+    sets.find((set) => set !== setOf(of)),
+  );
 
 function show(answer, of) {
-  const same_part = picture && picture.from_s === answer.from_s && picture.until_s === answer.until_s;
+  const same_part =
+    picture && picture.from_s === answer.from_s && picture.until_s === answer.until_s;
   const part = same_part ? plots.part : null;
   picture = answer;
   others = [recorded.answer(otherOf(of))].filter(Boolean);
@@ -66,16 +99,23 @@ function show(answer, of) {
   if (!same_part) time_s = climaxOf(picture);
   at("outcome").textContent = sentence(summary);
   at("summary").textContent = JSON.stringify(summary, null, 2);
-  at("numbers").innerHTML = numbersOf(summary).map(([name, text]) => `<tr><th scope="row">${name}</th><td>${text}</td></tr>`).join("");
+  at("numbers").innerHTML = numbersOf(summary)
+    .map(([name, text]) => `<tr><th scope="row">${name}</th><td>${text}</td></tr>`)
+    .join("");
   rotor.picture = picture;
   plots.show([picture, ...others], part ?? accident(), time_s);
-  map.show({ set: setOf(of), speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction });
+  map.show({
+    set: setOf(of),
+    speed_Hz: summary.speed_at_mass_loss_Hz,
+    friction: summary.inputs.friction,
+  });
   goTo(time_s);
 }
 
 /// From just before the loss to some time after the largest force, in both sets of equations.
 function accident() {
-  const begin = picture.mass_loss_s, lasts = Math.max(0.01, ...[picture, ...others].map((run) => climaxOf(run) - begin));
+  const begin = picture.mass_loss_s,
+    lasts = Math.max(0.01, ...[picture, ...others].map((run) => climaxOf(run) - begin));
   return [begin - 0.08 * lasts, begin + 1.25 * lasts];
 }
 
@@ -85,7 +125,10 @@ function goTo(to_s) {
   rotor.goTo(time_s);
   const slider = at("plots");
   slider.setAttribute("aria-valuenow", (1e3 * (time_s - picture.mass_loss_s)).toFixed(2));
-  slider.setAttribute("aria-valuetext", inWords(stateAt(picture.motion, time_s), picture.mass_loss_s));
+  slider.setAttribute(
+    "aria-valuetext",
+    inWords(stateAt(picture.motion, time_s), picture.mass_loss_s),
+  );
 }
 
 // ---- settings and the address
@@ -102,24 +145,42 @@ window.addEventListener("hashchange", () => {
   refresh();
 });
 for (const set of sets) at(set).addEventListener("change", () => use(inSet(options, set)));
-at("inputs").addEventListener("input", ({ target }) => use({ ...options, [target.name]: target.value }));
+at("inputs").addEventListener("input", ({ target }) =>
+  use({ ...options, [target.name]: target.value }),
+);
 at("paper").addEventListener("click", () => use({}));
 
 // ---- the map
 
-const pins = runs.filter(({ options: of }) => !of.equations).map(({ options: of, summary }) => ({
-  label: summary.inputs.friction === 0.3 ? `${summary.speed_at_mass_loss_Hz.toFixed(0)} Hz` : `μ = ${summary.inputs.friction}`,
-  speed_Hz: summary.speed_at_mass_loss_Hz, friction: summary.inputs.friction, options: of }));
-const map = new OutcomeMap(at("map"), { maps, lines, pins,
+const pins = runs
+  .filter(({ options: of }) => !of.equations)
+  .map(({ options: of, summary }) => ({
+    label:
+      summary.inputs.friction === 0.3
+        ? `${summary.speed_at_mass_loss_Hz.toFixed(0)} Hz`
+        : `μ = ${summary.inputs.friction}`,
+    speed_Hz: summary.speed_at_mass_loss_Hz,
+    friction: summary.inputs.friction,
+    options: of,
+  }));
+const map = new OutcomeMap(at("map"), {
+  maps,
+  lines,
+  pins,
   onPick: (of) => {
     use(inSet(of, setOf(options)));
-    at("try").scrollIntoView({ behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth" });
+    at("try").scrollIntoView({
+      behavior: matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth",
+    });
     at("play").focus({ preventScroll: true });
   },
-  onDrag: engine && ((speed_Hz, friction) => {
-    const { "mass-loss-time": time, ...others } = options;
-    use({ ...others, friction: friction.toFixed(3), "mass-loss-speed-hz": speed_Hz.toFixed(1) });
-  }) });
+  onDrag:
+    engine &&
+    ((speed_Hz, friction) => {
+      const { "mass-loss-time": time, ...others } = options;
+      use({ ...others, friction: friction.toFixed(3), "mass-loss-speed-Hz": speed_Hz.toFixed(1) });
+    }),
+});
 
 // ---- playing, zoom
 
@@ -150,16 +211,28 @@ at("show-accident").addEventListener("click", () => plots.showPart(...accident()
 
 map.showKey(at("map-key"));
 
-// A phone shows counts of claims and names of figures first; a link opens whatever its target is in.
+// A phone shows the names of figures first; a link opens its target, and whatever that is in.
 if (matchMedia("(max-width: 48rem)").matches)
-  for (const folded of document.querySelectorAll(".card, .group")) folded.open = false;
+  for (const folded of document.querySelectorAll(".card")) folded.open = false;
 function openTarget() {
   const target = at(location.hash.slice(1));
-  const card = target?.querySelector(".card");
-  if (card) card.open = true;
-  for (let part = target?.closest("details"); part; part = part.parentElement.closest("details")) part.open = true;
-  if (card || target?.closest("details")) target.scrollIntoView();
+  const inside =
+    target?.querySelector(".card") ?? target?.closest(".number")?.querySelector("details");
+  if (inside) inside.open = true;
+  for (let part = target?.closest("details"); part; part = part.parentElement.closest("details"))
+    part.open = true;
+  if (inside || target?.closest("details")) target.scrollIntoView();
 }
+
+// Rows of claims with what is searched for, and the headings above them.
+at("find").addEventListener("input", ({ target }) => {
+  const text = target.value.toLowerCase();
+  for (const row of document.querySelectorAll(".number"))
+    row.hidden = !row.textContent.toLowerCase().includes(text);
+  for (const passage of document.querySelectorAll(".claims tbody"))
+    passage.hidden = !passage.querySelector(".number:not([hidden])");
+});
+
 openTarget();
 
 showSteps(recorded);

@@ -2,7 +2,8 @@
 
 /// The last row at or before a time.
 export function rowAt(times, time_s) {
-  let low = 0, high = times.length - 1;
+  let low = 0,
+    high = times.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
     if (times[middle] <= time_s) low = middle;
@@ -11,15 +12,19 @@ export function rowAt(times, time_s) {
   return low;
 }
 
-/// The columns at that time, by their names, interpolated linearly between two rows; the contact state
-/// is that of the first row.
+/// The columns at that time, by their names, interpolated linearly between two rows; the contact
+/// state is that of the first row.
 export function stateAt(motion, time_s) {
   const row = rowAt(motion.time_s, time_s);
   const next = Math.min(row + 1, motion.time_s.length - 1);
   const length = motion.time_s[next] - motion.time_s[row];
   const share = length > 0 ? Math.min(1, Math.max(0, (time_s - motion.time_s[row]) / length)) : 0;
-  const now = Object.fromEntries(Object.entries(motion).map(([name, column]) =>
-    [name, column[row] + share * (column[next] - column[row])]));
+  const now = Object.fromEntries(
+    Object.entries(motion).map(([name, column]) => [
+      name,
+      column[row] + share * (column[next] - column[row]),
+    ]),
+  );
   if (motion.contact_state) now.contact_state = motion.contact_state[row];
   return now;
 }
@@ -27,17 +32,23 @@ export function stateAt(motion, time_s) {
 /// Turns of O per second about the ring's centre, positive with the rotation (from x_a to y_a).
 export function whirlAt(motion, time_s) {
   const about_s = 5e-5; // a small part of a turn
-  const [{ x_a_m: x, y_a_m: y }, { x_a_m: x1, y_a_m: y1 }] = [time_s - about_s, time_s + about_s].map((at) => stateAt(motion, at));
+  const [{ x_a_m: x, y_a_m: y }, { x_a_m: x1, y_a_m: y1 }] = [
+    time_s - about_s,
+    time_s + about_s,
+  ].map((at) => stateAt(motion, at));
   return Math.atan2(x * y1 - y * x1, x * x1 + y * y1) / (4 * Math.PI * about_s);
 }
 
-/// When the force is largest, or O farthest out after the loss; not before the last touch-down that leads
-/// to rolling or sliding.
+/// When the force is largest, or O farthest out after the loss; not before the last touch-down that
+/// leads to rolling or sliding.
 export function climaxOf({ summary, events, motion, mass_loss_s: loss_s }) {
   const { peak_time_s: peak_s, rolling_onset_s: rolls_s } = summary;
-  const last = events.findLast(({ event, time_s }) => event === "touch_down" && time_s <= (rolls_s ?? Infinity));
+  const last = events.findLast(
+    ({ event, time_s }) => event === "touch_down" && time_s <= (rolls_s ?? Infinity),
+  );
   if (last) return Math.max(peak_s, last.time_s);
-  let best = motion.time_s.length - 1, most = -1;
+  let best = motion.time_s.length - 1,
+    most = -1;
   motion.time_s.forEach((time_s, row) => {
     const rho = Math.hypot(motion.x_a_m[row], motion.y_a_m[row]);
     if (time_s >= loss_s && rho > most) [best, most] = [row, rho];

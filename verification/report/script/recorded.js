@@ -7,10 +7,14 @@ export function column([least, greatest, text]) {
   return Float64Array.from(steps, (step) => least + (step * (greatest - least)) / 65535);
 }
 
-/// A canonical form of settings: numbers as numbers, without the paper's values.
-const keyOf = (options) => JSON.stringify(Object.entries(options)
-  .filter(([name, text]) => !(name === "equations" && text === "published"))
-  .map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)]).sort());
+/// A canonical form of settings: numbers as numbers, without the default equations.
+const keyOf = (options) =>
+  JSON.stringify(
+    Object.entries(options)
+      .filter(([name, text]) => !(name === "equations" && text === "corrected"))
+      .map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)])
+      .sort(),
+  );
 
 export class Recorded {
   #runs;
@@ -21,7 +25,12 @@ export class Recorded {
   answer(options) {
     const run = this.#runs.get(keyOf(options));
     if (!run) return null;
-    run.answer ??= { ...run, motion: Object.fromEntries(Object.entries(run.motion).map(([name, packed]) => [name, column(packed)])) };
+    run.answer ??= {
+      ...run,
+      motion: Object.fromEntries(
+        Object.entries(run.motion).map(([name, packed]) => [name, column(packed)]),
+      ),
+    };
     return run.answer;
   }
 }

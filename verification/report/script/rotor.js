@@ -1,11 +1,12 @@
-// The rotor in its ring at a time of a run: as on paper x_a points down and y_a to the right, and angles
-// turn from x_a to y_a.
+// The rotor in its ring at a time of a run: as on paper x_a points down and y_a to the right, and
+// angles turn from x_a to y_a.
 import { arrow, cleared, colour, onChanged } from "./colours.js";
 import { inWords, rowAt, stateAt, whirlAt } from "./motion.js";
 
 const gap = 0.22; // drawn width of the clearance, relative to the ring's radius
 const trail_s = 0.004; // length of the trail of O
 const caption = 22; // height of the words below, in pixels
+const full_N = 464e3; // has the longest arrow, unless a run has a larger force: the accident's
 
 export class RotorView {
   #canvas;
@@ -32,28 +33,48 @@ export class RotorView {
     if (this.#canvas.clientWidth === 0) return;
     const { ctx, width, height } = cleared(this.#canvas);
     ctx.translate(width / 2, (height - caption) / 2);
-    const ring = 0.39 * Math.min(width, height - caption), radius = ring * (1 - gap);
+    const ring = 0.39 * Math.min(width, height - caption),
+      radius = ring * (1 - gap);
     const clearance_m = summary.inputs.stator_radius - summary.inputs.rotor_radius;
     const pixels_per_m = (ring * gap) / clearance_m;
     const at = ({ x_a_m, y_a_m }) => [y_a_m * pixels_per_m, x_a_m * pixels_per_m];
-    const centre = at(now), lost = this.#time_s >= loss_s;
+    const centre = at(now),
+      lost = this.#time_s >= loss_s,
+      loses = summary.lost_mass_kg > 0;
     const touches = now.normal_force_N < 0;
     paintRing(ctx, ring);
-    paintRotor(ctx, centre, radius, now.q3_rad, lost);
+    paintRotor(ctx, centre, radius, now.q3_rad, loses && (lost ? "lost" : "held"));
     const behind = [];
-    for (let row = rowAt(motion.time_s, this.#time_s - trail_s); row < rowAt(motion.time_s, this.#time_s); ++row)
+    for (
+      let row = rowAt(motion.time_s, this.#time_s - trail_s);
+      row < rowAt(motion.time_s, this.#time_s);
+      ++row
+    )
       behind.push(at({ x_a_m: motion.x_a_m[row], y_a_m: motion.y_a_m[row] }));
     const ink = summary.equations; // the colour of what the run does
     paintTrail(ctx, [...behind, centre], ink);
     paintTurn(ctx, centre, 0.42 * radius, 1, "spin", `spin ${now.speed_Hz.toFixed(0)} Hz`, "text");
     const whirl_Hz = whirlAt(motion, this.#time_s);
     if (touches && Math.abs(whirl_Hz) > 1)
-      paintTurn(ctx, [0, 0], 1.16 * ring, Math.sign(whirl_Hz), "whirl", `whirl ${width < 350 ? "" : "now "}${Math.abs(whirl_Hz).toFixed(0)} Hz`, ink,
-        Math.atan2(centre[1], centre[0]));
+      paintTurn(
+        ctx,
+        [0, 0],
+        1.16 * ring,
+        Math.sign(whirl_Hz),
+        "whirl",
+        `whirl ${width < 350 ? "" : "now "}${Math.abs(whirl_Hz).toFixed(0)} Hz`,
+        ink,
+        Math.atan2(centre[1], centre[0]),
+      );
     if (touches) paintForce(ctx, now, ring, summary.peak_normal_force_N, ink);
     ctx.fillStyle = colour("quiet");
     ctx.textAlign = "center";
-    ctx.fillText(`clearance drawn ${((summary.inputs.stator_radius * gap) / clearance_m).toFixed(1)} times as wide`, 0, (height + caption) / 2 - 6);
+    ctx.fillText(
+      "clearance drawn " +
+        `${((summary.inputs.stator_radius * gap) / clearance_m).toFixed(1)} times as wide`,
+      0,
+      (height + caption) / 2 - 6,
+    );
   }
 }
 
@@ -70,20 +91,21 @@ function paintRing(ctx, ring) {
 
 const half_piece = 0.15; // rad
 
-/// The mass centre is on the rotor's axis x; the lost piece leaves a notch on the opposite side.
-function paintRotor(ctx, [x, y], radius, angle, lost) {
+/// The mass centre is on the rotor's axis x; a piece that is "held" or "lost", which leaves a notch,
+/// is on the opposite side.
+function paintRotor(ctx, [x, y], radius, angle, piece) {
   const notch = Math.PI / 2 - angle + Math.PI; // in the sense of the canvas
-  const half = lost ? half_piece : 0;
+  const half = piece === "lost" ? half_piece : 0;
   ctx.fillStyle = colour("rotor");
   ctx.strokeStyle = colour("text");
   ctx.lineWidth = 1.5;
   ctx.beginPath();
   ctx.arc(x, y, radius, notch + half, notch + 2 * Math.PI - half);
-  if (lost) ctx.lineTo(x + 0.84 * radius * Math.cos(notch), y + 0.84 * radius * Math.sin(notch));
+  if (half) ctx.lineTo(x + 0.84 * radius * Math.cos(notch), y + 0.84 * radius * Math.sin(notch));
   ctx.closePath();
   ctx.fill();
   ctx.stroke();
-  if (lost) return;
+  if (piece !== "held") return;
   ctx.fillStyle = colour("text");
   ctx.beginPath();
   ctx.moveTo(x + 0.84 * radius * Math.cos(notch), y + 0.84 * radius * Math.sin(notch));
@@ -109,7 +131,8 @@ function paintTrail(ctx, points, ink) {
 
 /// An arrow along a circle: with the rotation, which is against the canvas's angle, or against it.
 function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
-  const length = name === "spin" ? 1.6 * Math.PI : 0.9, points = [];
+  const length = name === "spin" ? 1.6 * Math.PI : 0.9,
+    points = [];
   for (let n = 0; n <= 24; ++n) {
     const angle = begin - sense * ((n / 24) * length + (name === "spin" ? 0.6 * Math.PI : 0.08));
     points.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
@@ -119,28 +142,44 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
   arrow(ctx, points, name === "spin" ? 8 : 12);
   ctx.textAlign = "center";
   ctx.font = "600 13px system-ui, sans-serif";
-  if (name === "spin") { // away from the contact, and readable on the trail
+  if (name === "spin") {
+    // away from the contact, and readable on the trail
     const place = [text, x, y + (y > 0 ? -1.75 : 1.9) * radius];
     ctx.strokeStyle = colour("rotor");
     ctx.lineWidth = 5;
     ctx.strokeText(...place);
     ctx.fillText(...place);
-  }
-  else {
-    const side = points[12][0] > 0 ? -1 : 1, { clientWidth: wide, clientHeight: high } = ctx.canvas; // away from the arrow
+  } else {
+    const side = points[12][0] > 0 ? -1 : 1,
+      { clientWidth: wide, clientHeight: high } = ctx.canvas; // away from the arrow
     ctx.textAlign = side < 0 ? "left" : "right";
     ctx.fillText(text, (side * wide) / 2, 12 - (high - caption) / 2);
   }
   ctx.font = "12px system-ui, sans-serif";
 }
 
-/// The ring's force on the rotor: inwards, and along the rim by friction (positive in the sense of q3).
-function paintForce(ctx, { x_a_m, y_a_m, normal_force_N: normal, friction_force_N: friction }, ring, peak_N, ink) {
-  const rho = Math.hypot(x_a_m, y_a_m), n = [y_a_m / rho, x_a_m / rho];
-  const scale = (0.75 * ring) / Math.max(peak_N, 1), contact = n.map((part) => part * ring);
+/// The ring's force on the rotor: inwards, and along the rim by friction (positive in the sense of
+/// q3).
+function paintForce(
+  ctx,
+  { x_a_m, y_a_m, normal_force_N: normal, friction_force_N: friction },
+  ring,
+  peak_N,
+  ink,
+) {
+  const rho = Math.hypot(x_a_m, y_a_m),
+    n = [y_a_m / rho, x_a_m / rho];
+  const scale = (0.75 * ring) / Math.max(peak_N, full_N),
+    contact = n.map((part) => part * ring);
   ctx.strokeStyle = ctx.fillStyle = colour(ink);
   ctx.lineWidth = 4;
-  arrow(ctx, [contact, forceTip(contact, n, normal * scale, friction * scale)], Math.min(12, 4 - normal * scale));
+  arrow(
+    ctx,
+    [contact, forceTip(contact, n, normal * scale, friction * scale)],
+    Math.min(12, 4 - normal * scale),
+  );
 }
-export const forceTip = ([x, y], [right, down], normal, friction) =>
-  [x + normal * right + friction * down, y + normal * down - friction * right];
+export const forceTip = ([x, y], [right, down], normal, friction) => [
+  x + normal * right + friction * down,
+  y + normal * down - friction * right,
+];

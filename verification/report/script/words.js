@@ -18,7 +18,7 @@ export const results = {
  "rolling_onset_force_N": "force at the onset of rolling",
  "peak_normal_force_N": "largest normal force",
  "peak_time_s": "time of the largest force",
- "max_displacement_m": "largest displacement",
+ "peak_displacement_m": "largest displacement",
  "contact_time_s": "time in contact",
  "peak_bearing_force_N": "bearing force without weight",
  "whirl_frequency_Hz": "mean whirl in the last rolling",

@@ -12,7 +12,10 @@ self.onmessage = async ({ data }) => {
   else {
     const picture = JSON.parse(metadata);
     picture.motion = columns(picture.motion, motion);
-    self.postMessage(picture, Object.values(picture.motion).map((column) => column.buffer));
+    self.postMessage(
+      picture,
+      Object.values(picture.motion).map((column) => column.buffer),
+    );
   }
 };
 
@@ -27,5 +30,13 @@ async function startEngine({ wasm }) {
 }
 
 /// Rows, one after the other, as arrays by the columns' names.
-const columns = (names, rows) => Object.fromEntries(names.map((name, i) =>
-  [name, Float64Array.from({ length: rows.length / names.length }, (_, row) => rows[row * names.length + i])]));
+const columns = (names, rows) =>
+  Object.fromEntries(
+    names.map((name, i) => [
+      name,
+      Float64Array.from(
+        { length: rows.length / names.length },
+        (_, row) => rows[row * names.length + i],
+      ),
+    ]),
+  );

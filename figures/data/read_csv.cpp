@@ -1,4 +1,4 @@
-#include "verification/support/read_csv.hpp"
+#include "figures/data/read_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -78,6 +78,12 @@ long double CsvRow::number(std::string_view heading) const {
 
 void CsvRow::fail(std::string_view reason) const {
   throw std::runtime_error(fmt::format("{}: {}", place_, reason));
+}
+
+std::vector<std::string> csv_cells(std::string_view row) {
+  std::istringstream stream{std::string(row)};
+  int line = 1;
+  return next_row(stream, line);
 }
 
 void read_csv(const std::filesystem::path& file, const std::function<void(const CsvRow&)>& take) {

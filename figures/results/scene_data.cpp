@@ -1,7 +1,8 @@
+#include "figures/results/scene_data.hpp"
+
 #include <algorithm>
 #include <deque>
 
-#include "figures/program/commands.hpp"
 #include "figures/results/run_result.hpp"
 
 namespace rotor {
@@ -21,7 +22,7 @@ struct Job {
 
 }  // namespace
 
-std::map<int, SceneData> compute(const std::map<int, Scene>& scenes) {
+std::map<int, SceneData> compute_data(const std::map<int, Scene>& scenes) {
   long rows = 0;
   std::deque<Table> tables;  // of each run of a scene, in their order
   std::deque<Recorder> recorders;

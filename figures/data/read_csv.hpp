@@ -28,6 +28,9 @@ class CsvRow {
   std::vector<std::string> cells_;
 };
 
+/// The cells of one row, which has no line end.
+std::vector<std::string> csv_cells(std::string_view row);
+
 /// The rows of a CSV file below its header row, one after the other. Lines that start with "#" are
 /// skipped.
 void read_csv(const std::filesystem::path& file, const std::function<void(const CsvRow&)>& take);
