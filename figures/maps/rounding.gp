@@ -1,5 +1,5 @@
-# The share of rotors that roll, over the rounding of what rounding.toml samples, and its standard error
-# for random draws. The caller sets what style.gp needs; data are shares by map-statistics, and
+# The share of rotors that roll, over the rounding of what rounding.toml samples, and half of its 95 % interval
+# (Clopper and Pearson). The caller sets what style.gp needs; data are shares by map-statistics, and
 # note what tolerance.sh says of the map.
 eval "set terminal ".square
 stats data using (1) nooutput name "all"
@@ -25,7 +25,7 @@ do for [p = 0:3] {
   set ylabel (at_left ? "coefficient of friction μ" : "") offset 0.5,0
   if (at_bottom) {
     set palette defined (0 "#ffffff", 1 event_tint)
-    set cbrange [0:0.05]; set cblabel "standard error of the share" offset 1,0
+    set cbrange [0:0.11]; set cblabel "half of the 95 % interval of the share" offset 1,0
   } else {
     eval share_palette; set cblabel "share that rolls" offset 1,0
   }
@@ -33,6 +33,6 @@ do for [p = 0:3] {
     set colorbox user origin screen 0.86, graph 0 size screen 0.025, graph 1
   }
   eval sprintf("plot data every ::%d::%d using (column('start_speed_Hz')):(column('friction')):(column('%s')) with image %s", \
-    first, first + panel - 1, at_bottom ? "standard_error" : "rolling_share", format eq "png" ? "" : "pixels")
+    first, first + panel - 1, at_bottom ? "half_interval" : "rolling_share", format eq "png" ? "" : "pixels")
 }
 unset multiplot

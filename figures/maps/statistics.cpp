@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
+#include <boost/math/distributions/binomial.hpp>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -19,11 +19,21 @@
 namespace rotor {
 namespace {
 
+/// Half of the 95 % interval of a share by Clopper and Pearson, Biometrika 26 (1934), which has a
+/// width at shares of 0 and 1, too.
+double half_interval(long draws, long rolling) {
+  using Binomial = boost::math::binomial_distribution<>;
+  const auto n = static_cast<double>(draws), k = static_cast<double>(rolling);
+  return (Binomial::find_upper_bound_on_p(n, k, 0.025) -
+          Binomial::find_lower_bound_on_p(n, k, 0.025)) /
+         2;
+}
+
 void print_shares(const char* toml, const char* csv) {
   const Sweep map = read_sweep(toml);
   std::vector<std::string> axes;
   for (const Axis& axis : map.axes) axes.push_back(axis.quantity);
-  fmt::print("# {}\n{},draws,rolling_share,standard_error\n", map.title, fmt::join(axes, ","));
+  fmt::print("# {}\n{},draws,rolling_share,half_interval\n", map.title, fmt::join(axes, ","));
   long draws = 0, rolling = 0;
   read_csv(csv, [&](const CsvRow& row) {
     ++draws;
@@ -31,8 +41,7 @@ void print_shares(const char* toml, const char* csv) {
     if (draws < map.sample.count) return;
     for (const std::string& axis : axes) fmt::print("{},", row[column_of(axis)]);
     const double share = static_cast<double>(rolling) / static_cast<double>(draws);
-    fmt::print("{},{:.6g},{:.6g}\n", draws, share,
-               std::sqrt(share * (1 - share) / static_cast<double>(draws)));
+    fmt::print("{},{:.6g},{:.6g}\n", draws, share, half_interval(draws, rolling));
     draws = rolling = 0;
   });
   if (draws > 0) throw std::runtime_error(fmt::format("{}: its last point lacks draws", csv));

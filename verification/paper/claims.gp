@@ -17,6 +17,10 @@ percent(share) = share < 0.995 ? sprintf("%.0f %%", 100*share) : ""
 new_heading(text) = !shows("published") || text eq last_heading ? "" : (last_heading = text, sprintf("{/:Bold %s}", text))
 last_heading = ""
 
+changed(text, k, old, new) = k ? text[:k - 1].new.text[k + strlen(old):] : text
+symbol(text, old, new) = changed(text, strstrt(text, old), old, new)
+in_units(text) = symbol(symbol(text, " um", " μm"), "kg m^2", "kg m²")
+
 # Columns of text: where those of a set begin, after its verdict.
 at(set) = is_printed(set) ? 4.9 : 10.9
 do for [x = -4:4:2] {
@@ -45,10 +49,10 @@ plot \
   for [set in sets_of_claims] data using (column("distance") > clip ? clip + 0.25 : column("distance") < -clip ? -clip - 0.25 : NaN): \
     (row_of(set) + side(set)):(column("distance") > 0 ? "▸" : "◂") with labels center noenhanced font text textcolor rgb tint_of(set), \
   for [set in sets_of_claims] data using (at(set)):(row_of(set)):(glyph(strcol("verdict"))) with labels center noenhanced font text textcolor rgb tint_of(set), \
-  for [set in sets_of_claims] data using (at(set) + 0.5):(row_of(set)):(strcol("value")) @write textcolor rgb tint_of(set), \
+  for [set in sets_of_claims] data using (at(set) + 0.5):(row_of(set)):(in_units(strcol("value"))) @write textcolor rgb tint_of(set), \
   for [set in sets_of_claims] data using (at(set) + 4.2):(row_of(set)):(percent(column("share"))) with labels right noenhanced font text textcolor rgb tint_of(set), \
   for [set in sets_of_claims] data using (at(set) + 5.5):(row_of(set)):(column("turned_by") > 0 ? strcol("turned_by") : "") \
     with labels right noenhanced font text textcolor rgb tint_of(set), \
   data using (-13.2):(row_of("published")):(strcol("number")) @write, \
-  data using (-7.6):(row_of("published")):(strcol("paper")) @write textcolor rgb paper_tint, \
+  data using (-7.6):(row_of("published")):(in_units(strcol("paper"))) @write textcolor rgb paper_tint, \
   data using (-13.4):(row_of("published") - 1):(new_heading(strcol("heading"))) with labels left enhanced font text

@@ -115,8 +115,8 @@ TEST_F(Maps, HaveTheSharesOfTheDrawsAtEachPoint) {
     return shell("'" ROTOR_BUILD "/map-statistics' " + of).output;
   };
   EXPECT_EQ(statistics("shares map.toml map.csv"),
-            "# shares\nequations,friction,draws,rolling_share,standard_error\n"
-            "published,0.1,4,0.25,0.216506\npublished,0.2,4,1,0\n");
+            "# shares\nequations,friction,draws,rolling_share,half_interval\n"
+            "published,0.1,4,0.25,0.399785\npublished,0.2,4,1,0.301182\n");
   EXPECT_EQ(statistics("others map.csv map.csv"), "0 % of 8 points\n");
   EXPECT_EQ(statistics("others map.csv other.csv"), "38 % of 8 points\n");
   EXPECT_TRUE(has(statistics("shares map.toml cut.csv"),

@@ -86,7 +86,7 @@ std::string proof_rows(const fs::path& proven) {
     std::map<std::string, std::string> option;
     for (const Match& stated : matches(command, "--(\\S+) (\\S+)")) option[stated[1]] = stated[2];
     const auto& of_run = values.at(command);
-    constexpr double half_digit_of_clearance_nm = 500'000;  // 0.003 m
+    constexpr double half_digit_of_clearance_um = 500;  // 0.003 m
     rows.push_back(fmt::format(
         "| {}, mu = {} | {} | {} | {}{} | {} |",
         option.contains("start-speed-Hz")
@@ -96,8 +96,8 @@ std::string proof_rows(const fs::path& proven) {
         option["until"], of_run.at("touch_downs"),
         of_run.contains("rolling_onset_s") ? ", then rolling" : ", no rolling",
         option.contains("rounding")
-            ? fmt::format("a box, clearance +- {:.0f} nm",
-                          half_digit_of_clearance_nm * std::stod(option["rounding"]))
+            ? fmt::format("a box, clearance +- {:g} um",
+                          half_digit_of_clearance_um * std::stod(option["rounding"]))
             : "as printed"));
   }
   return fmt::format("{}", fmt::join(rows, "\n"));

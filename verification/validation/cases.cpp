@@ -65,14 +65,14 @@ std::vector<ComparedAccident> accidents() {
       scenario.parameters.friction = mu;
       const char* name = jump == VelocityJump::once ? "once" : "twice";
       all.push_back(
-          accident(fmt::format("jump {}, mu {}, loss at {} s", name, mu, loss_s), scenario));
+          accident(fmt::format("loss at {} s with mu {} and jump {}", loss_s, mu, name), scenario));
     }
   all.push_back(random_rotor());
   Scenario hertz{.equations = Equations::corrected};
   hertz.parameters.contact_exponent = 1.5;
   hertz.parameters.reference_indentation = 1e-4;
   hertz.parameters.contact_damping = 0;  // the other code's grows with the root of the indentation
-  all.push_back(accident("Hertz's contact, no dashpot", hertz));
+  all.push_back(accident("Hertz's contact without dashpot", hertz));
 
   const ComparedAccident once = all[0], twice = all[5];
   const auto mistake = [&](const char* name, ComparedAccident of) -> ComparedAccident& {
@@ -85,7 +85,7 @@ std::vector<ComparedAccident> accidents() {
   mistake("friction of the wrong sign", once).given.parameters.friction *= -1;
   mistake("inertia 5 % too large", once).given_from.body.inertia *= 1.05;
   mistake("no dashpot", once).given.parameters.contact_damping = 0;
-  mistake("jump counted once, not twice", twice).given_from = once.from;
+  mistake("jump counted once instead of twice", twice).given_from = once.from;
   return all;
 }
 
