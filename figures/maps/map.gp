@@ -116,7 +116,7 @@ do for [k in found] {
 set key Left reverse spacing 1.05 noopaque font small
 set key at screen 0.5, screen 24/tall center center samplen 4 maxrows 2 width -6
 if (strlen(meaning)) { eval "plot ".meaning."NaN notitle" }
-set key at screen (columns == 1 ? 0.5 : 0.04), screen (bottom - 55)/tall samplen 1 maxrows 3
+set key at screen (columns == 1 ? 0.5 : 0.04), screen (bottom - 62)/tall samplen 1 maxrows 3
 if (columns == 1) { set key center center width -6 } else { set key left center width 0 }
 if (strlen(colours) && (sum [c = 1:columns] of_outcome(c))) { eval "plot ".colours."NaN notitle" }
 unset multiplot

@@ -175,6 +175,8 @@ async function check_steps(page, is_phone) {
         JSON.stringify([picture, text]),
     );
   }
+  expect(!(await page.isVisible("#roll-answer p")), "a slider moved by keys opens the answer");
+  await page.press("#roll-control", "Enter");
   expect(await page.isVisible("#roll-answer p"), "a guess does not show the answer");
 }
 

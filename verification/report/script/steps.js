@@ -192,11 +192,14 @@ export function showSteps(recorded) {
       if (step.follows) show();
       goTo(step.follows ? part[0] + (input.value / 100) * (part[1] - part[0]) : part[0]);
     });
-    if (step.guesses)
-      input.addEventListener("change", () => {
+    if (step.guesses) {
+      const answer = () => {
         document.getElementById(step.guesses).open = true;
         film();
-      });
+      };
+      input.addEventListener("pointerup", answer);
+      input.addEventListener("keydown", (event) => event.key === "Enter" && answer());
+    }
     show();
     goTo(part[0] + (step.follows ? 0.5 : 1) * (Math.min(part[1], picture.until_s) - part[0]));
     seen.set(article, () => {
