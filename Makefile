@@ -59,7 +59,7 @@ deps: ## install the Debian packages that are missing
 build: ## build build/rotor, with --digits, which make figures leaves out
 	@$(build) rotor
 
-install: build ## install the program and what it needs: make install PREFIX=/opt/rotor
+install: build ## install program, examples and library: make install PREFIX=/opt/rotor
 	@cmake --install $(BUILD) --prefix $(call text,PREFIX) >/dev/null && echo $(call text,PREFIX)/bin/rotor
 
 figures: ## redraw Figs. 2-17 into build/figures

@@ -8,7 +8,11 @@ shift 2
 export LC_ALL=C.UTF-8
 trap 'rm -f "$part" "$part.once"' EXIT
 gnuplot -d -e "output = '$part'; format = '${output##*.}'; \
-  figures = '$figures'; reference_data = '$figures/../reference-data'; $settings" "$figures/paper/style.gp" "$@"
+  figures = '$figures'; reference_data = '$figures/../reference-data'; $settings" "$figures/paper/style.gp" "$@" || {
+  status=$?
+  [ $status = 127 ] || echo "$output: not drawn by $*: gnuplot's message above has the script and its line" >&2
+  exit $status
+}
 # gnuplot does not report a full disk: a picture is complete if it has its end.
 if ! tail -c 16 "$part" | grep -aq '</svg>\|%%EOF\|IEND'; then
   echo "$output: gnuplot did not draw the whole picture" >&2

@@ -109,7 +109,7 @@ std::string suggestion(std::string_view mistyped, const std::vector<std::string>
     if (distance(mistyped, meant[0]) > std::min(near, size - 1))
       return "";  // any name is near a single letter
   }
-  return fmt::format("; did you mean {}?", fmt::join(meant, " or "));
+  return fmt::format("; did you mean \"{}\"?", fmt::join(meant, "\" or \""));
 }
 
 std::string choices(std::string_view mistyped, const std::vector<std::string>& names,

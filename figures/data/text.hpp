@@ -28,7 +28,7 @@ std::optional<double> number_in(const std::string& text);
 /// An error message for a text that is not a number; empty for a number.
 std::string unless_number(const std::string& text);
 
-/// "; did you mean NAME?" if one of the names was probably meant, or some of which it is a part;
+/// "; did you mean "NAME"?" if one of the names was probably meant, or some of which it is a part;
 /// otherwise empty.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
 /// The same, but otherwise "; there are: " and all names, or "; " and what lists them if they are

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "figures/input/words.hpp"
@@ -8,11 +9,12 @@
 namespace rotor {
 namespace {
 
-/// The same member of each entry of a table, as a list for JSON and gnuplot.
+/// The same member of each entry of a table, and perhaps one more, as a list for JSON and gnuplot.
 template <class Entries, class Member>
-Json each(const Entries& entries, Member member) {
+Json each(const Entries& entries, Member member, std::optional<std::string_view> more = {}) {
   Json all;
   for (const auto& entry : entries) all.push_back(entry.*member);
+  if (more) all.push_back(*more);
   return all;
 }
 
@@ -25,16 +27,18 @@ std::string palette_of_gnuplot() {
   const auto add = [&](const char* name, const Json& list) {
     text += fmt::format("array {}[{}] = {}\n", name, list.size(), list.dump());
   };
-  add("outcome_name", each(outcomes, &Of::name));
-  add("outcome_tint", each(outcomes, &Of::light));
+  const Json tints = each(outcomes, &Of::light, no_result_light);
+  add("outcome_name", each(outcomes, &Of::name, ""));
+  add("outcome_tint", tints);
   Json words;
   for (const Of& of : outcomes) words.push_back(name_in_words(of.name));
+  words.push_back(no_result);
   add("outcome_words", words);
-  for (std::size_t n = 0; n < outcomes.size(); ++n)
-    colours += fmt::format("{}{} '{}'", n > 0 ? ", " : "", n, outcomes[n].light);
+  for (std::size_t n = 0; n < tints.size(); ++n)
+    colours += fmt::format("{}{} '{}'", n > 0 ? ", " : "", n, tints[n].get<std::string>());
   text += fmt::format(
       "outcome_palette = \"set palette maxcolors {} defined ({}); set cbrange [-0.5:{}.5]\"\n",
-      outcomes.size(), colours, outcomes.size() - 1);
+      tints.size(), colours, tints.size() - 1);
   for (const auto& [function, of] :
        {std::pair("words_of", &In::words), {"short_of", &In::short_words}, {"tint_of", &In::light}})
     text += fmt::format("{}(set) = set eq \"{}\" ? \"{}\" : \"{}\"\n", function,

@@ -81,15 +81,6 @@ std::optional<double> number(const ScenarioSpec& spec, std::string_view name) {
   return found == spec.numbers.end() ? std::nullopt : std::optional(found->second);
 }
 
-void state_lost_mass(Parameters& p, double lost_mass) {
-  if (!(lost_mass < p.mass))
-    throw ScenarioError({Mention{"lost_mass", fmt::format("{} kg", lost_mass)},
-                         ": must be less than ", Mention{"mass", fmt::format("{} kg", p.mass)}});
-  p.lost_mass = lost_mass;
-  p.unbalance_factor =  // that of a balanced rotor would be infinite
-      lost_mass > 0 && p.eccentricity > 0 ? MassLoss<double>::unbalance_factor(p) : 1;
-}
-
 /// The default time between the mass loss and the end of a run.
 constexpr double default_rub_s = 0.25;
 
@@ -126,11 +117,8 @@ Scenario numbers_of(const ScenarioSpec& stated) {
     throw ScenarioError({Mention{"digits"}, " and ", Mention{"method", "rk4"},
                          ": only event can estimate digits; rk4 is of first order at contacts"});
 
-  if (const auto clearance = number(spec, "clearance")) {
-    p.clearance = *clearance;
-    p.stator_radius = p.rotor_radius + *clearance;
-  }
-  if (const auto lost_mass = number(spec, "lost_mass")) state_lost_mass(p, *lost_mass);
+  if (const auto clearance = number(spec, "clearance")) p.state_clearance(*clearance);
+  if (const auto lost_mass = number(spec, "lost_mass")) p.state_lost_mass(*lost_mass);
 
   const bool at_speed = number(spec, mass_loss_speed).has_value();
   const auto until = number(spec, "until");
@@ -245,7 +233,7 @@ Scenario stated_scenario(const ScenarioSpec& spec) {
       throw ScenarioError({Mention{"digits"}, " and ", at_loss,
                            ": the mass loss and the end of the drive, at ", Mention{"motor_off_Hz"},
                            ", coincide; state mass_loss_time"});
-    scenario.mass_loss_speed_Hz = *speed;
+    scenario.state_mass_loss_speed(*speed, 0);
   }
   return scenario;
 }

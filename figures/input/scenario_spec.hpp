@@ -27,7 +27,7 @@ const InputQuantity* find_input_quantity(std::string_view name);
 /// The names of these quantities and of named_inputs().
 const std::vector<std::string>& varied_inputs();
 inline constexpr std::string_view list_of_inputs =
-    "rotor run --help lists them, with dashes for underscores";
+    "rotor run --help lists them as options: --mass-loss-time is mass_loss_time";
 /// The name of the number that has this symbol; otherwise the text.
 std::string_view name_of_symbol(std::string_view text);
 /// The name of the number or choice that this one determines: itself, or the one it replaces.

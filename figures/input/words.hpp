@@ -44,6 +44,9 @@ inline constexpr auto outcomes = std::to_array<OutcomeInWords>(
       "by less than a tenth of what it would without resistance, and no backward whirl along the "
       "ring brakes it"}});
 
+/// Of a point without a result, as pictures show it beside outcomes.
+inline constexpr std::string_view no_result = "no result", no_result_light = "#b0b0b0";
+
 struct EquationsInWords {
   std::string_view name, light, dark, words, short_words;
 };

@@ -110,8 +110,7 @@ if (pins) { meaning = meaning."keyentry with points pointtype 6 pointsize 0.8 li
 do for [k in found] {
   name = outcome_name[int(k) + 1]
   colours = colours.sprintf("keyentry with boxes fillcolor rgb '%s' fillstyle solid border linecolor rgb event_tint title '%s', ", \
-    outcome_tint[int(k) + 1], outcome_words[int(k) + 1].(name eq "freed" ? ": cannot reach the ring again" : \
-    name eq "stalled" ? ", or no result" : ""))
+    outcome_tint[int(k) + 1], outcome_words[int(k) + 1].(name eq "freed" ? ": cannot reach the ring again" : ""))
 }
 set key Left reverse spacing 1.05 noopaque font small
 set key at screen 0.5, screen 24/tall center center samplen 4 maxrows 2 width -6

@@ -11,10 +11,10 @@ do for [paper in "4000 3000 1050"] {
   eval level(real(paper), published).says("paper: ".(paper eq "3000" ? "4000 − 1000" : paper)." J", \
     paper eq "1050" ? 0.99 : 0.01, real(paper), paper eq "1050" ? "right offset 0,-1" : "offset 0,0.7")
 }
-eval table(0.02, 0.58, 20)
+eval table(0.02, 0.62, 20)
 eval row(1, "at the mass loss", "4000 J"); eval row(2, "after it", "")
 eval row(3, "lost in collisions", "1000 J"); eval row(4, "lost in sliding", "1950 J")
-eval row(5, "left at the onset of rolling", "1050 J")
+eval row(5, "left at the onset of rolling", "1050 J"); eval row(6, "left at the largest force", "")
 set style arrow 1 heads size screen 0.006,90 linewidth 1
 gap = 4e-4                                         # s, of the brackets from the vertical lines
 t_1 = number("run", "mass_loss_time")
@@ -23,13 +23,14 @@ do for [set in sets] {
   onset = number("run", "rolling_onset_s"); touch_downs = 0; touching = 0; continuous = NaN
   stats data using (watch(column("time_s"), column("contact_state"))) nooutput
   stats data using (column("time_s") == onset ? column(T) : NaN) name "left" nooutput
+  stats data using (column("time_s") == number("run", "peak_time_s") ? column(T) : NaN) name "pressed" nooutput
   stats data using (column("time_s") == continuous ? column(T) : NaN) name "ahead" nooutput
   stats data using T name "all" nooutput
   stats data using (column("time_s") == t_1 ? column(T) : NaN) name "separated" nooutput
   T0 = all_max; T1_0 = separated_min; T1 = ahead_min; T2 = left_min
   eval ours_in(1, sprintf("%.0f J", T0)); eval ours_in(2, sprintf("%.0f J", T1_0))
   eval ours_in(3, sprintf("%.0f J", T1_0 - T1)); eval ours_in(4, sprintf("%.0f J", T1 - T2))
-  eval ours_in(5, sprintf("%.0f J", T2))
+  eval ours_in(5, sprintf("%.0f J", T2)); eval ours_in(6, sprintf("%.0f J", pressed_min))
   do for [at in "continuous onset"] {
     set arrow from value(at),graph 0 to value(at),graph 1 nohead linestyle event
     set label (at eq "onset" ? "rolls" : "6th contact") at value(at),graph 0.03 left rotate by 90 offset -0.6,0 \

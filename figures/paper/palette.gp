@@ -1,8 +1,8 @@
 # Written by `make approve` from figures/input/words.hpp.
-array outcome_name[7] = ["no_contact","undecided","freed","bouncing","sliding","rolling","stalled"]
-array outcome_tint[7] = ["#f7f7f5","#efe0a0","#a5d4b8","#62b08c","#1f6b52","#bf5b98","#333333"]
-array outcome_words[7] = ["no contact","undecided","freed","bouncing","sliding","rolling","stalled"]
-outcome_palette = "set palette maxcolors 7 defined (0 '#f7f7f5', 1 '#efe0a0', 2 '#a5d4b8', 3 '#62b08c', 4 '#1f6b52', 5 '#bf5b98', 6 '#333333'); set cbrange [-0.5:6.5]"
+array outcome_name[8] = ["no_contact","undecided","freed","bouncing","sliding","rolling","stalled",""]
+array outcome_tint[8] = ["#f7f7f5","#efe0a0","#a5d4b8","#62b08c","#1f6b52","#bf5b98","#333333","#b0b0b0"]
+array outcome_words[8] = ["no contact","undecided","freed","bouncing","sliding","rolling","stalled","no result"]
+outcome_palette = "set palette maxcolors 8 defined (0 '#f7f7f5', 1 '#efe0a0', 2 '#a5d4b8', 3 '#62b08c', 4 '#1f6b52', 5 '#bf5b98', 6 '#333333', 7 '#b0b0b0'); set cbrange [-0.5:7.5]"
 words_of(set) = set eq "published" ? "equations as printed" : "corrected equations"
 short_of(set) = set eq "published" ? "as printed" : "corrected"
 tint_of(set) = set eq "published" ? "#0072b2" : "#b34700"

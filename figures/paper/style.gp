@@ -35,7 +35,7 @@ set style line clearance linecolor rgb event_tint linewidth 1.2 dashtype (1, 5)
 set style line event linecolor rgb event_tint linewidth 0.6
 set style line lost pointtype 2 pointsize 1.2 linecolor rgb event_tint linewidth 2
 set style line law linecolor rgb law_tint linewidth 1.6
-outcome_code(outcome) = 6 + sum [k = 1:6] (outcome eq outcome_name[k] ? k - 7 : 0)    # of none that of stalled
+outcome_code(outcome) = 7 + sum [k = 1:7] (outcome eq outcome_name[k] ? k - 8 : 0)    # of none: no result
 share_palette = sprintf("set palette defined (0 '#f4f4f4', 1 '%s'); set cbrange [0:1]", outcome_tint[6])
 force_palette = "set palette defined \
   (0 '#fff7e0', 1 '#f5c56b', 2 '#e07b39', 3 '#a83a5a', 4 '#4b1d5e', 5 '#10082a')"

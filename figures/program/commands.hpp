@@ -51,11 +51,20 @@ struct CaseOptions {
   bool all = false;  ///< print every result as text
 };
 
+/// What is above the rows of a file: its provenance in lines that start with #, and the names of
+/// its columns.
+enum class CsvHeader { full, names, none };
+
+template <>
+inline constexpr auto names_of<CsvHeader> = std::to_array<Named<CsvHeader>>(
+    {{"full", CsvHeader::full}, {"names", CsvHeader::names}, {"none", CsvHeader::none}});
+
 struct RunOptions : CaseOptions {
   std::string trace, events;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
-  std::optional<double> every_s;  ///< equal intervals; adaptive if it is not stated
+  std::optional<double> every_s;    ///< equal intervals; adaptive if it is not stated
+  std::optional<CsvHeader> header;  ///< of these files; full
   std::optional<StopOn> stop_on;
   bool json_schema = false;
   std::optional<double> budget_s;  ///< of each run with digits
@@ -89,5 +98,7 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to);
 /// Says on standard error which values are the paper's, if others are stated; not of its scenes.
 void say_what_is_assumed(const Scene& scene);
 void say_what_is_assumed(const Sweep& sweep);
+/// Says on standard error how many points of a sweep have remarks, if any has.
+void say_how_many_have_remarks(long remarked, long points);
 
 }  // namespace rotor

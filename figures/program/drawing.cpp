@@ -6,8 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <memory>
 #include <system_error>
 #include <thread>
@@ -91,6 +93,13 @@ void Items::add(const std::string& item) {
   text_ += (text_.empty() ? "" : line + item.size() > most ? ",\n" : ", ") + item;
 }
 
+std::string with_indices(std::string title) {
+  constexpr std::string_view typed = "F_n", drawn = "Fₙ";
+  for (std::size_t at = 0; (at = title.find(typed, at)) != std::string::npos;)
+    title.replace(at, typed.size(), drawn);
+  return title;
+}
+
 std::string unit_in_words(const Quantity& quantity) {
   return quantity.unit == "m"        ? "mm"
          : quantity.unit == "kg m^2" ? "kg m²"
@@ -103,6 +112,11 @@ std::string with_unit(const Quantity& quantity, double value) {
   const std::string unit = unit_in_words(quantity);
   return fmt::format("{} = {:.6g}{}{}", name_in_words(quantity.name), value / unit_of(quantity),
                      unit.empty() ? "" : " ", unit);
+}
+
+void print_before_messages() {
+  if (std::fflush(stdout) != 0)
+    throw std::system_error(errno, std::generic_category(), "standard output cannot be written");
 }
 
 void draw(const fs::path& out, const std::string& script, const Drafts& drafts) {
@@ -133,6 +147,7 @@ void draw(const fs::path& out, const std::string& script, const Drafts& drafts) 
   result.write(out, read_file(folder.path / picture, fs::file_size(folder.path / picture)));
   result.commit();
   fmt::print("{}\n", one_line(out.string()));
+  print_before_messages();
 }
 
 }  // namespace rotor

@@ -40,6 +40,13 @@ class Items {
 /// The unit of a quantity in pictures, in which lengths are in mm, and its size in SI units.
 std::string unit_in_words(const Quantity& quantity);
 double unit_of(const Quantity& quantity);
+/// What has been printed is there before messages that follow, in a pipe, too. Throws
+/// std::system_error.
+void print_before_messages();
+
+/// A title with F_n as pictures have it.
+std::string with_indices(std::string title);
+
 /// "clearance = 2 mm"
 std::string with_unit(const Quantity& quantity, double value);
 

@@ -296,6 +296,12 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->needs(trace);
   add_name(command, "--events", options.events,
            "write time, kind, state, normal force and slip of the located events to this CSV file");
+  add_text(
+      command, "--header",
+      [&options](const std::string& text) { options.header = parse_name<CsvHeader>(text); },
+      "what is above the rows of these files: full (provenance in lines with #, and the names of "
+      "columns), names (for NumPy and spreadsheets) or none")
+      ->default_str("full");
   auto* digits = command.add_option_function<double>(
       "--digits", [&options](double number) { options.stated.digits = parse_digits(number); },
       "estimated significant digits of every value and event, instead of --tolerance; --json adds "
@@ -427,11 +433,11 @@ int main(int argc, char** argv) {
     print_message(fmt::format("rotor: {}", error.what()));
     status = 1;
   }
-  if (status != without_reader && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
+  if (status == 0 && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
     if (errno == EPIPE) return without_reader;
     print_message(
         fmt::format("rotor: standard output cannot be written: {}", std::strerror(errno)));
-    status = status == 0 ? 1 : status;
+    status = 1;
   }
   return status;
 }

@@ -6,6 +6,7 @@
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/provenance.hpp"
+#include "figures/results/run_result.hpp"
 #include "figures/results/scene_data.hpp"
 
 namespace rotor {
@@ -75,11 +76,11 @@ void plot(const PlotOptions& options) {
   const SceneData data = std::move(compute_data({{1, scene}}).at(1));
   const bool in_rpm =
       std::ranges::any_of(scene.runs, [](const SceneRun& run) { return run.stated.states_rpm(); });
-  Drafts drafts = {
-      {"settings.gp", fmt::format("heading = {}; conditions = {}; per_Hz = {}; speed_unit = '{}'\n",
-                                  numbered(scene.title), numbered(conditions_of(scene)),
-                                  in_rpm ? 60 : 1, in_rpm ? "rpm" : "Hz") +
-                          variables(scene, data.results)}};
+  Drafts drafts = {{"settings.gp",
+                    fmt::format("heading = {}; conditions = {}; per_Hz = {}; speed_unit = '{}'\n",
+                                numbered(with_indices(scene.title)), numbered(conditions_of(scene)),
+                                in_rpm ? 60 : 1, in_rpm ? "rpm" : "Hz") +
+                        variables(scene, data.results)}};
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
   for (std::size_t n = 1; n <= scene.runs.size(); ++n)
@@ -87,6 +88,15 @@ void plot(const PlotOptions& options) {
       drafts.emplace_back(fmt::format("run{}-{}.csv", n, panel.column),
                           rows_of(panel.columns, scene, data.curves[n - 1]));
   draw(out, "program/plot.gp", drafts);
+  for (std::size_t n = 0; n < scene.runs.size(); ++n) {
+    const SceneRun& run = scene.runs[n];
+    RunResult result;
+    result.scenario = run.scenario;
+    result.summary = data.results[n];
+    for (const Remark& remark : remarks(result))
+      print_message(fmt::format("rotor: {}{}", scene.runs.size() > 1 ? run.name + ": " : "",
+                                as_stated(remark.message, run.stated).text()));
+  }
   say_what_is_assumed(scene);
 }
 

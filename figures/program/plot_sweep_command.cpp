@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr int code_of_refused = static_cast<int>(outcomes.size()) - 1;  // as palette.gp has it
+constexpr int code_of_refused = static_cast<int>(outcomes.size());  // as palette.gp has it
 
 /// A column of results that is drawn. Without an outcome it has numbers.
 struct Shown {
@@ -38,6 +38,7 @@ struct Results {
   Sweep sweep;
   std::vector<Shown> shown;
   std::vector<signed char> outcomes{};  ///< places in `outcomes`; empty without that column
+  long remarked = 0;                    ///< points with remarks
 };
 
 /// What a column is called, as in summaries or by its name, and its unit by the end of that.
@@ -97,6 +98,7 @@ void read_rows(const std::string& file, std::string_view head, Results& into) {
   for (const Shown& shown : into.shown) places.push_back(place_of(shown.name, sweep).value());
   const std::size_t fields = place_of(sweep.columns.back(), sweep).value() + 2;  // and the refusal
   const std::optional<std::size_t> outcome = place_of("outcome", sweep);
+  const std::optional<std::size_t> remarks = place_of("remarks", sweep);
   long points = 0;
   std::string fault;  // of the first row with one
   const auto see = [&](std::string_view row) {
@@ -109,6 +111,7 @@ void read_rows(const std::string& file, std::string_view head, Results& into) {
     };
     if (cells.size() != fields)
       return refuse("fields", std::to_string(cells.size()), "the number of the header row");
+    if (remarks && !cells[*remarks].empty()) ++into.remarked;
     if (outcome) {
       const std::string& cell = cells[*outcome];
       const auto* const found =
@@ -336,7 +339,7 @@ Drafts curve_data(const Results& results, const Layout& layout, std::string& set
 Drafts bar_data(const Results& results, const Layout& layout, std::string& settings) {
   const Sweep& sweep = results.sweep;
   const auto draws = static_cast<double>(sweep.sample.count);
-  constexpr int codes = static_cast<int>(outcomes.size());
+  constexpr int codes = code_of_refused + 1;
   Drafts drafts;
   for (std::size_t c = 0; c < results.shown.size(); ++c) {
     const Shown& shown = results.shown[c];
@@ -452,7 +455,7 @@ void plot_sweep(const PlotOptions& options) {
   read_rows(options.file, head, results);
   std::string settings =
       fmt::format("heading = {}; conditions = {}; panels = {}; columns = {}\n",
-                  numbered(heading_of(sweep, layout)), numbered(conditions_of(sweep)),
+                  numbered(with_indices(heading_of(sweep, layout))), numbered(conditions_of(sweep)),
                   layout.panels().size(), results.shown.size());
   for (std::size_t n = 0; n < layout.panels().size(); ++n)
     settings += fmt::format("panel{} = {}\n", n + 1, numbered(layout.panels()[n]));
@@ -475,6 +478,7 @@ void plot_sweep(const PlotOptions& options) {
   drafts.emplace_back("settings.gp", settings);
   if (!options.drafts.empty()) return write_drafts(options.drafts, drafts);
   draw(out, is_map ? "maps/map.gp" : "program/sweep.gp", drafts);
+  say_how_many_have_remarks(results.remarked, sweep.points());
 }
 
 }  // namespace rotor

@@ -117,7 +117,8 @@ void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows
 
 /// The files that the runs of a scene write: rows as they are computed, so that a long trace needs
 /// no memory.
-struct Files {
+class Files {
+ public:
   FileTransaction all;
   OutputFile *trace = nullptr, *events = nullptr;
   long rows = 0;  ///< of the trace
@@ -128,13 +129,19 @@ struct Files {
         (options.stop_on ? fmt::format(" until {}", name_of(*options.stop_on)) : "");
     if (!options.trace.empty()) {
       trace = &all.open(options.trace);
-      trace->write(csv_head("Trace" + of_run, scene, "run"));
+      trace->write(shortened(csv_head("Trace" + of_run, scene, "run"), options.header));
     }
     if (options.events.empty()) return;
     events = &all.open(options.events);
     Scene log = scene;
     log.columns = EventLog::columns();
-    events->write(csv_head("Events" + of_run, log, "run,event"));
+    events->write(shortened(csv_head("Events" + of_run, log, "run,event"), options.header));
+  }
+
+ private:
+  static std::string shortened(const std::string& head, std::optional<CsvHeader> header) {
+    if (!header || header == CsvHeader::full) return head;
+    return header == CsvHeader::none ? "" : head.substr(head.rfind('\n', head.size() - 2) + 1);
   }
 };
 
@@ -192,6 +199,8 @@ void run_rotor(const RunOptions& options) {
   if (options.json_schema) return fmt::print("{}\n", summary_schema().dump(2));
   if (!options.columns.empty() && options.trace.empty())
     throw InputError("--columns requires --trace, or is help");
+  if (options.header && options.trace.empty() && options.events.empty())
+    throw InputError("--header requires --trace or --events");
   RunUps run_ups;
   const Scene scene = requested_scene(options, run_ups);
   const bool one_of_many = scene.runs.size() > 1;
@@ -246,6 +255,7 @@ void run_rotor(const RunOptions& options) {
     print_table(runs, in_rpm, to);
   else
     for (const Json& run : runs) is_brief ? print_brief(run, in_rpm, to) : print_all(run, to);
+  print_before_messages();
   for (const std::string& message : messages) print_message("rotor: " + message);
   if (!runs.empty()) say_what_is_assumed(scene);
   if (options.scene.empty() && options.stated == ScenarioSpec())

@@ -205,6 +205,12 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
   if (runs.front().contains("errors")) fmt::print(to, "\ntimes since the start of the run\n");
 }
 
+void say_how_many_have_remarks(long remarked, long points) {
+  if (remarked > 0)
+    print_message(
+        fmt::format("rotor: {} of {} points have remarks (column remarks)", remarked, points));
+}
+
 void say_what_is_assumed(const Scene& scene) {
   std::error_code error;  // no file
   if (std::filesystem::equivalent(scene.file.parent_path(), figures_folder() / "paper", error))

@@ -52,8 +52,9 @@ do for [c = 1:columns] {
       set yrange [0:(tallest > 0 ? 1.05*tallest : 1)]
       if (value(sprintf("of_outcome%d", c))) {
         unset xlabel
-        set xrange [-0.5:6.5]; set xtics scale 0
-        set for [k = 0:6] xtics add (outcome_words[k + 1] k)
+        last = strstrt(found, "7") ? 7 : 6          # no result
+        set xrange [-0.5:last + 0.5]; set xtics scale 0
+        set for [k = 0:last] xtics add (outcome_words[k + 1] k)
         if (panels > 1) { set xtics rotate by -25 }
       } else {
         eval "set xrange ".range_of(c)
@@ -87,8 +88,7 @@ set key at screen 0.5, screen 0.42*bottom/tall center center Left reverse sample
 gaps = is_sample ? 0 : sum [c = 1:columns] value(sprintf("gaps%d", c))
 entries = ""
 do for [k in (found eq "" ? "" : found)] {
-  words_of_code = outcome_words[int(k) + 1].(outcome_name[int(k) + 1] eq "stalled" ? ", or no result" : "")
-  entries = entries.sprintf("keyentry with boxes fillcolor rgb '%s' fillstyle solid border linecolor rgb event_tint title '%s', ", tint_of_code(int(k)), words_of_code)
+  entries = entries.sprintf("keyentry with boxes fillcolor rgb '%s' fillstyle solid border linecolor rgb event_tint title '%s', ", tint_of_code(int(k)), outcome_words[int(k) + 1])
 }
 if (gaps) { entries = entries."keyentry with points pointtype 5 pointsize 0.7 linecolor rgb paper_tint title 'at the lower edge: no value', " }
 if (strlen(entries)) { eval "plot ".entries."NaN notitle" }

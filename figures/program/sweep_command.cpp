@@ -65,9 +65,7 @@ class Tally {
   }
 
   void print() const {
-    if (remarked_ > 0)
-      print_message(
-          fmt::format("rotor: {} of {} points have remarks (column remarks)", remarked_, points_));
+    say_how_many_have_remarks(remarked_, points_);
     if (refused_ > 0)
       print_message(
           fmt::format("rotor: {} of {} points are refused (column refusal)", refused_, points_));

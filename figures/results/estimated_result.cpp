@@ -81,7 +81,8 @@ std::string complaint(const Comparison& comparison, int digits, const Interrupti
 
 RunResult result_of(const Comparison& comparison, const Scenario& scenario) {
   Scenario computed = scenario;
-  computed.tolerance = comparison.tolerance / Comparison::finer;
+  const double finer = comparison.tolerance / Comparison::finer;
+  computed.tolerance = number_in(fmt::format("{:.15g}", finer)).value_or(finer);  // 1e-22
   return {computed, comparison.values, {{}, comparison.counters}, {}, comparison.is_course_sure};
 }
 

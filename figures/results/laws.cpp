@@ -10,7 +10,7 @@ namespace rotor {
 namespace {
 
 double speed_at_loss(const Scenario& scenario) {
-  if (scenario.mass_loss_speed_Hz) return two_pi * *scenario.mass_loss_speed_Hz;
+  if (const auto speed_Hz = scenario.stated_mass_loss_speed_Hz()) return two_pi * *speed_Hz;
   const Parameters& p = scenario.parameters;
   if (p.drive == Drive::constant_speed) return two_pi * scenario.start_speed_Hz;
   const double start = two_pi * scenario.start_speed_Hz;

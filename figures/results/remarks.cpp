@@ -6,6 +6,7 @@
 
 #include "model/mechanics/contact.hpp"
 #include "model/mechanics/mass_loss.hpp"
+#include "model/theory/lifting.hpp"
 
 namespace rotor {
 
@@ -19,7 +20,13 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
   const double moment = ActingLoads<double>(p, scenario.equations).constant_moment(true);
   const double reached = scenario.start_speed_Hz + moment / p.inertia * scenario.until / two_pi;
   const bool is_driven = p.drive == Drive::motor;
-  if (is_driven && moment > 0 && reached < near * p.motor_off_Hz)
+  if (swings(scenario))
+    all.push_back(
+        {{the("torque"),
+          fmt::format(" does not lift the unbalance from rest, which takes {:.3g} m g e_x "
+                      "= {:.4g} N m: the rotor swings as a pendulum",
+                      lifting_share, lifting_torque(p))}});
+  if (is_driven && moment > 0 && !swings(scenario) && reached < near * p.motor_off_Hz)
     all.push_back(
         {{fmt::format(
               "by the end of the run, {:.6g} s, the motor reaches about {:.2g} %, less than "

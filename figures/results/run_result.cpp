@@ -159,9 +159,9 @@ Json inputs_of(const Scenario& scenario) {
   Json inputs;
   for (const Quantity& quantity : quantities())
     inputs[std::string(quantity.name)] = quantity.of(scenario);
-  if (p.eccentricity == 0 && p.lost_mass) {  // which no factor describes
-    inputs["unbalance_factor"] = nullptr;
-    inputs["lost_mass"] = *p.lost_mass;
+  if (const auto lost = p.stated_lost_mass(); lost && p.eccentricity == 0) {
+    inputs["unbalance_factor"] = nullptr;  // as none describes it
+    inputs["lost_mass"] = *lost;
   }
   for (const InputQuantity& input : input_quantities())
     if (input.of_start)
@@ -326,12 +326,18 @@ std::vector<Remark> remarks(const RunResult& result) {
   if (summary.touch_downs_before_loss > 0 && p.loses_mass)
     all.push_back(
         {{fmt::format("touch-downs before the mass loss: {}", summary.touch_downs_before_loss)}});
-  if (const double deepest = std::max(summary.peak_displacement_m.value_or(0),
-                                      summary.peak_displacement_before_loss_m) -
-                             Ring<double>(p).clearance;
-      deepest > p.rotor_radius)
-    all.push_back({{fmt::format("the ring was indented by {:.4g} m, more than the rotor's radius",
-                                deepest)}});
+  // What turns with the rim, as the arm of friction and the rolling speed, has the radius r of a
+  // rigid rotor; if the rotor and not the ring yields, it has r less the indentation.
+  constexpr double deep = 0.05;
+  const double deepest =
+      std::max(summary.peak_displacement_m.value_or(0), summary.peak_displacement_before_loss_m) -
+      Ring<double>(p).clearance;
+  if (deepest > deep * p.rotor_radius)
+    all.push_back(
+        {{fmt::format("the largest indentation, {:.3g} m, is {:.2g} % of the rotor's radius, more "
+                      "than {} %: rolling speeds and moments, which are those of a rigid rotor, "
+                      "are uncertain by as much",
+                      deepest, 100 * deepest / p.rotor_radius, 100 * deep)}});
   // Steps per half period of the contact; with ten, the error of the largest force is about 1 %.
   constexpr double few_steps = 10;
   const double steps = std::numbers::pi /

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/theory/lifting.hpp"
+
 namespace rotor {
 namespace {
 
@@ -157,9 +159,10 @@ Scenario scenario_of(const ScenarioSpec& spec) {
 
 Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) try {
   Scenario scenario = stated_scenario(spec);
-  if (!scenario.mass_loss_speed_Hz) return scenario;
-  const double speed_Hz = *scenario.mass_loss_speed_Hz;
-  Parameters& p = scenario.parameters;
+  const std::optional<double> stated_Hz = scenario.stated_mass_loss_speed_Hz();
+  if (!stated_Hz) return scenario;
+  const double speed_Hz = *stated_Hz;
+  const Parameters& p = scenario.parameters;
   const bool states_end = spec.numbers.contains("until");
   Interruptible monitor;
   const SpeedReached reached = run_ups.time_at_speed(
@@ -182,13 +185,18 @@ Scenario scenario_of(const ScenarioSpec& spec, RunUps& run_ups) try {
     };
     if (reached.touches)
       add({"; state mass_loss_time"});
+    else if (swings(scenario))
+      add({"; ", mention_of(scenario, "torque"),
+           fmt::format(" does not lift the unbalance, which takes {:.4g} N m", lifting_torque(p))});
     else if (speed_Hz > p.motor_off_Hz)
       add({"; above ", Mention{"motor_off_Hz"}, " the motor is off"});
     throw ScenarioError(message);
   }
-  p.mass_loss_time = *reached.time_s;
-  if (p.mass_loss_time == 0) scenario.mass_loss_speed_Hz.reset();
-  if (!states_end) scenario.until += p.mass_loss_time;
+  if (*reached.time_s > 0)
+    scenario.state_mass_loss_speed(speed_Hz, *reached.time_s);
+  else
+    scenario.mass_loss_speed_Hz = {};
+  if (!states_end) scenario.until += *reached.time_s;
   return scenario;
 } catch (const Interrupted&) {
   throw;

@@ -43,6 +43,8 @@ struct Draw {
 
   /// The number below which a share, between 0 and 1, of all draws lies.
   double quantile(double share) const;
+  /// Those between which a sample of so many draws lies; of normal ones in 999 of 1000 cases.
+  std::pair<double, double> ends(long count) const;
 };
 
 enum class Sampling { sobol, random };

@@ -213,6 +213,13 @@ class SweepReader : TomlFile {
     if (!std::isfinite(draw.quantile(least_share)) ||
         !std::isfinite(draw.quantile(1 - least_share)))
       fail(node, key, "is too wide: numbers in it cannot be computed");
+    const auto [least, greatest] = draw.ends(count);
+    for (const double end : {least, greatest})
+      if (!of.allows(end))
+        fail(node, key,
+             "count = {} draws may reach {:.4g}, and {} must be {}: state a smaller deviation, "
+             "uniform or log_uniform",
+             count, end, of.name, of.range());
     if (!has_room(draw.quantile(0.25), draw.quantile(0.75), static_cast<double>(count) / 2))
       fail(node, key, "is too narrow: count = {} draws cannot all differ", count);
     return draw;
@@ -263,7 +270,7 @@ class SweepReader : TomlFile {
            "varies, but is determined by velocity_jump and gravity_moment, which are stated");
   }
 
-  /// Checks the corners of the axes and draws; of a normal draw only the mean.
+  /// Checks the corners of the axes and draws.
   void require_physical_corners(const Sweep& sweep) const {
     std::vector<Axis> ends;
     for (const Axis& axis : sweep.axes)
@@ -272,8 +279,8 @@ class SweepReader : TomlFile {
     if (ends.size() + sweep.sample.over.size() > most_dimensions)
       fail(root(), "axis", "more than {} quantities vary", most_dimensions);
     for (const Draw& draw : sweep.sample.over) {
-      ends.push_back({draw.quantity, {}, {draw.a}});
-      if (draw.distribution != Distribution::normal) ends.back().numbers.push_back(draw.b);
+      const auto [least, greatest] = draw.ends(sweep.sample.count);
+      ends.push_back({draw.quantity, {}, {least, greatest}});
     }
     Sweep corners{
         .title = {}, .text = {}, .base = sweep.base, .axes = std::move(ends), .sample = {}};

@@ -63,6 +63,12 @@ double Draw::quantile(double share) const {
   std::abort();
 }
 
+std::pair<double, double> Draw::ends(long count) const {
+  if (distribution != Distribution::normal) return {a, b};
+  const double share = 0.5e-3 / static_cast<double>(count);
+  return {quantile(share), quantile(1 - share)};
+}
+
 long Sweep::points() const {
   long all = sample.count;
   for (const Axis& axis : axes) all *= axis.points();

@@ -94,9 +94,9 @@ Computation<S> compute(const Scenario& scenario, const S& tolerance,
   RotorSystem<S> rotor(scenario.parameters, scenario.equations);
   const BasicInstant<S> start = start_of<S>(scenario);
   MassLoss<S> loss(scenario.parameters);
-  if (scenario.mass_loss_speed_Hz) {
+  if (const auto speed_Hz = scenario.stated_mass_loss_speed_Hz()) {
     RotorSystem<S> to_speed = rotor;
-    to_speed.motor_off = rotor.radians_per_turn() * as_typed<S>(*scenario.mass_loss_speed_Hz);
+    to_speed.motor_off = rotor.radians_per_turn() * as_typed<S>(*speed_Hz);
     // Precision moves it by far less.
     const S latest_s = S(1.01) * S(scenario.parameters.mass_loss_time);
     loss.time_s = time_of_next(EventMethod<S>(to_speed, tolerance, start), Event::motor_off,
@@ -173,7 +173,7 @@ std::vector<NamedValue<S>> values_of(const BasicInstant<S>& at, const Scenario& 
   const S length = max(least, S(m.displacement.norm()));
   const S velocity = max(S(least * abs(m.speed)), S(m.velocity.norm()));
   const bool is_stated = at.event == Event::none ||  // the end
-                         (at.event == Event::mass_loss && !scenario.mass_loss_speed_Hz);
+                         (at.event == Event::mass_loss && !scenario.stated_mass_loss_speed_Hz());
   return {{"time_s", at.time_s, S(0), is_stated},
           {"q1_m", q[0], length},
           {"q2_m", q[1], length},

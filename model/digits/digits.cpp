@@ -58,14 +58,17 @@ Scenario disturbed(Scenario scenario) {
     number *= 1 + share;
     share = -share;  // neighbours oppose each other, as mass and stiffness do in a frequency
   };
+  auto lost_mass = scenario.parameters.stated_lost_mass(),
+       speed_Hz = scenario.stated_mass_loss_speed_Hz();
   for (const Quantity& quantity : quantities())
     if (quantity.name != "contact_exponent")  // in which 1 is no number like others
       disturb(quantity.in(scenario));
   if (auto& start = scenario.start)
     for (double* of : {&start->x, &start->y, &start->velocity_x, &start->velocity_y}) disturb(*of);
-  for (auto* of : {&scenario.parameters.clearance, &scenario.parameters.lost_mass,
-                   &scenario.mass_loss_speed_Hz})
+  for (auto* of : {&lost_mass, &speed_Hz})
     if (*of) disturb(**of);
+  if (lost_mass) scenario.parameters.state_lost_mass(*lost_mass);
+  if (speed_Hz) scenario.state_mass_loss_speed(*speed_Hz, scenario.parameters.mass_loss_time);
   return scenario;
 }
 

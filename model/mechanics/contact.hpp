@@ -59,9 +59,9 @@ struct Ring {
 
   /// Double precision uses r_a, so that both inputs give identical runs.
   static S clearance_of(const Parameters& p) {
-    constexpr bool is_double = std::is_same_v<S, double>;
-    return !is_double && p.clearance ? as_typed<S>(*p.clearance)
-                                     : as_typed<S>(p.stator_radius) - as_typed<S>(p.rotor_radius);
+    if constexpr (!std::is_same_v<S, double>)
+      if (const auto stated = p.stated_clearance()) return as_typed<S>(*stated);
+    return as_typed<S>(p.stator_radius) - as_typed<S>(p.rotor_radius);
   }
 
   bool is_clear_of(const Motion<S>& motion) const {

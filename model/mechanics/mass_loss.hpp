@@ -17,10 +17,10 @@ struct MassLoss {
   explicit MassLoss(const Parameters& p)
       : before(Body<S>::of(p)), time_s(as_typed<S>(p.mass_loss_time)) {
     const S r = as_typed<S>(p.rotor_radius), m = before.mass, e = before.eccentricity;
+    const std::optional<double> stated = p.stated_lost_mass();
     // A balanced rotor gets its eccentricity from the piece alone.
-    const S e_1 = e > 0 || !p.lost_mass
-                      ? S(unbalance_factor(p) * e)
-                      : S(as_typed<S>(*p.lost_mass) * r / (m - as_typed<S>(*p.lost_mass)));
+    const S e_1 = e > 0 || !stated ? S(unbalance_factor(p) * e)
+                                   : S(as_typed<S>(*stated) * r / (m - as_typed<S>(*stated)));
     piece_distance = r + e;
     lost_mass = m * (e_1 - e) / (r + e_1);  // Eq. (5)
     after.mass = m - lost_mass;
@@ -29,12 +29,17 @@ struct MassLoss {
                     after.mass * (e_1 - e) * (e_1 - e);  // Eqs. (8), (11), (12)
   }
 
-  /// k_u, from Eq. (5) if the lost mass is stated.
   static S unbalance_factor(const Parameters& p) {
-    if (!p.lost_mass || *p.lost_mass == 0) return as_typed<S>(p.unbalance_factor);
+    const std::optional<double> stated = p.stated_lost_mass();
+    return stated ? unbalance_factor(p, *stated) : as_typed<S>(p.unbalance_factor);
+  }
+
+  /// k_u that follows from a lost mass; 1 for a balanced rotor.
+  static S unbalance_factor(const Parameters& p, double lost_mass_kg) {
     const S m = as_typed<S>(p.mass), e = as_typed<S>(p.eccentricity),
-            lost = as_typed<S>(*p.lost_mass);
-    return 1 + lost * (e + as_typed<S>(p.rotor_radius)) / ((m - lost) * e);  // never below 1
+            lost = as_typed<S>(lost_mass_kg);
+    if (!(lost > 0 && e > 0)) return S(1);
+    return 1 + lost * (e + as_typed<S>(p.rotor_radius)) / ((m - lost) * e);  // Eq. (5); >= 1
   }
 
   /// v_DC: speed of the piece relative to C at the mass loss, m/s.

@@ -60,6 +60,17 @@ inline constexpr Equations Equations::corrected{VelocityJump::once, GravityMomen
 /// whatever torque that takes; the rotation then has no energy that could be exchanged.
 enum class Drive { motor, constant_speed };
 
+/// A number that functions beside it set, which also set the one that follows from it.
+class Remembered {
+ public:
+  bool operator==(const Remembered&) const = default;
+
+ private:
+  friend struct Parameters;
+  friend struct Scenario;
+  std::optional<double> number_;
+};
+
 /// Parameters in SI units; the defaults are the paper's (Nomenclature).
 struct Parameters {
   double mass = 5;                  // m
@@ -79,14 +90,24 @@ struct Parameters {
   double unbalance_factor = 3;      // k_u
   double mass_loss_time = 29.1;     // t_1
   bool loses_mass = true;           // whether the mass m_u is lost at all
-  std::optional<double> clearance{};  // r_a - r, if it is stated instead of r_a
-  std::optional<double> lost_mass{};  // m_u, if it is stated instead of k_u
 
   // The contact's law, if it is not the paper's:
   double contact_exponent = 1;       // n of its elastic force
   double reference_indentation = 0;  // Delta_0, at which that is k_t Delta_0, unless n = 1
 
+  Remembered clearance{}, lost_mass{};
+
   bool operator==(const Parameters&) const = default;
+
+  /// States r_a by the clearance r_a - r, m; r before it.
+  void state_clearance(double clearance_m);
+  /// States k_u by m_u, kg; m, e_x and r before it. Throws ScenarioError unless m_u < m. Of a
+  /// balanced rotor, which no factor describes, m_u is kept.
+  void state_lost_mass(double lost_mass_kg);
+  /// As they were stated, for a precision in which they are not what their doubles say; nothing if
+  /// a number from which they follow has been set since.
+  std::optional<double> stated_clearance() const;
+  std::optional<double> stated_lost_mass() const;
 };
 
 }  // namespace rotor

@@ -71,6 +71,41 @@ constexpr std::array all_quantities = {
 
 }  // namespace
 
+void Parameters::state_clearance(double clearance_m) {
+  clearance.number_ = clearance_m;
+  stator_radius = rotor_radius + clearance_m;
+}
+
+std::optional<double> Parameters::stated_clearance() const {
+  const auto& stated = clearance.number_;
+  return stated && stator_radius == rotor_radius + *stated ? stated : std::nullopt;
+}
+
+void Parameters::state_lost_mass(double lost_mass_kg) {
+  if (!(lost_mass_kg < mass))
+    throw ScenarioError({Mention{"lost_mass", fmt::format("{} kg", lost_mass_kg)},
+                         ": must be less than ", Mention{"mass", fmt::format("{} kg", mass)}});
+  lost_mass.number_ = lost_mass_kg;
+  unbalance_factor = MassLoss<double>::unbalance_factor(*this, lost_mass_kg);
+}
+
+std::optional<double> Parameters::stated_lost_mass() const {
+  const auto& stated = lost_mass.number_;
+  return stated && unbalance_factor == MassLoss<double>::unbalance_factor(*this, *stated)
+             ? stated
+             : std::nullopt;
+}
+
+void Scenario::state_mass_loss_speed(double speed_Hz, double time_s) {
+  mass_loss_speed_Hz.number_ = speed_Hz;
+  time_at_that_speed_s.number_ = parameters.mass_loss_time = time_s;
+}
+
+std::optional<double> Scenario::stated_mass_loss_speed_Hz() const {
+  return time_at_that_speed_s.number_ == parameters.mass_loss_time ? mass_loss_speed_Hz.number_
+                                                                   : std::nullopt;
+}
+
 std::string shortest_decimal(double number) { return fmt::format("{}", number); }
 
 Scenario run_up_part(const Scenario& scenario) {
@@ -87,6 +122,7 @@ Scenario run_up_part(const Scenario& scenario) {
   part.until = standard.until;
   part.step_rub = standard.step_rub;
   part.mass_loss_speed_Hz = standard.mass_loss_speed_Hz;
+  part.time_at_that_speed_s = standard.time_at_that_speed_s;
   return part;
 }
 

@@ -32,9 +32,15 @@ struct Scenario {
   double tolerance = 1e-11;   // of event: error allowed in a step, relative to the phase's scale()
   double step_run_up = 1e-4;  // of rk4: step until the mass loss or the first contact, s
   double step_rub = 5e-6;     // of rk4: step after that, s
-  std::optional<double> mass_loss_speed_Hz{};  // if stated instead of the time of the mass loss
+  Remembered mass_loss_speed_Hz{}, time_at_that_speed_s{};
 
   bool operator==(const Scenario&) const = default;
+
+  /// The time of the mass loss, s, as that at which the run-up reaches a speed: for a precision in
+  /// which it is found again.
+  void state_mass_loss_speed(double speed_Hz, double time_s);
+  /// Nothing if the time has been set since.
+  std::optional<double> stated_mass_loss_speed_Hz() const;
 
   /// Whether mass is lost within this run.
   bool loses_mass() const { return parameters.loses_mass && parameters.mass_loss_time <= until; }

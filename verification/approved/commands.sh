@@ -1,7 +1,15 @@
 # Functions for the commands of the transcripts.
 export LC_ALL=C
 
-rotor() { "$rotor" "$@"; }
+# Messages first, and then the output, whatever reads it.
+rotor() {
+  local output status=0
+  output=$(mktemp)
+  "$rotor" "$@" >"$output" || status=$?
+  cat "$output"
+  rm "$output"
+  return $status
+}
 
 # Blanks the version, and numbers except those within names (q1_m) and after "paper" and "Fig.".
 numbers() { sed -E 's/[0-9]+(\.[0-9]+){2}(-dev)? \([^)]+\)/(version)/;/^(paper|Fig\.)/!s/(^|[^A-Za-z0-9_.])[-+−]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?([^A-Za-z0-9_]|$)/\1N\4/g'; }

@@ -89,6 +89,20 @@ struct HeadOn {
   double restitution = 0, deepest = 0, peak_N = 0, residual = 0;
 };
 
+// F = K Delta^1.5 with the formula of the manual, whatever reference is chosen.
+TEST(Impact, IsHertzsForAStiffnessOfKTimesTheRootOfTheReference) {
+  constexpr double K = 3e10;  // N/m^1.5
+  for (const double reference : {1e-6, 1e-4, 0.01}) {
+    const ContactLaw<double> law({.contact_stiffness = K * std::sqrt(reference),
+                                  .contact_exponent = 1.5,
+                                  .reference_indentation = reference});
+    for (const double indentation : {1e-7, 3e-5, 2e-3}) {
+      const double force = K * std::pow(indentation, 1.5);
+      EXPECT_NEAR(law.spring_force(indentation) / force, 1, 1e-14);  // of some roundings
+    }
+  }
+}
+
 // With these exponents the motion is not smooth at touch-down and release.
 TEST(HeadOnImpact, OnAPowerLawHasTheIndentationForceDurationAndReboundOfTheClosedForm) {
   Law law("indentation, force, duration and rebound of an impact on a power law", 1e-10);

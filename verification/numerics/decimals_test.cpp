@@ -4,6 +4,8 @@
 #include "figures/runs/run_ups.hpp"
 #include "model/digits/digits.hpp"
 #include "model/digits/quad.hpp"
+#include "model/mechanics/contact.hpp"
+#include "model/mechanics/mass_loss.hpp"
 #include "verification/support/short_run.hpp"
 
 namespace rotor {
@@ -45,6 +47,30 @@ TEST(Decimals, MakeTheSameRunHoweverARotorIsStated) {
   EXPECT_GT(a.values.touch_downs, 1);
   EXPECT_NEAR(a.values.speed_at_mass_loss_Hz.value(), 140.5, 1e-13);
   EXPECT_NEAR(a.values.lost_mass_kg.value(), 0.01, 1e-17);
+}
+
+// In each precision a clearance and a lost mass are those that were stated, until a number from
+// which they follow is set: from then on they are what the numbers say.
+TEST(Decimals, HaveOneTruthHoweverTheLibrarySetsThem) {
+  Parameters p{.rotor_radius = 0.07};
+  p.state_clearance(1e-3);
+  p.state_lost_mass(0.01);
+  EXPECT_NEAR(Ring<double>(p).clearance, 1e-3, 1e-17);
+  EXPECT_LT(abs(Ring<Quad>(p).clearance - as_typed<Quad>(1e-3)), 1e-33);
+  EXPECT_NEAR(MassLoss<double>(p).lost_mass, 0.01, 1e-16);
+  EXPECT_LT(abs(MassLoss<Quad>(p).lost_mass - as_typed<Quad>(0.01)), 1e-32);
+  p.stator_radius = 0.08;
+  p.unbalance_factor = 3;
+  Parameters other{.rotor_radius = 0.07, .stator_radius = 0.08};
+  EXPECT_EQ(Ring<Quad>(p).clearance, Ring<Quad>(other).clearance);
+  EXPECT_EQ(MassLoss<Quad>(p).lost_mass, MassLoss<Quad>(other).lost_mass);
+  p.state_clearance(2e-3);
+  p.rotor_radius = 0.06;
+  EXPECT_NEAR(static_cast<double>(Ring<Quad>(p).clearance), Ring<double>(p).clearance, 1e-15);
+  p.eccentricity = 0;
+  p.state_lost_mass(0.02);
+  EXPECT_NEAR(MassLoss<double>(p).lost_mass, 0.02, 1e-16);
+  EXPECT_THROW(p.state_lost_mass(p.mass), ScenarioError);
 }
 
 }  // namespace

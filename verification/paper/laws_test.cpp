@@ -170,7 +170,8 @@ TEST_F(LawsOfTheAccident, QuestionInputsInOtherUnits) {
           ADD_FAILURE() << figure << ": " << remark.message.text();
       }
   for (const auto& [options, remark] : std::vector<std::pair<std::string, std::string>>{
-           {"--mass 2000 --inertia 1600", "the motor reaches about 0.00058 %"},
+           {"--mass 2000 --inertia 1600", "torque = 0.3 N m does not lift the unbalance from rest"},
+           {"--mass 2000 --inertia 1600 --gravity 0", "the motor reaches about 0.00058 %"},
            {"--mass 2000 --inertia 1600", "the mass is lost at 0.000"},
            {"--inertia 9", "inertia = 9 kg m^2 is 5e+02 times"},
            {"--mass 500 --unbalance-factor 1.01 --start-speed-Hz 150",

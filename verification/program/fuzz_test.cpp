@@ -217,7 +217,7 @@ TEST_F(Fuzz, TextsAreNeverCommands) {
               quoted(scene_file).substr(1) + " --equations published --out=./" +
               quoted(picture).substr(1));
     EXPECT_EQ(status, 0) << scene << output;
-    EXPECT_EQ(output, "./" + picture + '\n');
+    EXPECT_TRUE(output.starts_with("./" + picture + '\n')) << output;
     EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder_), {}), 3) << scene;
     const std::string svg = content(folder + '/' + picture);
     boost::property_tree::ptree tree;

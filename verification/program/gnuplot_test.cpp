@@ -53,7 +53,7 @@ TEST_F(Gnuplot, HeedsNoSettingsButItsOwn) {
   write("long.toml", "title = \"" + std::string(200'000, 'a') +
                          "\"\n[parameters]\nuntil = 0.01\n"
                          "no_mass_loss = true\n");
-  EXPECT_EQ(rotor("plot long.toml").output, "long.svg\n");
+  EXPECT_EQ(rotor("plot long.toml 2>/dev/null").output, "long.svg\n");
 }
 
 // Values that do not vary. gnuplot prints nothing.
@@ -79,6 +79,16 @@ TEST_F(Gnuplot, RefusesAPictureWithoutItsEnd) {
     EXPECT_TRUE(has(output, "gnuplot did not draw the whole picture\n"));
     EXPECT_EQ(content(name), "old");
   }
+}
+
+TEST_F(Gnuplot, NamesAScriptThatItCannotRun) {
+  write("mine.gp", "set title 'mine'\nplot missing(\n");
+  const auto [status, output] =
+      shell("'" ROTOR_SOURCES "/figures/draw.sh' a.svg \"data = ''\" mine.gp");
+  EXPECT_NE(status, 0);
+  EXPECT_TRUE(has(output, "\"mine.gp\" line 2: "));
+  EXPECT_TRUE(has(output, "a.svg: not drawn by mine.gp: gnuplot's message above"));
+  EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
 }
 
 // What a scene states becomes variables of gnuplot.

@@ -326,6 +326,26 @@ TEST_F(Make, InstallsAProgramThatCanBeMoved) {
   }
 }
 
+// The installed model builds the example of model/README.md, which prints the same.
+TEST_F(Make, InstallsALibraryWithWhichTheExampleIsBuilt) {
+  ASSERT_EQ(shell("cmake --install '" ROTOR_BUILD "' --prefix here >log").status, 0);
+  fs::rename(folder_ / "here", folder_ / "it is here");
+  for (const char* name : {"share/doc/rotor/LICENSE", "share/rotor/examples/my-rotor.toml"})
+    EXPECT_TRUE(fs::exists(folder_ / "it is here" / name)) << name;
+  EXPECT_EQ(
+      shell("'it is here/bin/rotor' run 'it is here/share/rotor/examples/my-rotor.toml'").status,
+      0);
+  write("CMakeLists.txt",
+        "cmake_minimum_required(VERSION 3.25)\nproject(mine CXX)\nfind_package(rotor 1 REQUIRED)\n"
+        "add_executable(accident \"it is here/share/rotor/examples/accident.cpp\")\n"
+        "target_link_libraries(accident PRIVATE rotor::model)\n");
+  const auto [status, output] = shell(
+      "cmake -B made -G Ninja -DCMAKE_PREFIX_PATH=\"$PWD/it is here\" >log 2>&1 && "
+      "ninja -C made >>log && made/accident");
+  EXPECT_EQ(status, 0) << content("log");
+  EXPECT_EQ(output, shell("'" ROTOR_EXAMPLE "'").output);
+}
+
 // Where a test fails or crashes, or none runs, tests.sh returns an error.
 TEST_F(Make, SaysThatTestsHaveFailed) {
   const std::string run = "'" ROTOR_SOURCES "/verification/tests.sh' fake verification";

@@ -56,7 +56,7 @@ class PlotSweep : public CommandLine {
 
   static int code_of(const std::string& outcome) {
     const auto found = std::ranges::find(outcomes, outcome, &OutcomeInWords::name);
-    return static_cast<int>(std::min<std::ptrdiff_t>(found - outcomes.begin(), 6));
+    return static_cast<int>(found - outcomes.begin());  // 7: no result
   }
 
   static bool shows(const DrawnPicture& picture, std::string_view text) {
@@ -96,6 +96,14 @@ TEST_F(PlotSweep, DrawsEachPointOfAMapAtItsValues) {
     EXPECT_EQ(rows, 30U);
     EXPECT_TRUE(shows(picture(), "corrected equations"));
   }
+}
+
+// At 10 Hz the steady response exceeds the smaller clearances.
+TEST_F(PlotSweep, TellsPointsWithoutAResultFromStalledOnes) {
+  sweep(replaced(speeds_, "\\[60.*300\\]", "[10, 150]") + clearances_);
+  const DrawnPicture drawn = picture();
+  EXPECT_TRUE(shows(drawn, no_result));
+  EXPECT_FALSE(shows(drawn, "stalled"));
 }
 
 TEST_F(PlotSweep, DrawsACurveForEachCombinationOfTheOtherAxes) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -107,6 +108,42 @@ TEST_F(RunCommand, SaysWhereTheEnergyGoes) {
 }
 
 // In JSON all results keep their types, and each number of the run has its error beside it.
+// From rest a constant torque M lifts C over O if M t exceeds m g e (1 - cos t) at each angle t.
+TEST_F(RunCommand, SaysWhetherTheMotorLiftsTheUnbalance) {
+  double needed = 0;
+  for (int n = 1; n < 3142; ++n) needed = std::max(needed, (1 - std::cos(1e-3 * n)) / (1e-3 * n));
+  const double whole = 5 * 9.81 * 0.15e-3;  // m g e_x, N m
+  for (const double share : {0.3, 0.99 * needed, 1.01 * needed, 1.2})
+    for (const double until_s : {1., 40.}) {
+      const Json run = summary(fmt::format("--no-mass-loss --inertia 5e-3 --torque {} --until {}",
+                                           share * whole, until_s));
+      EXPECT_EQ(has(run["remarks"].dump(), "swings as a pendulum"), share < needed) << share;
+      EXPECT_TRUE(until_s < 40 || (run["final_speed_Hz"] > 2) == (share > needed)) << share;
+    }
+  expect_refusal("run --mass-loss-speed-Hz 10 --until 5 --torque 1e-3",
+                 "does not lift the unbalance");
+}
+
+// 20 % of the radius, and 1.4 %.
+TEST_F(RunCommand, RemarksOnDeepIndentations) {
+  for (const auto& [stiffness, is_deep] : {std::pair("5e6", true), {"8e8", false}}) {
+    const std::string options = fmt::format(
+        "start_speed_Hz = 150\nclearance = 1e-3\nuntil = 0.3\ncontact_damping = 100\n"
+        "contact_stiffness = {}\n",
+        stiffness);
+    write("s.toml", "[parameters]\n" + options);
+    write("t.toml",
+          "[parameters]\n" + options + "[[axis]]\nquantity = \"friction\"\nvalues = [0.2, 0.3]\n");
+    const Json run = summary("s.toml");
+    EXPECT_EQ(run["peak_displacement_m"] > 1e-3 + 0.05 * 0.06, is_deep);
+    EXPECT_EQ(has(rotor("run s.toml").output, "of the rotor's radius, more than 5 %"), is_deep);
+    EXPECT_EQ(has(rotor("plot s.toml").output, "of the rotor's radius, more than 5 %"), is_deep);
+    EXPECT_EQ(has(rotor("sweep t.toml --force").output, "2 of 2 points have remarks"), is_deep);
+    EXPECT_EQ(has(content("t.csv"), "of the rotor's radius"), is_deep);
+    EXPECT_EQ(has(rotor("plot t.csv").output, "2 of 2 points have remarks"), is_deep);
+  }
+}
+
 TEST_F(RunCommand, PrintsErrorsBesideTheNumbersIfDigitsAreAskedFor) {
   const std::string rolls =
       "--equations published --start-speed-Hz 150 --mass-loss-time 1e-3 --until 0.03 ";
@@ -137,6 +174,7 @@ TEST_F(RunCommand, PrintsErrorsBesideTheNumbersIfDigitsAreAskedFor) {
                           "remarks", "equations", "velocity_jump", "gravity_moment", "method"})
     EXPECT_EQ(sure[key], plain[key]) << key;
   EXPECT_EQ(sure.size(), plain.size() + 3);
+  EXPECT_EQ(sure["tolerance"], 1e-13);  // not 9.999999999999999e-14
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -189,6 +190,27 @@ TEST_F(Trace, ShowsTheMotionAtTheTimesThatItNames) {
     EXPECT_NEAR(rows[n][3] / at.state[5], 1, 1e-9) << n;
     const double force = column_by_formula("normal_force_N", at, scenario);
     EXPECT_NEAR(rows[n][4], force, 1e-3 + 1e-6 * std::abs(force)) << n;
+  }
+}
+
+// The rows are the same, below the provenance and the names, the names alone, or nothing.
+TEST_F(Trace, HasTheHeaderThatIsAskedFor) {
+  std::map<std::string, std::string> rows_below;
+  for (const std::string header : {"none", "names", "full"}) {
+    ASSERT_EQ(rotor("run --start-speed-Hz 150 --until 0.02 --trace t.csv --columns time_s,rho_m "
+                    "--events e.csv --header " +
+                    header)
+                  .status,
+              0);
+    for (const auto& [file, names] :
+         {std::pair("t.csv", "run,time_s,rho_m\n"), {"e.csv", "run,event,time_s,"}}) {
+      const std::string text = content(file);
+      EXPECT_EQ(text.starts_with("# "), header == "full");
+      EXPECT_EQ(text.find(names) != text.npos, header != "none");
+      std::string& rows = rows_below[file];
+      if (header == "none") rows = text;
+      EXPECT_TRUE(text.ends_with(rows) && !rows.empty());
+    }
   }
 }
 

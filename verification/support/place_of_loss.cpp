@@ -6,7 +6,8 @@ namespace rotor {
 
 double lost_mass_by_formula(const Parameters& p) {
   const double e_1 = p.unbalance_factor * p.eccentricity;
-  return p.lost_mass.value_or(p.mass * (e_1 - p.eccentricity) / (p.rotor_radius + e_1));  // Eq. (5)
+  return p.stated_lost_mass().value_or(p.mass * (e_1 - p.eccentricity) /
+                                       (p.rotor_radius + e_1));  // Eq. (5)
 }
 
 PlaceOfLoss::PlaceOfLoss(const Parameters& p, double angle)
