@@ -276,7 +276,7 @@ std::vector<std::string> left_to_the_paper(const ScenarioSpec& stated) {
     const std::string_view name = quantity.name;
     if (name == start_speed) break;  // from here on they are of the run
     is_other = is_other || is_stated(name);
-    if (quantity.of(Scenario{}) == quantity.least) continue;  // the paper leaves that out
+    if (quantity.of(Scenario{}) == std::max(quantity.least, 0.)) continue;  // left out by the paper
     const bool matters = name == "unbalance_factor" ? loses_mass
                          : name == "mass_loss_time" ? loses_mass && !is_stated(start_speed)
                          : name == "motor_off_Hz"   ? is_driven && number(stated, "torque") != 0.

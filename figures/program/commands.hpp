@@ -60,7 +60,7 @@ inline constexpr auto names_of<CsvHeader> = std::to_array<Named<CsvHeader>>(
     {{"full", CsvHeader::full}, {"names", CsvHeader::names}, {"none", CsvHeader::none}});
 
 struct RunOptions : CaseOptions {
-  std::string trace, events;  ///< files to write
+  std::string trace, events, section;  ///< files to write
   std::vector<std::string> columns;
   std::optional<double> from_s;
   std::optional<double> every_s;    ///< equal intervals; adaptive if it is not stated

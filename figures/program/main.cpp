@@ -296,6 +296,11 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->needs(trace);
   add_name(command, "--events", options.events,
            "write time, kind, state, normal force and slip of the located events to this CSV file");
+  add_name(
+      command, "--section", options.section,
+      "at constant speed, write position, velocity and normal force once a turn, when e_x points "
+      "down, in the last 192 turns to this CSV file, and add to the summary after how many "
+      "turns the position repeats");
   add_text(
       command, "--header",
       [&options](const std::string& text) { options.header = parse_name<CsvHeader>(text); },

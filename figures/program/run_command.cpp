@@ -6,6 +6,7 @@
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
+#include "figures/record/section.hpp"
 #include "figures/results/estimated_result.hpp"
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
@@ -28,7 +29,19 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
   refuse(options.stop_on.has_value(), "excludes --stop-on: where a run stops depends on its steps");
   refuse(!options.trace.empty(), "are not estimated in a --trace");
   refuse(!options.events.empty(), "excludes --events; --json has the events");
+  refuse(!options.section.empty(), "are not estimated in a --section");
   refuse(options.energy, "are not estimated for --energy");
+}
+
+/// Refuses a section of a motion that has no turns of one length up to its end.
+void require_turns(const RunOptions& options, const Scenario& scenario) {
+  if (options.section.empty()) return;
+  if (scenario.parameters.drive != Drive::constant_speed)
+    throw InputError("--section: needs drive = constant_speed, which makes all turns equally long");
+  if (scenario.method == Method::rk4)
+    throw InputError("--section: only --method event knows the motion between its steps");
+  if (options.stop_on)
+    throw InputError("--section: excludes --stop-on: it has the last turns before until");
 }
 
 /// The scene, with everything that the options state.
@@ -43,6 +56,7 @@ Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
       throw InputError("--events: only --method event locates events");
     if (options.energy && run.scenario.method == Method::rk4)
       throw InputError("--energy: only --method event knows the motion between its steps");
+    require_turns(options, run.scenario);
     require_digits_to_be_known(options, run);
   }
   result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
@@ -120,22 +134,25 @@ void say_what_is_traced(const RunOptions& options, const Scene& scene, long rows
 class Files {
  public:
   FileTransaction all;
-  OutputFile *trace = nullptr, *events = nullptr;
+  OutputFile *trace = nullptr, *events = nullptr, *section = nullptr;
   long rows = 0;  ///< of the trace
 
   Files(const RunOptions& options, const Scene& scene) : all(options.scene) {
     const std::string of_run =
         (scene.runs.size() > 1 ? " of runs" : " of a run") +
         (options.stop_on ? fmt::format(" until {}", name_of(*options.stop_on)) : "");
-    if (!options.trace.empty()) {
-      trace = &all.open(options.trace);
-      trace->write(shortened(csv_head("Trace" + of_run, scene, "run"), options.header));
-    }
-    if (options.events.empty()) return;
-    events = &all.open(options.events);
-    Scene log = scene;
-    log.columns = EventLog::columns();
-    events->write(shortened(csv_head("Events" + of_run, log, "run,event"), options.header));
+    const auto open = [&](const std::string& file, const char* what,
+                          std::vector<const Column*> columns, std::string_view names) {
+      if (file.empty()) return static_cast<OutputFile*>(nullptr);
+      Scene log = scene;
+      log.columns = std::move(columns);
+      OutputFile& opened = all.open(file);
+      opened.write(shortened(csv_head(what + of_run, log, names), options.header));
+      return &opened;
+    };
+    trace = open(options.trace, "Trace", scene.columns, "run");
+    events = open(options.events, "Events", EventLog::columns(), "run,event");
+    section = open(options.section, "Last turns", Section::columns(), "run");
   }
 
  private:
@@ -174,8 +191,13 @@ RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, R
     observers.add(*events);
   }
 
+  std::optional<Section> section;
+  if (files.section)
+    observers.add(
+        section.emplace(scenario, [&](auto row) { files.section->write(csv_row(name, row)); }));
+
   // A run that writes files starts at its beginning, so that observers see all of it.
-  const bool writes = files.trace || files.events;
+  const bool writes = files.trace || files.events || files.section;
   RunResult result =
       finish(writes ? RunUpCheckpoint(scenario) : run_ups.checkpoint_before(scenario, progress),
              scenario, options.stop_on, observers);
@@ -185,6 +207,11 @@ RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, R
   RunReport report{to_json(result), remarks(result)};
   if (energy) report.summary["energy_J"] = to_json(*energy);
   if (energy && result.early.leaves_rest_open()) report.summary["energy_J"]["until_end"] = nullptr;
+  if (section) {
+    const auto period = section->repeats_after();
+    report.summary["section"] = {{"turns", section->rows()},
+                                 {"repeats_after_turns", period ? Json(*period) : Json()}};
+  }
   return report;
 }
 
@@ -199,8 +226,8 @@ void run_rotor(const RunOptions& options) {
   if (options.json_schema) return fmt::print("{}\n", summary_schema().dump(2));
   if (!options.columns.empty() && options.trace.empty())
     throw InputError("--columns requires --trace, or is help");
-  if (options.header && options.trace.empty() && options.events.empty())
-    throw InputError("--header requires --trace or --events");
+  if (options.header && options.trace.empty() && options.events.empty() && options.section.empty())
+    throw InputError("--header requires --trace, --events or --section");
   RunUps run_ups;
   const Scene scene = requested_scene(options, run_ups);
   const bool one_of_many = scene.runs.size() > 1;
@@ -246,8 +273,9 @@ void run_rotor(const RunOptions& options) {
     if (files.trace && !is_standard_output(options.trace))
       say_what_is_traced(options, scene, files.rows);
   }
-  const bool standard_output_is_taken =
-      is_standard_output(options.trace) || is_standard_output(options.events);
+  const bool standard_output_is_taken = is_standard_output(options.trace) ||
+                                        is_standard_output(options.events) ||
+                                        is_standard_output(options.section);
   std::FILE* const to = standard_output_is_taken ? stderr : stdout;
   if (options.json && !runs.empty())
     fmt::print(to, "{}\n", (one_of_many ? Json{{"runs", runs}} : runs.front()).dump(2));

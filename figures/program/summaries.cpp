@@ -150,7 +150,8 @@ void print_brief(const Json& run, bool in_rpm, std::FILE* to) {
                      ? fmt::format("{} after loss", label)
                      : label,
                  in_print(run, name, in_rpm));
-  if (run.contains("energy_J")) print_all(Json{{"energy_J", run["energy_J"]}}, to, "  ");
+  for (const char* part : {"energy_J", "section"})
+    if (run.contains(part)) print_all(Json{{part, run[part]}}, to, "  ");
   fmt::print(to, about_other_results);
 }
 

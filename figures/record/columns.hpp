@@ -41,6 +41,9 @@ class InstantView {
   Vector<double> displacement_in_stator_frame() {
     return in_stator_frame({at_.state[0], at_.state[1]}, at_.state[2]);
   }
+  Vector<double> velocity_in_stator_frame() {
+    return in_stator_frame(motion().velocity, at_.state[2]);
+  }
   const Ring<double>& ring() const { return context_.ring; }
   const ActingLoads<double>& acting() const { return context_.acting; }
 

@@ -77,7 +77,7 @@ Json laws_or_nulls(const Scenario& scenario) {
   if (scenario.parameters.loses_mass) {
     try {
       return laws(scenario);
-    } catch (const std::domain_error&) {  // supports that do not vibrate
+    } catch (const std::domain_error&) {  // such as supports that do not vibrate
     }
   }
   Json nulls;

@@ -33,11 +33,10 @@ inline constexpr std::string_view assumption_of_laws =
     "touched the ring before.\n";
 
 /// By their keys. Throws InputError for a run without mass loss, and std::domain_error for supports
-/// that do not vibrate.
+/// that do not vibrate and a ring that is not linear or not centred.
 Json laws(const Scenario& scenario);
 
-/// The same, all null where they do not apply: without a mass loss, or where supports do not
-/// vibrate.
+/// The same, all null where they do not apply.
 Json laws_or_nulls(const Scenario& scenario);
 
 /// The keys and their meanings, a line each, and what all assume.

@@ -59,6 +59,11 @@ std::vector<Remark> remarks_on_rotor(const Scenario& scenario,
         {{fmt::format("without the lost mass the position of rest is {:.3g} m higher, which "
                       "is not modelled",
                       rise)}});
+  if (const Supports<double> supports(p); !supports.is_centred)
+    all.push_back(
+        {{fmt::format("the ring's centre is {:.4g} m off the position of rest; displacements are "
+                      "from the former, bearing forces from the latter",
+                      supports.rest_distance)}});
   if (clearance > p.rotor_radius)
     all.push_back({{fmt::format(
         "the clearance, {:.6g} m, exceeds the rotor's radius; lengths are in metres", clearance)}});

@@ -250,6 +250,12 @@ Json summary_schema() {
            "where the rotor loses energy, and the energies stored at the end of each span; "
            "residual is the error of the balance",
            type("object"));
+  describe(
+      "section",
+      "Only with --section: the number of turns in it, and after how many of them O comes back "
+      "to within a millionth of the clearance, in all of them; null if after none up to 64, or "
+      "half of the turns",
+      type("object"));
   return {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "Summary of a run, as `rotor run --json` prints it"},

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <concepts>
+#include <stdexcept>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -71,43 +72,72 @@ concept ConstantLoad = requires(const T& load, const Motion<S>& motion, bool mot
   { load.power(motion, motor_on) } -> std::same_as<S>;  // W
 };
 
-/// Springs and dampers.
+/// Springs and dampers. A ring that is off centre moves O_a, and not the point to which the springs
+/// pull O: to their force -k r_O adds the constant -k b of the offset b, at O.
 template <class S>
 struct Supports {
   static constexpr std::string_view name = "support_damping";
-  S stiffness;  ///< k, N/m
-  S damping;    ///< d, N s/m
+  S stiffness;      ///< k, N/m
+  S damping;        ///< d, N s/m
+  Vector<S> rest;   ///< -b: position of rest of O from O_a, along x_a and y_a, m
+  S rest_distance;  ///< |b|, m
+  bool is_centred;  ///< whether the ring is
 
   explicit Supports(const Parameters& p)
-      : stiffness(as_typed<S>(p.support_stiffness)), damping(as_typed<S>(p.support_damping)) {}
+      : stiffness(as_typed<S>(p.support_stiffness)),
+        damping(as_typed<S>(p.support_damping)),
+        rest(S(0) - as_typed<S>(p.ring_offset_x), S(0) - as_typed<S>(p.ring_offset_y)),
+        rest_distance(rest.norm()),
+        is_centred(rest_distance == 0) {}
 
-  /// Force on the supports at a position and a velocity of O, N; by their magnitudes, an upper
-  /// bound of its own; by velocity and acceleration, its rate, N/s.
+  /// For the closed forms. Throws std::domain_error for a ring that is off centre.
+  const Supports& required_centred() const {
+    if (!is_centred)
+      throw std::domain_error("the closed forms need ring_offset_x = 0 and ring_offset_y = 0");
+    return *this;
+  }
+
+  /// Of O, m.
+  Vector<S> from_rest(const Motion<S>& motion) const {
+    return is_centred ? motion.displacement
+                      : Vector<S>(motion.displacement - motion.from_stator(rest));
+  }
+
+  /// Force on the supports at a distance from rest and a velocity of O, N; by their magnitudes, an
+  /// upper bound of its own; by velocity and acceleration, its rate, N/s.
   template <class T>
-  T bearing_force(const T& displacement, const T& velocity) const {
-    return stiffness * displacement + damping * velocity;
+  T bearing_force(const T& from_rest, const T& velocity) const {
+    return stiffness * from_rest + damping * velocity;
+  }
+  Vector<S> bearing_force(const Motion<S>& motion) const {
+    return bearing_force(from_rest(motion), motion.velocity);
   }
 
   Loads<S> loads(const Body<S>& /*body*/, const Motion<S>& motion) const {
     const Vector<S> force = -damping * motion.velocity - stiffness * motion.displacement;
-    return {force, -damping * cross(motion.displacement, motion.velocity)};  // Eq. (4)
+    Loads<S> all = {force, -damping * cross(motion.displacement, motion.velocity)};  // Eq. (4)
+    if (is_centred) return all;
+    const Vector<S> pull = stiffness * motion.from_stator(rest);
+    return all += {pull, cross(motion.displacement, pull)};
   }
   LoadBound<S> bound(const Body<S>& /*body*/, const MotionBound<S>& within) const {
-    return {bearing_force(within.displacement, within.velocity), S(0)};
+    return {bearing_force<S>(within.displacement + rest_distance, within.velocity), S(0)};
   }
   S power(const Body<S>& /*body*/, const Motion<S>& motion) const {
     return -damping * motion.velocity.squaredNorm();
   }
   S potential(const Body<S>& /*body*/, const Motion<S>& motion) const {
-    return spring_energy(motion.displacement.squaredNorm());
+    return spring_energy(from_rest(motion).squaredNorm());
   }
   S potential_range(const Body<S>& /*body*/, const S& distance) const {
-    return spring_energy(distance * distance);
+    const S farthest = distance + rest_distance;
+    return spring_energy(farthest * farthest);
   }
   S moment_without_potential(const Body<S>& /*body*/, const S& /*distance*/) const { return S(0); }
 
   /// The steady response to the unbalance at a constant speed in rad/s, gravity's moment left out:
-  /// O_a C = e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes, as complex numbers, m.
+  /// C from the position of rest of O, e_x (k + i w d) / (k - m w^2 + i w d) in the rotating axes,
+  /// as complex numbers, m.
   Vector<S> unbalance_response(const Body<S>& body, const S& speed) const {
     if (speed == 0) return {body.eccentricity, S(0)};  // without springs, too
     const Vector<S> force(stiffness, damping * speed);

@@ -90,6 +90,8 @@ struct Parameters {
   double unbalance_factor = 3;      // k_u
   double mass_loss_time = 29.1;     // t_1
   bool loses_mass = true;           // whether the mass m_u is lost at all
+  double ring_offset_x = 0;         // of the ring's centre from the position of rest, down
+  double ring_offset_y = 0;         // the same to the side
 
   // The contact's law, if it is not the paper's:
   double contact_exponent = 1;       // n of its elastic force

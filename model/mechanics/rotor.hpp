@@ -34,12 +34,14 @@ struct Body {
 /// Position and velocity of the rotor, all vectors in one basis.
 template <class S>
 struct Motion {
-  Vector<S> displacement;  ///< of O from O_a, m
+  Vector<S> displacement;  ///< of O from O_a, the ring's centre, m
   Vector<S> velocity;      ///< of O relative to the stator, m/s
   Vector<S> eccentricity;  ///< of C from O, m
   Vector<S> down;          ///< unit vector of gravity, the direction of x_a
   S speed;                 ///< q3', rad/s
 
+  /// A vector along x_a and y_a, in the basis of the others.
+  Vector<S> from_stator(const Vector<S>& v) const { return complex_product(v, down); }
   Vector<S> mass_centre() const { return displacement + eccentricity; }
   Vector<S> mass_centre_velocity() const {
     return velocity + speed * quarter_turn(eccentricity);  // Eq. (1)

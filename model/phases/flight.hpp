@@ -57,12 +57,13 @@ struct Flight : Phase<S, Chart, state, exits, Extreme::displacement, Extreme::be
   }
 
   static constexpr bool extremes_take_rates = false;
-  std::array<SquareAndRate<S>, 2> extremes(const Unknowns& x, const Unknowns& /*rates*/) const {
+  [[gnu::flatten]] std::array<SquareAndRate<S>, 2> extremes(const Unknowns& x,
+                                                            const Unknowns& /*rates*/) const {
     const Motion<S> m = chart.kinematics(x).motion;
     const Supports<S>& supports = rotor.acting.supports;
     const Vector<S> of_O = acceleration_of_centre(acceleration(mobility, m, rotor.loads(m)), m);
     return {{SquareAndRate<S>::of(m.displacement, m.velocity),
-             SquareAndRate<S>::of(supports.bearing_force(m.displacement, m.velocity),
+             SquareAndRate<S>::of(supports.bearing_force(m),
                                   supports.bearing_force(m.velocity, of_O))}};
   }
 };
@@ -98,7 +99,8 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     if (!motion) return all;
     using std::max, std::min;
     const S clearance = rotor.ring.clearance, reach = min(motion->displacement, clearance);
-    all.upper_bounds = {reach, rotor.acting.supports.bearing_force(reach, motion->velocity)};
+    all.upper_bounds = {
+        reach, rotor.acting.supports.bound(rotor.body, {reach, S(0), motion->velocity}).force};
     all.events[MotorOff()].stays_positive = !rotor.motor_on || motion->speed < rotor.motor_off;
     EventBound<S>& touch_down = all.events[TouchDown()];
     touch_down.stays_positive = motion->displacement < clearance;
@@ -142,14 +144,14 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     }();
     const S drive = 2 * max(this->drive(from, frequency), this->drive(to, frequency));
     const S deviation =
-        (norm(frequency * chart.deviation(from.x), chart.deviation_rate(from.x)) + h * drive) *
+        (norm(frequency * chart.vibration(from.x), chart.deviation_rate(from.x)) + h * drive) *
         (1 + S(1) / 1000);
     // The farther end of the step, plus the most that the path can bend outwards in between.
     const S bend = (frequency + supports.damping / body.mass) * deviation + drive;
     const S farther =
         sqrt(max<S>(chart.deviation(from.x).squaredNorm(), chart.deviation(to.x).squaredNorm()));
-    const S of_C =
-        min(farther + bend * h * h / 8, deviation / frequency) + synchronous.displacement;
+    const S of_C = min(farther + bend * h * h / 8, deviation / frequency + supports.rest_distance) +
+                   synchronous.displacement;
     const S of_O = of_C + e;
 
     // Angular acceleration and velocity bound each other through the damping.
@@ -171,7 +173,7 @@ struct FreeFlight : Flight<S, Chart, ContactState::free, 2> {
     const S k = supports.stiffness / rotor.body.mass, d = supports.damping / rotor.body.mass;
     const Vector<S> velocity = chart.deviation_rate(at.x);
     return norm(frequency * (chart.deviation(at.rates) - velocity),
-                chart.deviation_rate(at.rates) + d * velocity + k * chart.deviation(at.x));
+                chart.deviation_rate(at.rates) + d * velocity + k * chart.vibration(at.x));
   }
   static S norm(const Vector<S>& a, const Vector<S>& b) {
     using std::sqrt;

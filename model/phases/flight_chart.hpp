@@ -2,7 +2,8 @@
 /// centre, because the supports are soft; well above the critical speed only the synchronous motion
 /// is left of it, and the unknowns are the deviation from that. A new chart subtracts the steady
 /// response alone: short flights between contacts are not worth the series. The axes are the
-/// stator's, turned to a recent position of the rotor's axes, so that the angle stays small.
+/// stator's, turned to a recent position of the rotor's axes, so that the angle stays small. In a
+/// ring off centre the deviation contains the position of rest.
 #pragma once
 
 #include <array>
@@ -27,6 +28,8 @@ class FlightChart {
   /// The deviation of C, m, and of its velocity, m/s; or, from the rates, their rates.
   static Vector<S> deviation(const Unknowns& x) { return {x[deviation_x], x[deviation_y]}; }
   static Vector<S> deviation_rate(const Unknowns& x) { return {x[rate_x], x[rate_y]}; }
+  /// The deviation from the position of rest, m.
+  Vector<S> vibration(const Unknowns& x) const { return deviation(x) - rest_; }
 
   struct Kinematics {
     Motion<S> motion;
@@ -36,11 +39,9 @@ class FlightChart {
   };
 
   FlightChart(const RotorSystem<S>& rotor, const State<S>& q)
-      : rotor_(rotor),
-        angle_(q[2]),
-        speed_(q[5]),
-        down_(unit_vector<S>(-angle_)),
-        is_steady_(is_fast(q[5])) {}
+      : rotor_(rotor), angle_(q[2]), speed_(q[5]), is_steady_(is_fast(q[5])) {
+    set_axes();
+  }
 
   Unknowns unknowns(const State<S>& q) const {  // of the state at which the chart is made
     return without_synchronous(RotatingFrame<S>::motion(rotor_.body, q), S(0));
@@ -136,7 +137,7 @@ class FlightChart {
       const Vector<S> turn = unit_vector(x[rotor_angle]);
       const S &c = turn.x(), &s = turn.y();
       angle_ += x[rotor_angle];
-      down_ = unit_vector<S>(-angle_);
+      set_axes();
       synchronous_.turn_axes(c, s);
       const Vector<S> position = turned(deviation(x), c, S(-s));
       const Vector<S> velocity = turned(deviation_rate(x), c, S(-s));
@@ -170,6 +171,11 @@ class FlightChart {
   }
 
  private:
+  void set_axes() {
+    down_ = unit_vector<S>(-angle_);
+    rest_ = complex_product(rotor_.acting.supports.rest, down_);
+  }
+
   static constexpr double far = 32;  ///< rad; up to here the angle is rounded by some 1e-14 rad
 
   /// Chooses what to subtract at the present speed: nothing if the rotor is not fast, the steady
@@ -201,7 +207,7 @@ class FlightChart {
     const Supports<S>& supports = rotor_.acting.supports;
     const S k = supports.stiffness, m = rotor_.body.mass;
     const S force = (m * rotor_.acting.weight.gravity + k * rotor_.body.eccentricity) / 2000;
-    return k * (k * deviation(x).squaredNorm() + m * deviation_rate(x).squaredNorm()) >
+    return k * (k * vibration(x).squaredNorm() + m * deviation_rate(x).squaredNorm()) >
            force * force;
   }
 
@@ -259,9 +265,9 @@ class FlightChart {
   RotorSystem<S> rotor_;
   S square_of_fast_ = square_of_fast();
   S angle_, speed_;
-  Vector<S> down_;
-  bool is_steady_;                     ///< whether the steady response is subtracted,
-  Synchronous synchronous_;            ///< or this, if it exists
+  Vector<S> down_, rest_;    ///< gravity's direction, and the position of rest, in the axes
+  bool is_steady_;           ///< whether the steady response is subtracted,
+  Synchronous synchronous_;  ///< or this, if it exists
   bool synchronous_disabled_ = false;  ///< though the rotor is fast
 };
 

@@ -52,13 +52,20 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   static constexpr bool extremes_take_rates = true;
   std::array<SquareAndRate<S>, 3> extremes(const Unknowns& x, const Unknowns& rates) const {
     const auto k = chart.rim_point(x);
+    const Supports<S>& supports = rotor.acting.supports;
     // Components along the normal and the tangent, which turn.
-    const Vector<S> position(k.displacement, 0), drift(rates[Chart::indentation], 0);
+    Vector<S> position(k.displacement, 0), drift(rates[Chart::indentation], 0);
+    if (!supports.is_centred) [[unlikely]] {  // the position of rest turns backwards
+      const Motion<S> m = chart.kinematics(x).motion;
+      const Vector<S> rest = m.from_stator(supports.rest);
+      position -= rest;
+      drift += m.velocity.y() / k.displacement * quarter_turn(rest);
+    }
     const Vector<S> velocity(k.normal_velocity, chart.tangential_velocity(x)),
         change(rates[Chart::normal_velocity], chart.tangential_velocity(rates));
     return {{SquareAndRate<S>::of(k.displacement, rates[Chart::indentation]),
-             SquareAndRate<S>::of(rotor.acting.supports.bearing_force(position, velocity),
-                                  rotor.acting.supports.bearing_force(drift, change)),
+             SquareAndRate<S>::of(supports.bearing_force(position, velocity),
+                                  supports.bearing_force(drift, change)),
              SquareAndRate<S>::of(S(-force(k)), pressure_rate(k, rates))}};
   }
 
@@ -93,9 +100,9 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
       const S across =
           abs(chart.tangential_velocity(end->x)) + h * abs(chart.tangential_velocity(end->rates));
       all[0] = max(all[0], furthest);
-      all[1] = max(all[1], Vector<S>(supports.bearing_force(furthest, fastest),
-                                     supports.bearing_force(S(0), across))
-                               .norm());
+      const Vector<S> bearings(supports.bearing_force(furthest, fastest),
+                               supports.bearing_force(S(0), across));
+      all[1] = max(all[1], S(bearings.norm() + supports.stiffness * supports.rest_distance));
       all[2] = max(all[2], S(stiffness * (furthest - ring.clearance) + damping * fastest));
     }
     return all;
@@ -130,8 +137,9 @@ struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_f
   /// Positive while friction can hold the rim: |F_tau| < mu |F_n|.
   S grip(const Pressed& p, const S& holding_friction) const {
     // Friction of the size of rounding errors is available even if F_n has vanished.
-    const S rounding =
-        64 * std::numeric_limits<S>::epsilon() * rotor.acting.supports.stiffness * p.k.displacement;
+    const Supports<S>& supports = rotor.acting.supports;
+    const S rounding = 64 * std::numeric_limits<S>::epsilon() * supports.stiffness *
+                       (p.k.displacement + supports.rest_distance);
     const S limit = rotor.ring.friction * -p.normal_force + rounding;
     return limit * limit - holding_friction * holding_friction;
   }

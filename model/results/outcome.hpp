@@ -13,8 +13,8 @@ namespace rotor {
 enum class Outcome { rolling, stalled, sliding, freed, no_contact, bouncing, undecided };
 
 /// The farthest that O can get from O_a, m, while the rotor stays clear of the ring and keeps its
-/// speed: the steady response to the unbalance plus a vibration about it that can only decay. The
-/// ripple of the speed due to gravity, and its effect on O, are neglected.
+/// speed: the position of rest plus the steady response to the unbalance plus a vibration about it
+/// that can only decay. The ripple of the speed due to gravity, and its effect on O, are neglected.
 template <class S>
 S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motion) {
   using std::hypot;
@@ -24,11 +24,12 @@ S reach(const Body<S>& body, const Supports<S>& supports, const Motion<S>& motio
       body.eccentricity > 0
           ? Vector<S>(complex_product(supports.unbalance_response(body, motion.speed), along))
           : Vector<S>(S(0), S(0));
-  const Vector<S> deviation = motion.mass_centre() - steady;
+  const Vector<S> deviation = supports.from_rest(motion) + motion.eccentricity - steady;
   const Vector<S> velocity = motion.mass_centre_velocity() - motion.speed * quarter_turn(steady);
   const S drift = velocity.norm();
   const S amplitude = hypot(deviation.norm(), drift > 0 ? S(drift / frequency) : S(0));
-  return amplitude + (steady - motion.eccentricity).norm();  // O turns with C
+  return supports.rest_distance + amplitude +
+         (steady - motion.eccentricity).norm();  // O turns with C
 }
 
 /// Gathers what decides the outcome.
@@ -96,7 +97,8 @@ class BasicOutcomeWatch {
     // Energy that rotation and vibration can exchange, and that damping can take. Moments that are
     // constant between events, now or once the motor is off, or have no potential may drive or
     // brake the rotor as long as the run lasts.
-    const S farthest = reach(body, supports, motion), vibration = farthest - response(speed);
+    const S farthest = reach(body, supports, motion), rest = supports.rest_distance,
+            vibration = farthest - rest - response(speed);
     const S velocity = vibration * sqrt(square) + response(speed) * speed;
     const S exchanged =
         body.mass * velocity * velocity / 2 + acting_.potential_range(body, farthest);
@@ -131,7 +133,7 @@ class BasicOutcomeWatch {
       const S force = rippling + lagging;  // at worst in resonance, m/s^2
       S shaken = force > 0 ? S(force / sqrt(square) * left_s / 2) : S(0);
       if (decay > 0) shaken = min(shaken, S(force / (decay * sqrt(square))));
-      return vibration + shaken + response(w) < surely_clear;
+      return rest + vibration + shaken + response(w) < surely_clear;
     };
     // In between the response is greatest at the resonance, if that lies there.
     const S resonance = square * square / (square - decay * decay / 2);  // squared

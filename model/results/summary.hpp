@@ -112,7 +112,8 @@ inline constexpr auto summary_fields = [] {
        contacts},
       {"peak_time_s", "Time of the largest normal force", &Of::peak_time_s, own, nullptr, contacts},
       {"peak_displacement_m",
-       "Largest distance of O from O_a after the mass loss, or in a run without one",
+       "Largest distance of O from O_a, the centre of the ring, after the mass loss, or in a run "
+       "without one",
        &Of::peak_displacement_m, length, nullptr, end},
       {"touch_downs_before_loss",
        "Touch-downs before the mass loss; all of them in a run without one",
@@ -124,7 +125,8 @@ inline constexpr auto summary_fields = [] {
       {"contact_time_s", "Time spent sliding and rolling", &Of::contact_time_s, own,
        [](const Of& s) { return s.contact_time_s > 0 ? s.final_time_s : S(0); }, contacts},
       {"peak_bearing_force_N",
-       "Largest |k r_O + d v_O|, of the supports together, without the weight",
+       "Largest |k r_O + d v_O|, of the supports together, without the weight, with r_O from the "
+       "position of rest",
        &Of::peak_bearing_force_N, force, nullptr, end},
       {"whirl_frequency_Hz",
        "Whirl frequency of O about O_a, negative against the rotation: mean over the last interval "
@@ -296,8 +298,8 @@ class BasicSummaryObserver : public BasicObserver<S> {
     if (!at.mass_lost)
       summary_.peak_displacement_before_loss_m =
           std::max(summary_.peak_displacement_before_loss_m, displacement);
-    const Vector<S> bearings = supports_.bearing_force(motion.displacement, motion.velocity);
-    summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, S(bearings.norm()));
+    const S bearings = supports_.bearing_force(motion).norm();
+    summary_.peak_bearing_force_N = std::max(summary_.peak_bearing_force_N, bearings);
     if (!at.touches()) return;
     const S force = at.contact_force(ring_, motion);
     if (!at.mass_lost) keep_greatest(summary_.peak_normal_force_before_loss_N, force);

@@ -15,7 +15,7 @@ namespace rotor {
 template <class S>
 struct BasicInstant {
   S time_s{0};
-  State<S> state{};  // at rest, in static equilibrium
+  State<S> state{};  // at rest in O_a
   Body<S> body{};
   bool motor_on = true;
   bool mass_lost = false;  ///< whether the mass has been lost
@@ -64,19 +64,21 @@ S in_Hz(const S& speed) {
 /// At rest at t = 0, where a run starts unless it states a speed.
 template <class S = double>
 BasicInstant<S> at_rest(const Parameters& p) {
-  return {.body = Body<S>::of(p)};
+  const Vector<S> rest = Supports<S>(p).rest;
+  return {.state = {rest.x(), rest.y()}, .body = Body<S>::of(p)};
 }
 
 /// At rest, in the steady response to the unbalance at the scenario's start speed, or as the
 /// scenario states it, perhaps in contact. Throws ScenarioError if the rotor would touch the ring
-/// in the steady response.
+/// at rest or in the steady response.
 template <class S = double>
 BasicInstant<S> start_of(const Scenario& scenario) {
   BasicInstant<S> start = at_rest<S>(scenario.parameters);
   const Parameters& p = scenario.parameters;
   const S speed = RotorSystem<S>::radians_per_turn() * as_typed<S>(scenario.start_speed_Hz);
-  if (scenario.start_speed_Hz == 0 && !scenario.start) return start;
-  start.motor_on = p.drive == Drive::motor && scenario.start_speed_Hz < p.motor_off_Hz;
+  const bool turns = scenario.start_speed_Hz > 0;
+  if (turns || scenario.start)
+    start.motor_on = p.drive == Drive::motor && scenario.start_speed_Hz < p.motor_off_Hz;
   if (const auto& stated = scenario.start) {
     const Vector<S> at(as_typed<S>(stated->x), as_typed<S>(stated->y));
     const Vector<S> rate =
@@ -90,16 +92,22 @@ BasicInstant<S> start_of(const Scenario& scenario) {
   const Supports<S> supports(p);
   const Vector<S> centre =
       supports.unbalance_response(start.body, speed) - Vector<S>(start.body.eccentricity, S(0));
-  const S clearance = Ring<S>(p).clearance;
-  if (!(centre.norm() < clearance))
-    throw ScenarioError(
-        {mention_of(scenario, "start_speed_Hz"),
-         fmt::format(
-             ": the rotor would touch the ring in the steady response at that speed, {:.4g} "
-             "m from its axis, with ",
-             static_cast<double>(centre.norm())),
-         Mention{"clearance", fmt::format("{:.4g} m", static_cast<double>(clearance))}});
-  start.state = {centre.x(), centre.y(), S(0), S(0), S(0), speed};
+  const S clearance = Ring<S>(p).clearance, farthest = supports.rest_distance + centre.norm();
+  if (!(farthest < clearance)) {
+    Message message = {
+        mention_of(scenario, "start_speed_Hz"),
+        fmt::format(": the rotor would touch the ring {}, {:.4g} m from its axis, with ",
+                    turns ? "in the steady response at that speed" : "at rest",
+                    static_cast<double>(farthest)),
+        Mention{"clearance", fmt::format("{:.4g} m", static_cast<double>(clearance))}};
+    if (!supports.is_centred)
+      for (const char* const offset : {"ring_offset_x", "ring_offset_y"})
+        message.parts.insert(message.parts.end(), {", ", mention_of(scenario, offset)});
+    throw ScenarioError(message);
+  }
+  const Vector<S> at = supports.rest + centre,  // and its rate in the axes O_a xy
+      rate = Vector<S>(S(0), S(0)) - speed * quarter_turn(supports.rest);
+  if (turns) start.state = {at.x(), at.y(), S(0), rate.x(), rate.y(), speed};
   return start;
 }
 

@@ -31,7 +31,7 @@ constexpr std::array all_quantities = {
     Quantity{"support_damping", "d", "N s/m", "radial damping of the supports together",
              in<&Parameters::support_damping>, 0},
     Quantity{"gravity", "g", "m/s^2",
-             "acceleration due to gravity (the ring is centred on the loaded position of rest)",
+             "acceleration due to gravity (the position of rest is the loaded one)",
              in<&Parameters::gravity>, 0, greatest_speed},
     Quantity{"torque", "M_mot", "N m", "torque of the motor until it is switched off",
              in<&Parameters::torque>, 0},
@@ -53,6 +53,11 @@ constexpr std::array all_quantities = {
              least_positive},
     Quantity{"stator_radius", "r_a", "m", "radius of the stator's contact ring",
              in<&Parameters::stator_radius>, least_positive},
+    Quantity{"ring_offset_x", "", "m",
+             "centre of the ring from the position of rest, down; -m g/k: from the unloaded one",
+             in<&Parameters::ring_offset_x>, -greatest_number},
+    Quantity{"ring_offset_y", "", "m", "the same to the side", in<&Parameters::ring_offset_y>,
+             -greatest_number},
     Quantity{"unbalance_factor", "k_u", "", "factor by which the mass loss raises the eccentricity",
              in<&Parameters::unbalance_factor>, 1},
     Quantity{"mass_loss_time", "t_1", "s", "instant of the mass loss",
@@ -159,6 +164,12 @@ void check_numbers(const Scenario& scenario) {
                          ": the ring must be larger than the rotor"});
   if (!(p.eccentricity < p.rotor_radius))
     throw ScenarioError({the("eccentricity"), ": must be smaller than ", the("rotor_radius")});
+  if (scenario.equations.gravity_moment == GravityMoment::whole &&
+      (p.ring_offset_x != 0 || p.ring_offset_y != 0))
+    throw ScenarioError({the(p.ring_offset_x != 0 ? "ring_offset_x" : "ring_offset_y"), " and ",
+                         Mention{"gravity_moment", "whole"},
+                         ": as printed, the weight's moment is about the centre of the ring, which "
+                         "must be the position of rest; state balanced, or corrected equations"});
   if (p.contact_exponent != 1 && !(p.reference_indentation > 0))
     throw ScenarioError({the("contact_exponent"), " and ", the("reference_indentation"),
                          ": the indentation at which contact_stiffness holds must be greater than "

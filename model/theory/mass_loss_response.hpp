@@ -23,11 +23,11 @@ class MassLossResponse {
   using Complex = std::complex<double>;
 
   /// Throws std::domain_error for supports that do not vibrate: without stiffness, or
-  /// with at least critical damping.
+  /// with at least critical damping; and for a ring that is off centre.
   MassLossResponse(const Parameters& p, Equations equations, double speed)
       : speed_(speed), clearance_(Ring<double>(p).clearance) {
     const MassLoss<double> loss(p);
-    const Supports<double> supports(p);
+    const Supports<double> supports = Supports<double>(p).required_centred();
     const auto steady = [&](const Body<double>& body) {
       const Vector<double> centre = supports.unbalance_response(body, speed);
       return Complex(centre.x() - body.eccentricity, centre.y());

@@ -11,12 +11,12 @@
 
 namespace rotor {
 
-/// The rotor after its mass loss. Throws std::domain_error unless the ring is linear.
+/// The rotor after its mass loss. Throws std::domain_error unless the ring is linear and centred.
 class Whirl {
  public:
   explicit Whirl(const Parameters& p)
       : body_(MassLoss<double>(p).after),
-        stiffness_(p.support_stiffness),
+        stiffness_(Supports<double>(p).required_centred().stiffness),
         damping_(p.support_damping),
         ring_(p),
         contact_stiffness_(ring_.law.required_linear().stiffness),

@@ -115,10 +115,11 @@ TEST(NewtonsLaws, GiveTheSameAccelerationsInTheStatorsFrame) {
     const auto a = acceleration(body, m, loads);
     const Vector<double> of_O = in_stator_frame(acceleration_of_centre(a, m), angle);
     // Rounding of the largest terms, that of rho in the stiff spring among them.
+    const double rest = std::hypot(p.ring_offset_x, p.ring_offset_y);
     const double stiffness = rim.indentation > 0 ? ring.law.tangent_stiffness(rim.indentation) : 0;
-    const double force = pressure * (1 + p.friction) + stiffness * rim.rho +
-                         p.support_stiffness * rim.rho + 10 * p.support_damping * (1 + w * w) +
-                         p.mass * (w * w * rim.rho + p.gravity);
+    const double force =
+        pressure * (1 + p.friction) + stiffness * rim.rho + p.support_stiffness * (rim.rho + rest) +
+        10 * p.support_damping * (1 + w * w) + p.mass * (w * w * rim.rho + p.gravity);
     const double accuracy = 1e-14 * force / p.mass,
                  angular = 1e-14 * (force * (p.rotor_radius + rim.rho) + p.torque) / p.inertia;
     EXPECT_NEAR(of_O.x(), rates[3], accuracy + angular * p.eccentricity);

@@ -99,7 +99,11 @@ TEST(Summary, OfRandomRotorsIsWhatTheirMotionsGive) {
   RandomRuns runs(7);
   for (int n = 0; n < 250; ++n) {
     const RandomInputs::Rotor rotor = runs.rotor();
-    EXPECT_EQ(wrong_results(rotor.scenario), "") << options_of(rotor.stated);
+    try {
+      EXPECT_EQ(wrong_results(rotor.scenario), "") << options_of(rotor.stated);
+    } catch (const std::runtime_error& error) {  // steps that are too long for this rotor
+      EXPECT_EQ(rotor.scenario.method, Method::rk4) << error.what() << options_of(rotor.stated);
+    }
   }
 }
 

@@ -40,10 +40,10 @@ TEST_F(Options, EachStateTheNumberThatTheyName) {
   const std::map<std::string, double> short_run = {
       {"start_speed_Hz", 30}, {"until", 0.02}, {"mass_loss_time", 0.001}};
   const std::map<std::string, double> found = {
-      {"clearance", 2e-3},        {"lost_mass", 0.01},
-      {"mass_loss_speed_Hz", 34}, {"contact_exponent", 1.1},  // not below 1
-      {"start_x", 1e-3},          {"start_y", 2e-3},
-      {"start_velocity_x", -0.1}, {"start_velocity_y", 0.2}};
+      {"clearance", 2e-3},       {"lost_mass", 0.01},        {"mass_loss_speed_Hz", 34},
+      {"contact_exponent", 1.1},  // not below 1
+      {"ring_offset_x", -2e-4},  {"ring_offset_y", 1e-4},    {"start_x", 1e-3},
+      {"start_y", 2e-3},         {"start_velocity_x", -0.1}, {"start_velocity_y", 0.2}};
   const Json standard = summary(stated(short_run, true))["inputs"];
   for (const InputQuantity& input_quantity : input_quantities()) {
     const std::string name(input_quantity.quantity.name);

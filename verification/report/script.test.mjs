@@ -202,10 +202,8 @@ test("a run is shown at its largest force, or where O is farthest out after the 
 });
 
 test("an address keeps settings, and its command is that of one program", () => {
-  assert.deepEqual(settingsIn(addressOf({ friction: "0.2", clearance: "1e-3" })), {
-    friction: "0.2",
-    clearance: "1e-3",
-  });
+  const stated = { friction: "0.2", clearance: "1e-3", "ring-offset-x": "-1e-4" };
+  assert.deepEqual(settingsIn(addressOf(stated)), stated);
   assert.deepEqual(leftOutOf("#friction=1e999&clearance=1e-3&claims"), ["friction=1e999"]);
   for (const hash of [
     "#friction=0.2&x%3Btouch%20p%3B%23=1",

@@ -62,8 +62,11 @@ struct Difference {
       if (field.scale == ErrorScale::length) base = std::max(base, length);
       if (field.scale == ErrorScale::force)
         base = std::max(base, length * scenario.parameters.support_stiffness);
-      // A speed of 0 is known to rounding.
+      // A speed of 0 is known to rounding, and so is rest.
       if (field.key.ends_with("_Hz")) base = std::max(base, 1e-6 * b.critical_speed_Hz);
+      if (field.key == "speed_ratio_at_mass_loss") base = std::max(base, 1e-6);
+      if (field.key == "final_kinetic_energy_J")
+        base = std::max(base, length * length * scenario.parameters.support_stiffness);
       // In a graze it is as uncertain as the position: by 1e-7 of the clearance where 1e-4 is
       // allowed.
       if (field.scale == ErrorScale::force && field.key.find("bearing") == std::string_view::npos)

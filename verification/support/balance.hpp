@@ -4,6 +4,7 @@
 #pragma once
 
 #include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
 
 #include "model/scenario/observer.hpp"
 #include "model/scenario/scenario.hpp"
@@ -17,7 +18,14 @@ class BalanceObserver : public Observer {
   explicit BalanceObserver(const Scenario& scenario)
       : parameters_(scenario.parameters),
         acting_(scenario.parameters, scenario.equations),
-        ring_(scenario.parameters) {}
+        ring_(scenario.parameters) {
+    // The springs' moment about O_a does work at constant speed, too; rest is known to its
+    // rounding.
+    const Parameters& p = scenario.parameters;
+    const double square = p.ring_offset_x * p.ring_offset_x + p.ring_offset_y * p.ring_offset_y;
+    largest_ = {1e-6 * p.support_stiffness * square,
+                1e-6 * std::sqrt(p.support_stiffness * p.mass) * square};
+  }
 
   bool wants_dense_output(const double& /*from_s*/, const double& /*until_s*/) const override {
     return true;
@@ -76,7 +84,10 @@ class BalanceObserver : public Observer {
     const Motion<double> m = at.motion();
     const double indentation =
         at.contact == ContactState::free ? 0 : ring_.rim_point(m).indentation;
-    double energy = kinetic_energy(at.body, m) + acting_.supports.potential(at.body, m) +
+    const Vector<double> off = m.displacement + parameters_.ring_offset_x * m.down +
+                               parameters_.ring_offset_y * quarter_turn(m.down);
+    double energy = kinetic_energy(at.body, m) +
+                    parameters_.support_stiffness * off.squaredNorm() / 2 +
                     contact_energy_by_formula(parameters_, indentation);
     if (conserves_gravity())
       energy -= at.body.mass * acting_.weight.gravity * m.eccentricity.dot(m.down);

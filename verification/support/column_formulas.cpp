@@ -43,6 +43,9 @@ struct Rotor {
     pressed = at.contact == ContactState::sliding || at.contact == ContactState::rolling;
   }
 
+  /// From the position of rest.
+  double off_x() const { return x + p.ring_offset_x; }
+  double off_y() const { return y + p.ring_offset_y; }
   double delta() const { return rho - (p.stator_radius - p.rotor_radius); }
   double delta_rate() const { return (x * v_x + y * v_y) / rho; }
   double slip() const { return (x * v_y - y * v_x) / rho + p.rotor_radius * w; }
@@ -63,8 +66,8 @@ struct Rotor {
   double holding_friction() const {
     const double r = p.rotor_radius, n_x = x / rho, n_y = y / rho, t_x = -n_y, t_y = n_x;
     const double force = normal_force();
-    const double f_x = -p.support_stiffness * x - p.support_damping * v_x;
-    const double f_y = -p.support_stiffness * y - p.support_damping * v_y;
+    const double f_x = -p.support_stiffness * off_x() - p.support_damping * v_x;
+    const double f_y = -p.support_stiffness * off_y() - p.support_damping * v_y;
     // About C: the supports act at O, F_n at K, which lies r from O; both arms are seen from C.
     double moment = -(e_x * f_y - e_y * f_x) + force * (-e_x * n_y + e_y * n_x);
     if (at.motor_on) moment += p.torque;
@@ -127,6 +130,8 @@ const std::map<std::string, Formula, std::less<>>& formulas() {
       {"rho_m", [](const Rotor& r) { return r.rho; }},
       {"x_a_m", [](const Rotor& r) { return r.x; }},
       {"y_a_m", [](const Rotor& r) { return r.y; }},
+      {"x_a_rate_m_per_s", [](const Rotor& r) { return r.v_x; }},
+      {"y_a_rate_m_per_s", [](const Rotor& r) { return r.v_y; }},
       {"speed_Hz", [](const Rotor& r) { return r.w / (2 * pi); }},
       {"normal_force_N", [](const Rotor& r) { return r.normal_force(); }},
       {"friction_force_N", [](const Rotor& r) { return r.friction(); }},
@@ -134,8 +139,8 @@ const std::map<std::string, Formula, std::less<>>& formulas() {
       {"kinetic_energy_J", kinetic_energy_of},
       {"bearing_force_N",
        [](const Rotor& r) {
-         return std::hypot(r.p.support_stiffness * r.x + r.p.support_damping * r.v_x,
-                           r.p.support_stiffness * r.y + r.p.support_damping * r.v_y);
+         return std::hypot(r.p.support_stiffness * r.off_x() + r.p.support_damping * r.v_x,
+                           r.p.support_stiffness * r.off_y() + r.p.support_damping * r.v_y);
        }},
       {"whirl_frequency_Hz",
        [](const Rotor& r) {
@@ -148,7 +153,9 @@ const std::map<std::string, Formula, std::less<>>& formulas() {
       {"friction_power_W", [](const Rotor& r) { return r.pressed ? r.friction() * r.slip() : 0; }},
       {"contact_damping_power_W", contact_damping_power},
       {"support_energy_J",
-       [](const Rotor& r) { return 0.5 * r.p.support_stiffness * r.rho * r.rho; }},
+       [](const Rotor& r) {
+         return 0.5 * r.p.support_stiffness * (r.off_x() * r.off_x() + r.off_y() * r.off_y());
+       }},
       {"contact_energy_J",
        [](const Rotor& r) {
          return contact_energy_by_formula(r.p, r.at.contact == ContactState::free ? 0 : r.delta());

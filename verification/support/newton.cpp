@@ -39,13 +39,18 @@ double NewtonLaws::pressure(const NewtonRim& k) const {
   return spring_force_by_formula(parameters, k.indentation) + parameters.contact_damping * k.rate;
 }
 
+double NewtonLaws::bearing_force(const Newton& x, std::size_t axis) const {
+  const Parameters& p = parameters;
+  const double offset = axis == 0 ? p.ring_offset_x : p.ring_offset_y;
+  return p.support_stiffness * (x[axis] + offset) + p.support_damping * x[axis + 3];
+}
+
 Newton NewtonLaws::rates(const Newton& x, const NewtonRim& k, double pressure,
                          double friction) const {
   const Parameters& p = parameters;
   const double ex = body.eccentricity * std::cos(x[2]), ey = body.eccentricity * std::sin(x[2]);
   // Supports and F_n act at O, friction at the rim; moments are about C.
-  double ox = -p.support_stiffness * x[0] - p.support_damping * x[3];
-  double oy = -p.support_stiffness * x[1] - p.support_damping * x[4];
+  double ox = -bearing_force(x, 0), oy = -bearing_force(x, 1);
   double moment = motor_on ? p.torque : 0;
   if (pressure != 0) {
     ox -= pressure * k.nx;
@@ -236,11 +241,9 @@ class Run {
 
   /// A quantity of an Extreme; and what has the sign of its rate.
   double value(Extreme of, const Newton& x) const {
-    const Parameters& p = laws_.parameters;
     if (of == Extreme::normal_force) return laws_.pressure(laws_.rim(x));
     if (of == Extreme::displacement) return std::hypot(x[0], x[1]);
-    return std::hypot(p.support_stiffness * x[0] + p.support_damping * x[3],
-                      p.support_stiffness * x[1] + p.support_damping * x[4]);
+    return std::hypot(laws_.bearing_force(x, 0), laws_.bearing_force(x, 1));
   }
   double rising(Extreme of, const Newton& x) const {
     const NewtonRim k = laws_.rim(x);
@@ -249,7 +252,7 @@ class Run {
     const Parameters& p = laws_.parameters;
     if (of == Extreme::bearing_force) {
       const auto along = [&](std::size_t i) {
-        return (p.support_stiffness * x[i] + p.support_damping * x[i + 3]) *
+        return laws_.bearing_force(x, i) *
                (p.support_stiffness * x[i + 3] + p.support_damping * a[i + 3]);
       };
       return along(0) + along(1);

@@ -32,6 +32,8 @@ struct NewtonLaws {
   bool motor_on;
 
   NewtonRim rim(const Newton& x) const;
+  /// On the supports along an axis, N; they rest where the ring's centre is off by its offset.
+  double bearing_force(const Newton& x, std::size_t axis) const;
   /// Of the ring as long as it presses, N; negative where it would have to pull.
   double pressure(const NewtonRim& k) const;
   /// The rates of the motion under a pressure against the normal and a friction along (-ny, nx), N.

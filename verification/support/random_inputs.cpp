@@ -53,6 +53,8 @@ const std::vector<NumberRange> number_ranges = {
      [](const Numbers& drawn) { return mass(drawn) * std::pow(radius(drawn), 2); }},
     {"stator_radius", 1.001, 1.2, 0, 0, radius},
     {"clearance", 1e-3, 0.2, 0, 0, radius},
+    {"ring_offset_x", 0.01, 1.01, 2, 0, clearance},  // rests over it
+    {"ring_offset_y", 0.01, 1.01, 2, 0, clearance},
     {"eccentricity", 0.01, 1, 10, 0, clearance},
     {"support_stiffness", 1e2, 4e6, 20, 0},
     {"support_damping", 0.6, 1e3, 10, 0},
@@ -137,6 +139,8 @@ ScenarioSpec RandomInputs::spec(double part) {
   if (spec.drive == Drive::constant_speed)
     for (const char* run_up : {"mass_loss_speed_Hz", "mass_loss_speed_rpm"})
       spec.numbers.erase(run_up);
+  if (equations_of(spec).gravity_moment == GravityMoment::whole)
+    for (const char* offset : {"ring_offset_x", "ring_offset_y"}) spec.numbers.erase(offset);
   if (one_in(10)) {
     std::erase_if(spec.numbers, [](const auto& number) {
       return determined_by(number.first) == "mass_loss_time";

@@ -228,10 +228,13 @@ Value largest_force_to_rolling(const Record& r) {
   return force(r, r.most_pressed([&](const Sample& s) { return !until || &s <= until; }));
 }
 
+/// Of the ring's centre, along x_a and y_a, m.
+std::complex<double> offset(const Parameters& p) { return {p.ring_offset_x, p.ring_offset_y}; }
+
 double critical_speed(const Parameters& p) { return std::sqrt(p.support_stiffness / p.mass); }
 
-/// The steady response to the unbalance, m w^2 e / (k - m w^2 + i w d) from O_a to O, and the
-/// vibration about it, which can only decay, m.
+/// The position of rest, the steady response to the unbalance about it, m w^2 e / (k - m w^2 + i w
+/// d), and the vibration about both, which can only decay, m.
 double reach_by_formula(const Record& r) {
   using namespace std::complex_literals;
   const auto& [mass, inertia, e] = r.last().at.body;
@@ -239,10 +242,11 @@ double reach_by_formula(const Record& r) {
   const double w = q[5], k = r.p.support_stiffness, force = mass * w * w * e;
   const std::complex<double> steady =
       force == 0 ? 0 : force / (k - mass * w * w + 1i * w * r.p.support_damping);
-  const std::complex<double> off = std::complex(q[0], q[1]) - steady,
-                             drift = std::complex(q[3], q[4]) + 1i * w * off;
+  const std::complex<double> rest = -offset(r.p) * std::polar(1., -q[2]),
+                             at = std::complex(q[0], q[1]), off = at - rest - steady,
+                             drift = std::complex(q[3], q[4]) + 1i * w * (at - steady);
   const double by_drift = drift == 0. ? 0 : std::abs(drift) * std::sqrt(mass / k);
-  return std::abs(steady) + std::hypot(std::abs(off), by_drift);
+  return std::abs(rest) + std::abs(steady) + std::hypot(std::abs(off), by_drift);
 }
 
 /// The speed of ten natural periods ago lies between two samples.
@@ -346,8 +350,10 @@ constexpr auto result_formulas = std::to_array<ResultFormula>({
      }},
     {"peak_bearing_force_N",
      [](const Record& r) {
-       return r.column("bearing_force_N",
-                       r.largest(&Sample::bearing_force, [](const Sample&) { return true; }));
+       Value force = r.column("bearing_force_N", r.largest(&Sample::bearing_force,
+                                                           [](const Sample&) { return true; }));
+       force.error = rounding * r.p.support_stiffness * std::abs(offset(r.p));  // a difference
+       return force;
      }},
     {"whirl_frequency_Hz", whirl_frequency},
     {"whirl_from_s", [](const Record& r) { return r.column("time_s", last_rolling(r).first); }},

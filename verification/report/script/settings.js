@@ -4,6 +4,8 @@
 const known = [
   "friction",
   "clearance",
+  "ring-offset-x",
+  "ring-offset-y",
   "unbalance-factor",
   "mass-loss-time",
   "mass-loss-speed-Hz",
