@@ -14,11 +14,12 @@ HAND      := 50
 COUNT     := 100
 UNDER     :=
 TESTS     :=
+FILE      :=
 PREFIX    := /usr/local
 CXX       := c++
 
 # Misspelt ones are refused before anything is built.
-OPTIONS := FORMAT EQUATIONS FIG POINTS CASES ID RUNS SEED HAND COUNT UNDER TESTS PREFIX CXX
+OPTIONS := FORMAT EQUATIONS FIG POINTS CASES ID RUNS SEED HAND COUNT UNDER TESTS FILE PREFIX CXX
 FIGURES := $(patsubst figures/paper/%.toml,%,$(sort $(wildcard figures/paper/fig[0-9][0-9].toml)))
 one_of   = $(if $(and $(filter 1,$(words $($(1)))),$(filter $(2),$($(1)))),,$(error $(1)=$($(1)): must be one of: $(2)))
 whole    = $(if $(shell echo '$($(1))' | grep -x '0\|[1-9][0-9]\{0,8\}'),,$(error $(1)=$($(1)): must be a whole number))
@@ -44,7 +45,7 @@ ASKED := $(if $(FIG),$(foreach number,$(FIG),$(call figure,$(number))),$(FIGURES
 
 .NOTPARALLEL: # `make -j4 deps figures` in this order: -j is for Ninja
 .PHONY: help deps build install figures $(FIGURES) maps claim verify report check-report explore check-explore engine approve \
-        dist lint sanitize races portable mutants bench-programs bench stress reference ensembles prove validate reasons \
+        dist lint sanitize races portable mutants bench-programs bench score stress reference ensembles prove validate reasons \
         contact-laws laws clean
 
 ## make TARGET
@@ -151,10 +152,13 @@ mutants: ## break the program in ways that tests must notice
 	@figures/make/packages.sh check deps && verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call text,UNDER)
 
 bench-programs: ## build the programs of make bench, stress and reference
-	@$(build) --with bench benchmark random-rotors reference random-digits
+	@$(build) --with bench benchmark cvode-entry rotor random-rotors reference random-digits
 
-bench: bench-programs ## measure run time against error of each method, and draw it
+bench: bench-programs ## measure run time and error of each method, and draw them
 	@verification/benchmark/bench.sh $(BUILD)
+
+score: ## right digits of an entry to reference-data/problems: make score FILE=entry.csv
+	@verification/benchmark/score.py $(and $(FILE),$(call text,FILE))
 
 stress: ## test 5,000 random rotors and estimated digits
 	@$(build) random-rotors random-digits && verification/robustness/stress.sh $(BUILD) $(RUNS) $(SEED)
@@ -173,6 +177,7 @@ deps-report: deps
 ##   FORMAT=svg|pdf|png, POINTS=40 along each axis (default 400)     for maps, dist
 ##   CASES="mu 0.3": accidents with this in their names              for validate
 ##   RUNS=100, drawn with SEED=7, to 3, 6, 9 and 12 digits           for stress
+##   FILE=entry.csv, with problem,quantity,value                     for score
 ##   PREFIX=/usr/local, the default                                  for install
 ##   TESTS="Contact*": tests with such names                         for sanitize
 ##   SEED=7 HAND=50 COUNT=100 UNDER="model figures": which changes   for mutants

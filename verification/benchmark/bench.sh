@@ -3,6 +3,18 @@
 set -euo pipefail
 out=$1/bench
 mkdir -p "$out"
+export PYTHONDONTWRITEBYTECODE=1 # beside the sources
 "$1/benchmark" "$out"
+
+entries=verification/benchmark problems=$out/problems
+mkdir -p "$problems"
+for tolerance in 1e-6 1e-9 1e-12; do
+  "$entries/rotor_entry.py" "$1/rotor" --tolerance $tolerance >"$problems/event $tolerance.csv"
+done
+"$entries/rotor_entry.py" "$1/rotor" --method rk4 >"$problems/published RK4.csv"
+/usr/bin/python3 "$entries/scipy_entry.py" >"$problems/SciPy.csv" # Debian's SciPy is for Debian's Python
+"$1/cvode-entry" >"$problems/CVODE.csv"
+"$entries/score.py" "$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE}.csv | tee "$out/problems.md"
+
 figures/draw.sh verification/benchmark/work-precision.svg "data = '$out/work-precision.csv'" \
   verification/benchmark/work-precision.gp

@@ -15,7 +15,7 @@
 namespace rotor {
 namespace {
 
-constexpr int inputs = 16;
+constexpr int number_of_inputs = 16;
 
 class Proven : public CommandLine {
  protected:
@@ -58,7 +58,7 @@ TEST_F(Proven, IntervalsHoldTheSureDigits) {
     const double allowed =
         is_count ? 0
                  : run.at("errors").at(row["quantity"]).get<double>() *
-                       (1 + inputs * std::numeric_limits<double>::epsilon() / tolerance);
+                       (1 + number_of_inputs * std::numeric_limits<double>::epsilon() / tolerance);
     const std::string what = fmt::format("{} of {}", row["quantity"], row["command"]);
     EXPECT_GE(value + allowed, static_cast<double>(row.number("lower"))) << what;
     EXPECT_LE(value - allowed, static_cast<double>(row.number("upper"))) << what;

@@ -1,0 +1,85 @@
+/// Right digits of an entry to reference-data/problems.
+#include "figures/data/read_csv.hpp"
+#include "verification/support/command_line.hpp"
+#include "verification/support/pattern.hpp"
+
+namespace rotor {
+namespace {
+
+class Score : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    if (shell("command -v python3").status != 0) GTEST_SKIP() << "needs python3";
+  }
+  Outcome score_of(const std::string& file) const {
+    return shell("'" ROTOR_SOURCES "/verification/benchmark/score.py' " + file);
+  }
+  Outcome score(const std::string& rows) const {
+    write("entry.csv", "problem,quantity,value,seconds\n" + rows);
+    return score_of("entry.csv");
+  }
+};
+
+TEST_F(Score, IsFullForTheAnswersThemselves) {
+  std::string rows;
+  for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/problems/answers.csv"))
+    rows += row["problem"] + ',' + row["quantity"] + ',' + row["value"] + ",2\n";
+  const auto [status, output] = score(rows);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(has(output, "| accident | 14.0 | 2 |\n")) << "the least of its digits";
+  EXPECT_TRUE(matches(output, "missing|not entered|lacks").empty()) << output;
+}
+
+// The first touch-down is at 0.00100000000000000 s; of the three quantities one is absent.
+TEST_F(Score, CountsTheDigitsThatAreRight) {
+  const auto [status, output] =
+      score("# an entry\nhertz,touch_downs,1,0.5\nhertz,touch_down_1_s,1.0001e-3,0.5\n");
+  EXPECT_EQ(status, 0);
+  EXPECT_FALSE(matches(output, "touch_downs +right\n").empty()) << output;
+  EXPECT_FALSE(matches(output, "touch_down_1_s +4\\.0\n").empty()) << output;
+  EXPECT_FALSE(matches(output, "peak_time_s +missing\n").empty()) << output;
+  EXPECT_TRUE(has(output, "| hertz | 4.0 * | 0.5 |"));
+  EXPECT_TRUE(has(output, "hertz lacks peak_normal_force_N, "));
+  EXPECT_TRUE(has(output, "not entered: accident, "));
+}
+
+TEST_F(Score, GivesNoDigitsToAWrongCountOrSign) {
+  const std::string output = score("hertz,touch_downs,2,\nhertz,touch_down_1_s,-1e-3,\n").output;
+  EXPECT_FALSE(matches(output, "touch_downs +0\n").empty()) << output;
+  EXPECT_FALSE(matches(output, "touch_down_1_s +0\n").empty()) << output;
+}
+
+TEST_F(Score, OfTheProgramIsHighWithoutChaos) {
+  const std::string entry =
+      "python3 -B '" ROTOR_SOURCES "/verification/benchmark/rotor_entry.py' $rotor >entry.csv";
+  ASSERT_EQ(shell(entry).status, 0);
+  const std::string output = score_of("entry.csv").output;
+  const auto rows = matches(output, "\\| ([a-z-]+) \\| ([0-9.]+) \\|");
+  EXPECT_GT(rows.size(), 8U) << output;
+  for (const Match& row : rows)
+    if (row[1] != "chaos") {
+      EXPECT_GE(std::stod(row[2]), 5) << row[1];
+    }
+}
+
+TEST_F(Score, NamesWhatItRefuses) {
+  const auto expect_refused = [&](const std::string& rows, std::string_view message) {
+    const auto [status, output] = score(rows);
+    EXPECT_NE(status, 0) << rows;
+    EXPECT_TRUE(has(output, message));
+    EXPECT_EQ(output.find("Traceback"), output.npos);
+  };
+  expect_refused("herz,touch_downs,1,\n", "entry.csv, line 2: unknown problem 'herz'; must be one");
+  expect_refused("hertz,touches,1,\n", "unknown quantity 'touches' of hertz; must be one of");
+  expect_refused("hertz,touch_downs,1,\nhertz,touch_downs,1,\n", "line 3: touch_downs of hertz is");
+  expect_refused("hertz,touch_downs,none,\n", "value must be a number, not 'none'");
+  expect_refused("hertz,touch_downs,nan,\n", "value must be a number, not 'nan'");
+  expect_refused("hertz,touch_downs\n", "value must be a number, not None");
+  write("other.csv", "problem,value\n");
+  EXPECT_TRUE(has(score_of("other.csv").output,
+                  "other.csv: must have a first row with the columns quantity"));
+}
+
+}  // namespace
+}  // namespace rotor
