@@ -131,24 +131,26 @@ class ObserverGroup : public Observer {
   std::vector<Observer*> all_;
 };
 
-/// The first maximum of the normal force from some instant on.
+/// The first maximum of the normal force from some instant on: one within a step of a located
+/// method, or where the force falls after it has risen, at an event or between fixed steps.
 template <class S>
 class NextMaximum {
  public:
-  explicit NextMaximum(const Scenario& scenario)
-      : has_fixed_steps_(scenario.method == Method::rk4), ring_(scenario.parameters) {}
+  explicit NextMaximum(const Scenario& scenario) : ring_(scenario.parameters) {}
 
   /// From the present instant on. The first call counts.
   void await() { awaited_ = true; }
   bool is_awaited() const { return awaited_ && !found_; }
   bool is_found() const { return found_; }
 
-  /// Fixed steps show no maxima: there, the force falls after it has risen.
   void on_instant(const BasicInstant<S>& at) {
-    if (!has_fixed_steps_ || !is_awaited()) return;
+    if (!is_awaited()) return;
     const S force = at.contact_force(ring_, at.motion());
-    found_ = rises_ && force < *last_force_;
-    rises_ = last_force_ && (rises_ || force > *last_force_);
+    if (last_force_) {
+      const S change = force - *last_force_, least = S(1e-9) * *last_force_;  // rounding does less
+      found_ = rises_ && change < -least;
+      rises_ = rises_ || change > least;
+    }
     last_force_ = force;
   }
   void on_maximum(const BasicMaximum<S>& maximum) {
@@ -156,7 +158,6 @@ class NextMaximum {
   }
 
  private:
-  bool has_fixed_steps_;
   Ring<S> ring_;
   bool awaited_ = false, found_ = false, rises_ = false;
   std::optional<S> last_force_;

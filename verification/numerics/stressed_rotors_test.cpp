@@ -64,6 +64,31 @@ TEST_F(RightRuns, AreNotRefused) {
       "14671.858090486556 --rotor-radius 0.10329965341992958 --start-speed-Hz "
       "244.50651752302363 --support-damping 738.0011088251712 --support-stiffness "
       "365930.9084471136 --torque 0 --velocity-jump once --until 0.03 --tolerance 1e-6");
+  // A graze that ends when it begins, up to the rounding of its time.
+  summary(
+      "--clearance 1.6361831701066095e-06 --contact-damping 0 --contact-exponent "
+      "1.236302975329823 --contact-stiffness 5217929499.386724 --eccentricity "
+      "1.527200136908562e-05 --friction 3.087834687512278 --gravity 11.530988069884291 --inertia "
+      "0.00035225853548281595 --lost-mass 0.0021749921393443223 --mass 0.12737302842005688 "
+      "--mass-loss-time 0.025151336825928208 --motor-off-rpm 525.8433121147247 "
+      "--reference-indentation 2.894737378006406e-07 --rotor-radius 0.040953012777736685 "
+      "--start-speed-Hz 21.6424696618851 --support-damping 28.210282010619867 "
+      "--support-stiffness 1948339.3646104007 --torque 0 --until 0.03 --tolerance 1e-11");
+}
+
+// The first maximum after the onset of rolling lies at a second onset, where the force falls after
+// it has risen since the touch-down.
+TEST_F(RightRuns, HaveTheFirstMaximumOfTheForceInRollingAtAnEventToo) {
+  const Json run = summary(
+      "--clearance 1.012361371563971 --contact-damping 264104.59670696314 --contact-stiffness "
+      "727591143.1846606 --eccentricity 0.0009432231206045866 --friction 3.2703794788882106 "
+      "--gravity 49.692765901023705 --inertia 0.0005356053224768683 --mass 2.884046466961603 "
+      "--mass-loss-time 0 --motor-off-rpm 1543.0655267463771 --rotor-radius "
+      "0.010106478785806929 --start-speed-rpm 4693.242523973368 --support-damping "
+      "0.6535868487030794 --support-stiffness 0 --torque 0 --unbalance-factor "
+      "8.072490713502894 --until 0.18 --equations published");
+  EXPECT_NEAR(run["peak_force_to_rolling_N"].get<double>(), 21823714, 1);
+  EXPECT_GT(run["peak_normal_force_N"].get<double>(), 21850000);
 }
 
 }  // namespace
