@@ -14,7 +14,10 @@ done
 "$entries/rotor_entry.py" "$1/rotor" --method rk4 >"$problems/published RK4.csv"
 /usr/bin/python3 "$entries/scipy_entry.py" >"$problems/SciPy.csv" # Debian's SciPy is for Debian's Python
 "$1/cvode-entry" >"$problems/CVODE.csv"
-"$entries/score.py" "$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE}.csv | tee "$out/problems.md"
+all=("$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE}.csv)
+"$entries/score.py" "${all[@]}" | tee "$out/problems.md"
+"$entries/score.py" --csv "${all[@]}" >"$out/problems.csv"
+figures/draw.sh "$entries/problems.svg" "data = '$out/problems.csv'" "$entries/problems.gp"
 
 figures/draw.sh verification/benchmark/work-precision.svg "data = '$out/work-precision.csv'" \
   verification/benchmark/work-precision.gp

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Right digits of entries to reference-data/problems: score.py ENTRY.csv...
+"""Right digits of entries to reference-data/problems: score.py [--csv] ENTRY.csv...
 
 An entry has the columns problem, quantity, value and perhaps seconds (of processor time, of the whole problem). One entry
-is printed quantity by quantity; several are compared in one table. Unknown names are errors.
+is printed quantity by quantity; several are compared in one table, or with --csv in rows for a picture. Unknown names are
+errors.
 """
 import csv
 import math
@@ -115,13 +116,28 @@ def print_table(scores, answers):
             print(f"- {file}: not entered: {', '.join(absent)}")
 
 
+def print_csv(scores, answers):
+    """The least digits of each entry in each problem, and how many quantities it lacks."""
+    table = csv.writer(sys.stdout, lineterminator='\n')
+    table.writerow(['entry', 'problem', 'digits', 'lacks', 'seconds'])
+    for file, digits, seconds in scores:
+        for problem, found in digits.items():
+            if found:
+                least, lacks = f'{min(found.values()):.2f}', len(missing(found, answers[problem]))
+                table.writerow([pathlib.Path(file).stem, problem, least, lacks, seconds.get(problem, '')])
+
+
 def main(files):
+    is_csv = files[:1] == ['--csv']
+    files = files[is_csv:]
     if not files:
         raise Refused('needs: ENTRY.csv..., with the columns problem, quantity, value and perhaps seconds')
     answers = {}
     for _, row in rows_of(ANSWERS):
         answers.setdefault(row['problem'], {})[row['quantity']] = row
     scores = [(file, *score(file, answers)) for file in files]
+    if is_csv:
+        return print_csv(scores, answers)
     if len(scores) == 1:
         print_quantities(scores[0][1], answers)
     print_table(scores, answers)
