@@ -5,7 +5,7 @@
 
 namespace rotor {
 
-/// The number, and what `git describe` says of the sources: "1.0.0-dev (684b769-dirty)". Stored
+/// The number, and what `git describe` says of the sources: "1.0.0 (684b769-dirty)". Stored
 /// tables have only the number, so that they do not change with each commit.
 std::string_view version();
 
