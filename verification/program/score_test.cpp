@@ -8,10 +8,6 @@ namespace {
 
 class Score : public CommandLine {
  protected:
-  void SetUp() override {
-    CommandLine::SetUp();
-    if (shell("command -v python3").status != 0) GTEST_SKIP() << "needs python3";
-  }
   Outcome score_of(const std::string& file) const {
     return shell("'" ROTOR_SOURCES "/verification/benchmark/score.py' " + file);
   }

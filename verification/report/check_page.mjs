@@ -119,6 +119,7 @@ async function check_addresses(browser) {
     "%00=&friction",
   ]) {
     const page = await browser.newPage({ viewport: desktop });
+    page.setDefaultTimeout(120e3); // beside other parts of CI
     page.on("pageerror", (error) => faults.push(`#${hash}: ${error.message}`));
     await page.goto(`${address}#${hash}`);
     for (const id of ["play", "zoom-in", "zoom-out", "show-accident", "play"])
@@ -185,6 +186,7 @@ async function check_unscripted(browser) {
   for (const javaScriptEnabled of [false, true]) {
     const context = await browser.newContext({ viewport: desktop, javaScriptEnabled }),
       page = await context.newPage();
+    page.setDefaultTimeout(120e3);
     await page.goto(address);
     if (javaScriptEnabled) await page.emulateMedia({ media: "print" });
     expect(
