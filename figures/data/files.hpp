@@ -32,7 +32,7 @@ class OutputFile {
   void write(std::string_view text);
   /// Passes everything written to the operating system.
   void flush();
-  /// The same, so that it survives a power cut.
+  /// Passes it on to the disk, where it survives a power cut.
   void sync();
   void commit();
 

@@ -14,7 +14,7 @@ namespace rotor {
 /// UTF-8, are made visible. A line without any does not change.
 std::string one_line(std::string_view text);
 
-/// The same, shortened for messages.
+/// `one_line()` shortened for messages.
 std::string shown(std::string_view text);
 
 /// Prints a message on standard error, in one line. A failure to write it is ignored.
@@ -31,8 +31,8 @@ std::string unless_number(const std::string& text);
 /// "; did you mean "NAME"?" if one of the names was probably meant, or some of which it is a part;
 /// otherwise empty.
 std::string suggestion(std::string_view mistyped, const std::vector<std::string>& names);
-/// The same, but otherwise "; there are: " and all names, or "; " and what lists them if they are
-/// many.
+/// `suggestion()`, but if that is empty "; there are: " and all names, or "; " and what lists them
+/// if they are many.
 std::string choices(std::string_view mistyped, const std::vector<std::string>& names,
                     std::string_view many);
 

@@ -223,13 +223,13 @@ void add_options(CLI::App& command, SweepOptions& options) {
 }
 
 /// Headings of the quantities in the help, each from the quantity on that it names.
+constexpr const char* heading_of_loss = "Mass loss";
+constexpr const char* heading_of_run = "Run and method";
 constexpr std::array<std::pair<std::string_view, const char*>, 4> headings = {
     {{"mass", "Rotor"},
      {"contact_stiffness", "Contact and ring"},
-     {"unbalance_factor", "Mass loss"},
-     {"start_speed_Hz", "Run and method"}}};
-constexpr const char* const of_loss = headings[2].second;
-constexpr const char* const of_run = headings[3].second;
+     {"unbalance_factor", heading_of_loss},
+     {"start_speed_Hz", heading_of_run}}};
 
 void add_options(CLI::App& command, CaseOptions& options) {
   auto* scene = add_name(command, "scene", options.scene,
@@ -261,8 +261,8 @@ void add_options(CLI::App& command, CaseOptions& options) {
   command
       .add_flag_callback(
           "--no-mass-loss", [&options] { options.stated.loses_mass = false; }, "no mass is lost")
-      ->group(of_loss);
-  command.option_defaults()->group(of_run);
+      ->group(heading_of_loss);
+  command.option_defaults()->group(heading_of_run);
   add_options(command, options.stated);
   command.option_defaults()->group("Output");
   command.add_flag("--json", options.json, "print the results as JSON");
@@ -276,7 +276,7 @@ void add_options(CLI::App& command, RunOptions& options) {
       [&options](const std::string& text) { options.stop_on = parse_name<StopOn>(text); },
       "end the run early: outcome (once an event decides it), rolling (at the first maximum of "
       "the force in rolling) or rest (after a second below 0.1 Hz)")
-      ->group(of_run);
+      ->group(heading_of_run);
   auto* trace = add_name(
       command, "--trace", options.trace,
       "write the motion within the window to this CSV file, replacing it; - is standard output");

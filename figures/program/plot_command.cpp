@@ -76,11 +76,12 @@ void plot(const PlotOptions& options) {
   const SceneData data = std::move(compute_data({{1, scene}}).at(1));
   const bool in_rpm =
       std::ranges::any_of(scene.runs, [](const SceneRun& run) { return run.stated.states_rpm(); });
-  Drafts drafts = {{"settings.gp",
-                    fmt::format("heading = {}; conditions = {}; per_Hz = {}; speed_unit = '{}'\n",
-                                numbered(with_indices(scene.title)), numbered(conditions_of(scene)),
-                                in_rpm ? 60 : 1, in_rpm ? "rpm" : "Hz") +
-                        variables(scene, data.results)}};
+  Drafts drafts = {
+      {"settings.gp",
+       fmt::format("heading = {}; conditions = {}; per_Hz = {}; speed_unit = '{}'\n",
+                   gnuplot_text(with_indices(scene.title)), gnuplot_text(conditions_of(scene)),
+                   in_rpm ? 60 : 1, in_rpm ? "rpm" : "Hz") +
+           variables(scene, data.results)}};
   const std::vector<Panel> panels = {
       {"normal_force_N", {0, 1}}, {"speed_Hz", {0, 2}}, {"rho_m", {0, 3}}, {"x_a_m", {0, 4, 5}}};
   for (std::size_t n = 1; n <= scene.runs.size(); ++n)

@@ -279,7 +279,7 @@ Drafts map_data(const Results& results, const Layout& layout, std::string& setti
   const Cells x(along, unit_of(quantity_of(along))), y(up, unit_of(quantity_of(up)));
   settings +=
       fmt::format("x_name = {}; y_name = {}; x_log = {}; y_log = {}; x_unit = {}; y_unit = {}\n",
-                  numbered(label_of(along)), numbered(label_of(up)), int{x.is_logarithmic},
+                  gnuplot_text(label_of(along)), gnuplot_text(label_of(up)), int{x.is_logarithmic},
                   int{y.is_logarithmic}, unit_of(quantity_of(along)), unit_of(quantity_of(up)));
   settings += fmt::format("cells = {}\n", x.at.size() * y.at.size());
   const auto width = static_cast<std::size_t>(along.points()),
@@ -315,7 +315,7 @@ Drafts curve_data(const Results& results, const Layout& layout, std::string& set
   const Axis& along = sweep.axes[axis];
   const double unit = unit_of(quantity_of(along));
   settings += fmt::format("x_name = {}; x_log = {}; x_low = {}; x_high = {}\n",
-                          numbered(label_of(along)), int{Cells(along, unit).is_logarithmic},
+                          gnuplot_text(label_of(along)), int{Cells(along, unit).is_logarithmic},
                           along.ends().first / unit, along.ends().second / unit);
   std::vector<std::string> texts(layout.panels().size());
   for (long n = 0; n < sweep.points(); ++n) {
@@ -455,10 +455,10 @@ void plot_sweep(const PlotOptions& options) {
   read_rows(options.file, head, results);
   std::string settings =
       fmt::format("heading = {}; conditions = {}; panels = {}; columns = {}\n",
-                  numbered(with_indices(heading_of(sweep, layout))), numbered(conditions_of(sweep)),
-                  layout.panels().size(), results.shown.size());
+                  gnuplot_text(with_indices(heading_of(sweep, layout))),
+                  gnuplot_text(conditions_of(sweep)), layout.panels().size(), results.shown.size());
   for (std::size_t n = 0; n < layout.panels().size(); ++n)
-    settings += fmt::format("panel{} = {}\n", n + 1, numbered(layout.panels()[n]));
+    settings += fmt::format("panel{} = {}\n", n + 1, gnuplot_text(layout.panels()[n]));
   for (std::size_t n = 0; n < results.shown.size(); ++n) {
     const Shown& shown = results.shown[n];
     const bool has_gaps = std::any_of(shown.values.begin(), shown.values.end(),
@@ -466,7 +466,7 @@ void plot_sweep(const PlotOptions& options) {
     settings += fmt::format(
         "of_outcome{0} = {1}; label{0} = {2}; low{0} = {3}; high{0} = {4}; log{0} = {5}; gaps{0} = "
         "{6}\n",
-        n + 1, int{shown.is_outcome()}, numbered(shown.label), number(shown.least),
+        n + 1, int{shown.is_outcome()}, gnuplot_text(shown.label), number(shown.least),
         number(shown.most), int{shown.is_logarithmic()}, int{has_gaps});
   }
   const std::set<int> found(results.outcomes.begin(), results.outcomes.end());

@@ -36,7 +36,7 @@ inline constexpr std::string_view assumption_of_laws =
 /// that do not vibrate and a ring that is not linear or not centred.
 Json laws(const Scenario& scenario);
 
-/// The same, all null where they do not apply.
+/// `laws()`, all null where they do not apply.
 Json laws_or_nulls(const Scenario& scenario);
 
 /// The keys and their meanings, a line each, and what all assume.

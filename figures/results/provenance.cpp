@@ -61,7 +61,7 @@ std::string csv_head(const std::string& title, const Scene& scene, std::string_v
   return csv_head(lines, headings);
 }
 
-std::string numbered(std::string_view text) {
+std::string gnuplot_text(std::string_view text) {
   std::string numbers;
   for (const char c : text) numbers += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
   return '"' + numbers + '"';
@@ -83,7 +83,7 @@ std::string variables(const Scene& scene, const std::vector<Summary>& results) {
       if (!value.is_structured())
         text += fmt::format("{}{} = {}\n", key, n + 1,
                             value.is_null()      ? "NaN"
-                            : value.is_string()  ? numbered(value.get<std::string>())
+                            : value.is_string()  ? gnuplot_text(value.get<std::string>())
                             : value.is_boolean() ? std::to_string(int{value.get<bool>()})
                                                  : fmt::format("{:#}", value.get<double>()));
   }

@@ -14,7 +14,7 @@ namespace rotor {
 std::string csv_head(const std::string& title, const Scene& scene, std::string_view names);
 
 /// A text for gnuplot as the octal numbers of its bytes: no part of it can act as a command.
-std::string numbered(std::string_view text);
+std::string gnuplot_text(std::string_view text);
 
 /// Variables of gnuplot: `known_runs`; of each run, with its number at the end, its name, run1, and
 /// all inputs, results and closed forms by their keys, mass1; NaN for what does not happen.

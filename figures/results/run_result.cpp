@@ -50,54 +50,61 @@ Json remarks_of(const RunResult& result) {
 }
 
 const std::vector<Metadata>& metadata() {
-  using A = RunResult;
   constexpr Settled stop = Settled::by_stop;
   static const std::vector<Metadata> all = {
       {"stop_on",
        "Where the run was to stop early. A run that stopped at its outcome or at rolling has null "
        "for values that the rest of the run could change",
        {{"enum", with(all_names<StopOn>(), nullptr)}},
-       [](const A& a) { return a.early.stop_on ? Json(name_of(*a.early.stop_on)) : Json(); }},
+       [](const RunResult& result) {
+         return result.early.stop_on ? Json(name_of(*result.early.stop_on)) : Json();
+       }},
       {"stop_reached", "Whether the run stopped there", type("boolean"),
-       [](const A& a) { return Json(a.early.stop_reached); }},
+       [](const RunResult& result) { return Json(result.early.stop_reached); }},
       {"remarks",
        "What a reader should know besides the numbers",
        {{"type", "array"}, {"items", type("string")}},
        remarks_of,
        Settled::by_end},
       {"right_hand_sides", "Cost: evaluations of the equations of motion", type("integer"),
-       [](const A& a) { return Json(a.end.counters.right_hand_sides); }, stop},
+       [](const RunResult& result) { return Json(result.end.counters.right_hand_sides); }, stop},
       {"contact_evaluations", "Cost: evaluations of the loads in contact, in equations and guards",
-       type("integer"), [](const A& a) { return Json(a.end.counters.contact_evaluations); }, stop},
+       type("integer"),
+       [](const RunResult& result) { return Json(result.end.counters.contact_evaluations); }, stop},
       {"steps", "Cost: accepted steps", type("integer"),
-       [](const A& a) { return Json(a.end.counters.steps); }, stop},
+       [](const RunResult& result) { return Json(result.end.counters.steps); }, stop},
       {"located_events", "Number of located events", type("integer"),
-       [](const A& a) { return Json(a.end.counters.located_events); }, stop},
+       [](const RunResult& result) { return Json(result.end.counters.located_events); }, stop},
       {"equations",
        "published (velocity jump twice, gravity moment whole), corrected (once, balanced) or "
        "mixed",
        one_of(with(all_names<Equations>(), "mixed")),
-       [](const A& a) { return Json(name_of(a.scenario.equations)); }},
+       [](const RunResult& result) { return Json(name_of(result.scenario.equations)); }},
       {"velocity_jump", "How often the mass loss adds Delta_vy to the velocity of C",
        one_of(all_names<VelocityJump>()),
-       [](const A& a) { return Json(name_of(a.scenario.equations.velocity_jump)); }},
+       [](const RunResult& result) {
+         return Json(name_of(result.scenario.equations.velocity_jump));
+       }},
       {"gravity_moment",
        "balanced by the springs except for the part due to the eccentricity, or whole",
        one_of(all_names<GravityMoment>()),
-       [](const A& a) { return Json(name_of(a.scenario.equations.gravity_moment)); }},
+       [](const RunResult& result) {
+         return Json(name_of(result.scenario.equations.gravity_moment));
+       }},
       {"method", "How the run was computed", one_of(all_names<Method>()),
-       [](const A& a) { return Json(name_of(a.scenario.method)); }},
+       [](const RunResult& result) { return Json(name_of(result.scenario.method)); }},
       {"drive", "What turns the rotor", one_of(all_names<Drive>()),
-       [](const A& a) { return Json(name_of(a.scenario.parameters.drive)); }},
+       [](const RunResult& result) { return Json(name_of(result.scenario.parameters.drive)); }},
       {"tolerance", "Error allowed in a step by method event; null for rk4", number_or_null(),
-       [](const A& a) {
-         return a.scenario.method == Method::event ? json_of(a.scenario.tolerance) : Json();
+       [](const RunResult& result) {
+         return result.scenario.method == Method::event ? json_of(result.scenario.tolerance)
+                                                        : Json();
        }},
       {"inputs", "All numbers of the scenario, in SI units; speeds in Hz", type("object"),
-       [](const A& a) { return inputs_of(a.scenario); }},
+       [](const RunResult& result) { return inputs_of(result.scenario); }},
       {"version", "Version of rotor, and its commit", type("string"),
-       [](const A&) { return Json(version()); }},
-      {"schema", "Version of this schema", {{"const", schema}}, [](const A&) {
+       [](const RunResult&) { return Json(version()); }},
+      {"schema", "Version of this schema", {{"const", schema}}, [](const RunResult&) {
          return Json(schema);
        }}};
   return all;

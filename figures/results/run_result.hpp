@@ -35,8 +35,8 @@ struct RunResult {
 /// everything from the checkpoint on.
 RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
                  std::optional<StopOn> stop_on, Observer& others);
-/// The same, but only until the rest of the run cannot change any value with these keys, which are
-/// those of the whole run. No other value may be read.
+/// Finishes a run, but only until the rest of the run cannot change any value with these keys,
+/// which are those of the whole run. No other value may be read.
 RunResult finish_for(const std::vector<std::string>& keys, RunUpCheckpoint run_so_far,
                      const Scenario& scenario, Observer& others);
 

@@ -11,7 +11,7 @@
 namespace rotor {
 
 /// What sliding and rolling have in common. F_n may change its sign: a guard ends the phase there.
-/// With the law of a linear ring, that is not asked which it is at every evaluation.
+/// The ring's law is a type, so that no evaluation has to ask which it is.
 template <class S, ContactChartOf<S> Chart, ContactState state, class Law>
 struct Rub : Phase<S, Chart, state, 3, Extreme::displacement, Extreme::bearing_force,
                    Extreme::normal_force> {

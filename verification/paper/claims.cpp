@@ -62,8 +62,9 @@ Verdict verdict_in(const CsvRow& row, const char* column) {
 
 /// Whether a number counts: those that have `instead` in the place of another one, or not at all.
 bool counts(const Number& number, const std::vector<Number>& all, const Judging& judging) {
-  return judging.instead ? std::ranges::find(all, number.id, &Number::instead) == all.end()
-                         : number.instead.empty();
+  return judging.takes_alternatives
+             ? std::ranges::find(all, number.id, &Number::alternative_to) == all.end()
+             : number.alternative_to.empty();
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ const std::vector<Judging>& other_rules() {
       {.says = "no result of the paper's method", .own_method = false},
       {.says = "zeros of whole numbers count", .zeros_count = true},
       {.says = "the medians of changes", .medians = true},
-      {.says = "another number for the same words", .instead = true}};
+      {.says = "another number for the same words", .takes_alternatives = true}};
   return rules;
 }
 
@@ -194,7 +195,7 @@ std::vector<Number> read_numbers(const std::filesystem::path& table) {
                   .printed = row["printed"],
                   .rule = row["rule"],
                   .unit = row["unit"],
-                  .instead = row["instead"],
+                  .alternative_to = row["instead"],
                   .kind = kinds.at(row["kind"]),
                   .conditions = row["conditions"] == "yes",
                   .readings = {},

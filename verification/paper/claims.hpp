@@ -51,8 +51,8 @@ struct Judging {
   double limits = 1;  ///< multiplies all widths
   By by = By::sentence;
   bool own_method = true, zeros_count = false;
-  bool medians = false;  ///< of a change that a word bounds, instead of its 5 to 95 %
-  bool instead = false;  ///< with the numbers that have `instead`
+  bool medians = false;             ///< of a change that a word bounds, instead of its 5 to 95 %
+  bool takes_alternatives = false;  ///< the numbers that have `alternative_to`
 };
 /// The other rules of policy.md.
 const std::vector<Judging>& other_rules();
@@ -60,7 +60,7 @@ const std::vector<Judging>& other_rules();
 /// A number of a claim, which may have several.
 struct Number {
   std::string claim, id, sentence, figures, place, says, printed, rule, unit;
-  std::string instead;  ///< id of the number in whose place it can be read
+  std::string alternative_to;  ///< id of the number in whose place it can be read
   Kind kind = Kind::simulated;
   bool conditions = false;  ///< population (b)
   std::vector<Reading> readings;

@@ -213,7 +213,7 @@ TEST(Verdicts, DependOnTheRulesThatTurnThem) {
          as_another = number("", "minor", stored(1, 1, 1), stored(1, 1, 1));
   zeros.claim = zeros.id = "zeros", limit.claim = limit.id = "limit";
   lucky.claim = lucky.id = "lucky", read.claim = read.id = "read";
-  as_another.claim = "read", as_another.id = "another", as_another.instead = "read";
+  as_another.claim = "read", as_another.id = "another", as_another.alternative_to = "read";
   as_another.says = "another number";
   const std::vector<Number> all = {zeros, limit, lucky, read, as_another};
   using Says = std::vector<std::string>;

@@ -158,10 +158,10 @@ std::map<std::string, long> turned_by_rule(const std::vector<JudgedClaim>& claim
 std::vector<std::string> other_verdicts(const Number& number, std::size_t set,
                                         const std::vector<Number>& numbers) {
   const Verdict verdict = verdict_of(number, set);
-  const auto other = std::ranges::find(numbers, number.id, &Number::instead);
+  const auto other = std::ranges::find(numbers, number.id, &Number::alternative_to);
   std::vector<std::string> others;
   for (const Judging& rule : other_rules()) {
-    const bool is_other = rule.instead && other != numbers.end();
+    const bool is_other = rule.takes_alternatives && other != numbers.end();
     const Verdict by_rule = verdict_of(is_other ? *other : number, set, rule);
     if (by_rule != verdict)
       others.push_back(
@@ -173,7 +173,7 @@ std::vector<std::string> other_verdicts(const Number& number, std::size_t set,
 std::vector<Passage> in_the_papers_order(const std::vector<Number>& numbers) {
   std::vector<Number> ordered;
   std::ranges::copy_if(numbers, std::back_inserter(ordered),
-                       [](const Number& number) { return number.instead.empty(); });
+                       [](const Number& number) { return number.alternative_to.empty(); });
   std::ranges::stable_sort(ordered, {}, [](const Number& number) {
     return std::pair(section_of(number.place), figure_of(number));
   });

@@ -65,7 +65,7 @@ std::string in_a_cell(const Number& number, std::size_t set, const std::vector<N
 std::vector<std::string> others_that_hold(const Number& of, const std::vector<Number>& numbers) {
   std::vector<std::string> hold;
   for (const Number& number : of_claim(numbers, of.claim))
-    if (number.id != of.id && number.instead.empty() &&
+    if (number.id != of.id && number.alternative_to.empty() &&
         verdict_of(number, 0) == Verdict::reproduced)
       hold.push_back(fmt::format("{} ({})", words_of(number), shown(value_of(number, 0), number)));
   return hold;

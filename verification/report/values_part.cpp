@@ -17,7 +17,6 @@ namespace {
 
 /// The results of a run by their keys, and the durations between them.
 Json run_json(const Scenario& scenario) {
-  Observer nobody;
   const RunResult result = finish(RunUpCheckpoint(scenario), scenario, std::nullopt, nobody);
   const Summary& s = result.summary;
   Json all = to_json(result);

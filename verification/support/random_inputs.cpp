@@ -40,7 +40,7 @@ double contact_period(const Numbers& drawn) {
 struct NumberRange {
   std::string_view name;
   double least, greatest;
-  int one_in = 0;  ///< never
+  int special_once_in = 0;  ///< 0: never
   double special = 0;
   double (*unit)(const Numbers& drawn) = one;
 };
@@ -124,7 +124,7 @@ ScenarioSpec RandomInputs::spec(double part) {
     const NumberRange& drawn = *rows[below(rows.size())];
     const double reach = std::pow(drawn.greatest / drawn.least, part / 2),
                  middle = std::sqrt(drawn.least * drawn.greatest);
-    const bool is_special = drawn.one_in > 0 && one_in(drawn.one_in),
+    const bool is_special = drawn.special_once_in > 0 && one_in(drawn.special_once_in),
                is_negative = find_input_quantity(drawn.name)->quantity.allows(-1) && one_in(2);
     spec.numbers.emplace(drawn.name,
                          (is_special ? drawn.special : between(middle / reach, middle * reach)) *
