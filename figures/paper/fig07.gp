@@ -67,17 +67,17 @@ unset label; unset arrow
 eval panel(140 + 200*words(sets), 290 + 200*words(sets))
 set xlabel "against the rotation  ←  frequency, Hz"; set format x "%g"
 eval sprintf("set arrow from -770,graph 0 to -770,graph 1 nohead linestyle %d", published)
-curves(n) = sprintf("for [set in from_below] '$spectrum_'.set using 1:%d with lines linestyle (is_printed(set) ? 10 : 20) linewidth %g notitle", n, n == 2 ? 2.2 : 1)
+curves(n, step) = sprintf("for [set in from_below] '$spectrum_'.set every ".step." using 1:%d with lines linestyle (is_printed(set) ? 10 : 20) linewidth %g notitle", n, n == 2 ? 2.2 : 1)
 set rmargin at screen 0.54
 set title "{/:Bold Spectrum of O}, in rolling to 29.15 s; thin: in the axes of q_1" \
   textcolor default offset 0,-0.5
 set label "paper: about 770 Hz" at graph 0.985,graph 0.9 right textcolor rgb paper_tint
 set xtics 50; set ytics 1
-eval "plot [-950:-600] [0:4] ".curves(2).", ".curves(3)
+eval "plot [-950:-600] [0:4] ".curves(2, 1).", ".curves(3, 1)
 unset label
 set lmargin at screen 0.6; set rmargin at screen 0.97
-set title "both senses" textcolor default offset 0,-0.5
+set title "both senses, in the stator's axes" textcolor default offset 0,-0.5
 set xlabel "against the rotation  ←  frequency, Hz  →  with it"
 set logscale y; set xtics 500; set ytics 10; unset ylabel
-eval "plot [-1000:1000] [1e-3:10] ".curves(2).", ".curves(3)
+eval "plot [-1000:1000] [1e-3:10] ".curves(2, 2)
 unset multiplot
