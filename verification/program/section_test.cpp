@@ -12,14 +12,10 @@ namespace {
 
 class Sections : public CommandLine {
  protected:
-  /// Rub once in two turns at 2.8 natural frequencies, of verification/validation.
-  static std::string partial_rub(double turns, double speed = 2.8) {
-    return fmt::format(
-        "--mass 1 --eccentricity 0.16 --support-stiffness 1 --support-damping 0.1 "
-        "--contact-stiffness 40 --contact-damping 0 --friction 0.05 --rotor-radius 100 "
-        "--clearance 1 --ring-offset-x -0.7 --start-x 0.7 --drive constant_speed --no-mass-loss "
-        "--start-speed-Hz {} --until {} ",
-        speed / two_pi, turns * two_pi / speed);
+  /// Rub once in two turns, at 2.8 rad/s.
+  static std::string partial_rub(double turns) {
+    return fmt::format("'" ROTOR_REFERENCE_DATA "/problems/partial-rub.toml' --until {} ",
+                       turns * two_pi / 2.8);
   }
 
   /// Of rows without the name of the run.

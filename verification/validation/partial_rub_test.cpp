@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "figures/runs/scene.hpp"
 #include "verification/support/observers.hpp"
 
 namespace rotor {
@@ -16,24 +17,13 @@ namespace {
 using Complex = std::complex<double>;
 
 /// In clearances and reciprocals of the natural frequency, from the position of rest, with a radius
-/// so large that the slip keeps its sign.
+/// so large that the slip keeps its sign. The problem of rub has it at a speed of 2.8.
 Scenario partial_rub(double speed, int turns) {
-  const double rest = 0.7;
-  return {.parameters = {.mass = 1,
-                         .eccentricity = 0.16,
-                         .support_stiffness = 1,
-                         .support_damping = 0.1,
-                         .drive = Drive::constant_speed,
-                         .contact_stiffness = 40,
-                         .contact_damping = 0,
-                         .friction = 0.05,
-                         .rotor_radius = 100,
-                         .stator_radius = 101,
-                         .loses_mass = false,
-                         .ring_offset_x = -rest},
-          .start_speed_Hz = speed / two_pi,
-          .start = Start{.x = rest},
-          .until = turns * two_pi / speed};
+  Scenario scenario =
+      read_scene(ROTOR_REFERENCE_DATA "/problems/partial-rub.toml").runs.at(0).scenario;
+  scenario.start_speed_Hz = speed / two_pi;
+  scenario.until = turns * two_pi / speed;
+  return scenario;
 }
 
 /// The last turns of a run: where O is once a turn, when e_x points down, along x_a + i y_a; the
