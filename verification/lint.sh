@@ -1,9 +1,16 @@
 #!/usr/bin/env bash
-# What `make lint` does: checks that all wrong changes of `make mutants` can still be made, the format of
-# all sources, and model/ and figures/ by clang-tidy (see .clang-tidy). cppcheck was tried and found no
-# real fault.
+# What `make lint` does: checks that all scripts can be called by their names, that all wrong changes of
+# `make mutants` can still be made, the format of all sources, and model/ and figures/ by clang-tidy (see
+# .clang-tidy). cppcheck was tried and found no real fault.
 set -uo pipefail
 build=$1/lint
+failed=""
+while IFS= read -rd '' file; do
+  [ "$(head -zc 2 "$file")" = '#!' ] && script=yes || script=no
+  [ -x "$file" ] && mode=yes || mode=no
+  [ $script = $mode ] || { echo "$file: starts with #!: $script; may be run: $mode" >&2; failed=1; }
+done < <(git ls-files -z)
+[ -z "$failed" ] || exit 1
 python3 -B verification/robustness/mutants.py --check || exit 1
 mapfile -t all < <(git ls-files '*.cpp' '*.hpp' '*.ipp')
 clang-format --dry-run -Werror "${all[@]}" || exit 1
