@@ -87,6 +87,16 @@ foreach(points IN LISTS numbers_of_points)
         > ${build}/${name}-tolerance.txt
       DEPENDS rotor map-statistics ${sweep} ${PROJECT_SOURCE_DIR}/figures/maps/tolerance.sh
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "Computing ${name}-tolerance.txt" USES_TERMINAL VERBATIM)
+    if(map STREQUAL partial-rub) # over one quantity, as rotor plot draws it
+      foreach(format IN LISTS formats)
+        add_custom_command(OUTPUT ${made}.${format}
+          COMMAND rotor plot ${build}/${name}.csv --out ${build}/${name}.${format}
+          DEPENDS rotor ${made}.csv ${PROJECT_SOURCE_DIR}/figures/program/sweep.gp ${style}
+          WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMENT "Drawing ${name}.${format}" VERBATIM)
+      endforeach()
+      list(APPEND pictures ${made})
+      continue()
+    endif()
     if(map STREQUAL rounding)
       add_custom_command(OUTPUT ${made}-shares.csv
         COMMAND map-statistics shares ${build}/${name}.toml ${build}/${name}.csv > ${build}/${name}-shares.csv

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "figures/program/drawing.hpp"
+#include "figures/record/section.hpp"
 #include "figures/results/json.hpp"
 #include "figures/runs/scene.hpp"
 #include "figures/sweep/part.hpp"
@@ -61,6 +62,7 @@ inline constexpr auto names_of<CsvHeader> = std::to_array<Named<CsvHeader>>(
 
 struct RunOptions : CaseOptions {
   std::string trace, events, section;  ///< files to write
+  long section_turns = Section::usual_turns;
   std::vector<std::string> columns;
   std::optional<double> from_s;
   std::optional<double> every_s;    ///< equal intervals; adaptive if it is not stated

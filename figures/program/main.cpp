@@ -296,11 +296,16 @@ void add_options(CLI::App& command, RunOptions& options) {
       ->needs(trace);
   add_name(command, "--events", options.events,
            "write time, kind, state, normal force and slip of the located events to this CSV file");
-  add_name(
+  auto* section = add_name(
       command, "--section", options.section,
       "at constant speed, write position, velocity and normal force once a turn, when e_x points "
-      "down, in the last 192 turns to this CSV file, and add to the summary after how many "
-      "turns the position repeats");
+      "down, in the last turns to this CSV file, and add to the summary after how many turns the "
+      "position repeats, and its orders: parts at 1/3 to 2 times the rotation");
+  command.add_option("--section-turns", options.section_turns, "how many of the last turns it has")
+      ->type_name("N")
+      ->check(CLI::Range(1L, Section::most_turns).description(""))
+      ->capture_default_str()
+      ->needs(section);
   add_text(
       command, "--header",
       [&options](const std::string& text) { options.header = parse_name<CsvHeader>(text); },

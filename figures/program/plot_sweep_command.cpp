@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -39,6 +40,7 @@ struct Results {
   std::vector<Shown> shown;
   std::vector<signed char> outcomes{};  ///< places in `outcomes`; empty without that column
   long remarked = 0;                    ///< points with remarks
+  std::vector<std::vector<double>> x_once_a_turn{};  ///< of each point, mm; empty without sections
 };
 
 /// What a column is called, as in summaries or by its name, and its unit by the end of that.
@@ -74,6 +76,7 @@ std::vector<std::string> usual(const Sweep& sweep, bool with_outcome, std::size_
     if (contains(sweep.columns, name) && all.size() < most) all.emplace_back(name);
   };
   if (with_outcome) add("outcome");
+  add("repeats_after_turns");
   add("peak_force_to_rolling_N");
   if (!contains(sweep.columns, "peak_force_to_rolling_N")) add("peak_normal_force_N");
   add("rolling_onset_speed_Hz");
@@ -92,17 +95,19 @@ std::string head_in(const std::string& file) {
   return start.substr(0, end == std::string::npos ? start.size() : end + 1);
 }
 
-void read_rows(const std::string& file, std::string_view head, Results& into) {
+void read_rows(const std::string& file, const ResultHeads& heads, Results& into) {
   const Sweep& sweep = into.sweep;
   std::vector<std::size_t> places;
   for (const Shown& shown : into.shown) places.push_back(place_of(shown.name, sweep).value());
   const std::size_t fields = place_of(sweep.columns.back(), sweep).value() + 2;  // and the refusal
   const std::optional<std::size_t> outcome = place_of("outcome", sweep);
   const std::optional<std::size_t> remarks = place_of("remarks", sweep);
+  const std::size_t place_in_section = 1 + sweep.quantities().size() + 1;  // point, varied, time
   long points = 0;
   std::string fault;  // of the first row with one
-  const auto see = [&](std::string_view row) {
-    const std::vector<std::string> cells = csv_cells(row);
+  const auto see = [&](std::string_view line) {
+    const PointLine point(line);
+    const std::vector<std::string> cells = csv_cells(point.row);
     ++points;
     const auto refuse = [&](std::string_view column, const std::string& cell, const char* wanted) {
       if (fault.empty())
@@ -112,6 +117,13 @@ void read_rows(const std::string& file, std::string_view head, Results& into) {
     if (cells.size() != fields)
       return refuse("fields", std::to_string(cells.size()), "the number of the header row");
     if (remarks && !cells[*remarks].empty()) ++into.remarked;
+    if (sweep.section_turns) into.x_once_a_turn.emplace_back();
+    for (const std::string_view row : point.section) {
+      const std::string cell = csv_cells(row).at(place_in_section);
+      const std::optional<double> number = number_in(cell);
+      if (!number) refuse("x_a_m", cell, "a number");
+      into.x_once_a_turn.back().push_back(1e3 * number.value_or(none));
+    }
     if (outcome) {
       const std::string& cell = cells[*outcome];
       const auto* const found =
@@ -134,7 +146,7 @@ void read_rows(const std::string& file, std::string_view head, Results& into) {
       shown.most = std::fmax(shown.most, shown.values.back());
     }
   };
-  if (!read_results(file, head, sweep.points(), see))
+  if (!read_results(file, heads, Part(), sweep.points(), see))
     throw InputError("{}: {}", one_line(file), damaged_in_words);
   if (!fault.empty()) throw InputError("{}", fault);
 }
@@ -307,6 +319,37 @@ Drafts map_data(const Results& results, const Layout& layout, std::string& setti
   return drafts;
 }
 
+/// A file for each panel: the number on the axis, and x_a once a turn; one of places that a picture
+/// does not tell apart.
+Drafts section_data(const Results& results, const Layout& layout, std::string& settings) {
+  const Axis& along = results.sweep.axes[layout.over()[0]];
+  double least = none, most = none;
+  for (const std::vector<double>& of_point : results.x_once_a_turn)
+    for (const double x : of_point) {
+      least = std::fmin(least, x);
+      most = std::fmax(most, x);
+    }
+  settings += fmt::format("sections = {}; low0 = {}; high0 = {}\n",
+                          int{!results.x_once_a_turn.empty()}, number(least), number(most));
+  const double told_apart = most > least ? (most - least) / 600 : 1;
+  std::vector<std::string> texts(layout.panels().size());
+  for (std::size_t point = 0; point < results.x_once_a_turn.size(); ++point) {
+    const auto n = static_cast<long>(point);
+    std::map<long, double> places;
+    for (const double x : results.x_once_a_turn[point])
+      places.emplace(std::lround((x - least) / told_apart), x);
+    for (const auto& [place, x] : places)
+      texts[layout.panel(n)] += fmt::format(
+          "{},{}\n",
+          number(along.number(layout.place(n, layout.over()[0])) / unit_of(quantity_of(along))),
+          number(x));
+  }
+  Drafts drafts;
+  for (std::size_t panel = 0; panel < texts.size(); ++panel)
+    drafts.emplace_back(fmt::format("section{}.csv", panel + 1), std::move(texts[panel]));
+  return drafts;
+}
+
 /// A file for each panel: the number on the axis, the outcome, the values that are shown, and
 /// whether they are missing.
 Drafts curve_data(const Results& results, const Layout& layout, std::string& settings) {
@@ -328,7 +371,7 @@ Drafts curve_data(const Results& results, const Layout& layout, std::string& set
       text += std::isnan(value_of(results, shown, point)) ? ",1" : ",0";
     text += '\n';
   }
-  Drafts drafts;
+  Drafts drafts = section_data(results, layout, settings);
   for (std::size_t panel = 0; panel < texts.size(); ++panel)
     drafts.emplace_back(fmt::format("panel{}.csv", panel + 1), std::move(texts[panel]));
   return drafts;
@@ -452,7 +495,9 @@ void plot_sweep(const PlotOptions& options) {
     results.shown.push_back(described(name));
   }
   if (options.drafts.empty()) require_picture(out, options.file);
-  read_rows(options.file, head, results);
+  ResultHeads heads = heads_of(sweep);
+  heads.results = head;  // perhaps of another version
+  read_rows(options.file, heads, results);
   std::string settings =
       fmt::format("heading = {}; conditions = {}; panels = {}; columns = {}\n",
                   gnuplot_text(with_indices(heading_of(sweep, layout))),

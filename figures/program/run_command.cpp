@@ -6,10 +6,10 @@
 #include "figures/data/files.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/program/progress.hpp"
-#include "figures/record/section.hpp"
 #include "figures/results/estimated_result.hpp"
 #include "figures/results/event_log.hpp"
 #include "figures/results/provenance.hpp"
+#include "figures/results/section_result.hpp"
 
 namespace rotor {
 namespace {
@@ -36,12 +36,13 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
 /// Refuses a section of a motion that has no turns of one length up to its end.
 void require_turns(const RunOptions& options, const Scenario& scenario) {
   if (options.section.empty()) return;
-  if (scenario.parameters.drive != Drive::constant_speed)
-    throw InputError("--section: needs drive = constant_speed, which makes all turns equally long");
-  if (scenario.method == Method::rk4)
-    throw InputError("--section: only --method event knows the motion between its steps");
   if (options.stop_on)
     throw InputError("--section: excludes --stop-on: it has the last turns before until");
+  try {
+    whole_turns(scenario);
+  } catch (const InputError& error) {
+    throw InputError("--section: {}", error.what());
+  }
 }
 
 /// The scene, with everything that the options state.
@@ -56,8 +57,8 @@ Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
       throw InputError("--events: only --method event locates events");
     if (options.energy && run.scenario.method == Method::rk4)
       throw InputError("--energy: only --method event knows the motion between its steps");
-    require_turns(options, run.scenario);
     require_digits_to_be_known(options, run);
+    require_turns(options, run.scenario);
   }
   result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
   if (!options.columns.empty()) try {
@@ -193,8 +194,8 @@ RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, R
 
   std::optional<Section> section;
   if (files.section)
-    observers.add(
-        section.emplace(scenario, [&](auto row) { files.section->write(csv_row(name, row)); }));
+    observers.add(section.emplace(scenario, options.section_turns,
+                                  [&](auto row) { files.section->write(csv_row(name, row)); }));
 
   // A run that writes files starts at its beginning, so that observers see all of it.
   const bool writes = files.trace || files.events || files.section;
@@ -207,11 +208,7 @@ RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, R
   RunReport report{to_json(result), remarks(result)};
   if (energy) report.summary["energy_J"] = to_json(*energy);
   if (energy && result.early.leaves_rest_open()) report.summary["energy_J"]["until_end"] = nullptr;
-  if (section) {
-    const auto period = section->repeats_after();
-    report.summary["section"] = {{"turns", section->rows()},
-                                 {"repeats_after_turns", period ? Json(*period) : Json()}};
-  }
+  if (section) report.summary["section"] = to_json(section->summary());
   return report;
 }
 

@@ -10,6 +10,7 @@
 #include "figures/program/commands.hpp"
 #include "figures/results/estimated_result.hpp"
 #include "figures/results/laws.hpp"
+#include "figures/results/section_result.hpp"
 
 namespace rotor {
 namespace {
@@ -106,6 +107,28 @@ std::string equations_of(const Json& result) {
   return words;
 }
 
+/// After how many turns the motion repeats, and its orders in a table.
+void print_section(const Json& section, std::FILE* to) {
+  for (const char* key : {"section_turns", "repeats_after_turns", "orders_over_turns"})
+    fmt::print(to, "  {:<31} {}\n", name_in_words(key), text_of(section, key));
+  if (section.at("orders_over_turns") == 0) return;
+  fmt::print(to, "\n{:<8}{:>12}{:>24}{:>30}\n{:<8}", "", "forward", "backward", "peak to peak, mm",
+             "  order");
+  for (const char* head : {"mm", "rad", "mm", "rad", "x_a", "y_a"}) fmt::print(to, "{:>12}", head);
+  fmt::print(to, "\n");
+  for (const Order& order : orders) {
+    std::string name(order.name);
+    std::replace(name.begin(), name.end(), '_', '/');
+    fmt::print(to, "  {:<6}", name);
+    for (const OrderValue& column : order_values) {
+      const Json& value = section.at(key_of(order, column));
+      const double in_si = column.ending.ends_with("_m") ? 1e-3 : 1;
+      fmt::print(to, "{:>12}", value.is_null() ? "-" : four_digits(value.get<double>() / in_si));
+    }
+    fmt::print(to, "\n");
+  }
+}
+
 constexpr auto about_other_results = "\nAll results: --all, or --json with all digits.\n";
 
 void say_what_is_assumed(const std::vector<std::string>& of_paper) {
@@ -150,8 +173,8 @@ void print_brief(const Json& run, bool in_rpm, std::FILE* to) {
                      ? fmt::format("{} after loss", label)
                      : label,
                  in_print(run, name, in_rpm));
-  for (const char* part : {"energy_J", "section"})
-    if (run.contains(part)) print_all(Json{{part, run[part]}}, to, "  ");
+  if (run.contains("energy_J")) print_all(Json{{"energy_J", run["energy_J"]}}, to, "  ");
+  if (run.contains("section")) print_section(run["section"], to);
   fmt::print(to, about_other_results);
 }
 

@@ -1,17 +1,21 @@
 # Results over one quantity, or of a sample as histograms. `rotor plot` sets, besides what style.gp needs:
 #   heading; conditions in one or more lines; panels and their names, panel1, ...; columns, and of each, by its number, label1,
 #   low1 and high1 of its numbers, log1, gaps1 (whether some are empty) and of_outcome1; found, the codes of outcomes; is_sample
-#   over a quantity: x_name, x_log, x_low, x_high; panelN.csv has the quantity, the code, each column and whether it is empty
+#   over a quantity: x_name, x_log, x_low, x_high; panelN.csv has the quantity, the code, each column and whether it is empty;
+#   sections, whether sectionN.csv has the quantity and x_a once a turn, and low0 and high0 of that
 #   of a sample: barsN-C.csv has from, to, bottom and top of each bar in percent, and the code; emptyN_C is the percentage
 #   without a value, tallestC that of the tallest bar
 # In a code, -1 stands for a point without an outcome. Rows of panels are columns of the results.
 
 lines = 1 + sum [k = 1:strlen(conditions)] (conditions[k:k] eq "\n")
 wide = panels > 3 ? 320.*panels : 960.
-row = columns > 1 ? 210. : 340.
+if (is_sample) { sections = 0 }
+label0 = "x_a once a turn, mm"; log0 = 0
+rows = columns + sections
+row = rows > 1 ? 210. : 340.
 between = 84.
 top = 78 + 15*lines + 22*(panels > 1); bottom = 70.
-tall = top + columns*(row + between) - between + 40 + bottom
+tall = top + rows*(row + between) - between + 40 + bottom
 eval "set terminal ".size(wide, tall).sprintf(" font 'DejaVu Sans,%d' enhanced rounded", letters)
 write(text, x, y, place) = sprintf("set label %s at screen %g,screen %g %s noenhanced", text, x/wide, 1 - y/tall, place)
 tint_of_code(code) = code < 0 ? "#8a8a8a" : outcome_tint[code + 1]
@@ -35,12 +39,13 @@ eval write("conditions", 0.5*wide, 41, "center font small")
 do for [p = 1:panels] {
   if (panels > 1) { eval write(sprintf("shortened(panel%d, 40)", p), left + (p - 0.5)*side + (p - 1)*gap, top - 34, "center") }
 }
-do for [c = 1:columns] {
+do for [c = 1 - sections:columns] {
+  above = top + (c - 1 + sections)*(row + between)
   do for [p = 1:panels] {
     set lmargin at screen (left + (p - 1)*(side + gap))/wide
     set rmargin at screen (left + (p - 1)*(side + gap) + side)/wide
-    set tmargin at screen 1 - (top + (c - 1)*(row + between))/tall
-    set bmargin at screen 1 - (top + (c - 1)*(row + between) + row)/tall
+    set tmargin at screen 1 - above/tall
+    set bmargin at screen 1 - (above + row)/tall
     unset logscale; set xtics autofreq norotate; set format "%g"
     if (p > 1) { set format y "" }
     if (is_sample) {
@@ -72,9 +77,13 @@ do for [c = 1:columns] {
       set y2range [0:1]
       its(code, i) = $2 == code ? column(2 + i) : NaN
       lacks(code, i) = $2 == code && column(2 + columns + i) == 1 ? 0.025 : NaN
-      plot for [k in codes] data using 1:(lacks(int(k), c)) axes x1y2 with points pointtype 5 pointsize 0.55 linecolor rgb tint_of_code(int(k)), \
-        data using 1:(column(2 + c)) with points pointtype 7 pointsize 0.75 linecolor rgb event_tint, \
-        for [k in codes] data using 1:(its(int(k), c)) with points pointtype 7 pointsize 0.6 linecolor rgb tint_of_code(int(k))
+      if (c == 0) {
+        plot sprintf("section%d.csv", p) using 1:2 with points pointtype 7 pointsize 0.2 linecolor rgb event_tint
+      } else {
+        plot for [k in codes] data using 1:(lacks(int(k), c)) axes x1y2 with points pointtype 5 pointsize 0.55 linecolor rgb tint_of_code(int(k)), \
+          data using 1:(column(2 + c)) with points pointtype 7 pointsize 0.75 linecolor rgb event_tint, \
+          for [k in codes] data using 1:(its(int(k), c)) with points pointtype 7 pointsize 0.6 linecolor rgb tint_of_code(int(k))
+      }
     }
     unset label
   }

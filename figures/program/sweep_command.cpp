@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rows by their places in the results.
+/// Lines of points by their places in the results.
 using Rows = std::map<long, std::string>;
 
 /// Finished results: the rows that are no refusals, if the file is whole.
@@ -33,11 +33,11 @@ struct Finished {
 
   Finished(const Sweep& sweep, const Part& part, const std::string& file) {
     long place = 0;
-    is_whole = read_results(file, sweep_head(sweep, part), part.points(sweep.points()),
-                            [&](std::string_view row) {
-                              if (row.ends_with(',')) rows.emplace(place, row);
-                              ++place;
-                            });
+    is_whole =
+        read_results(file, heads_of(sweep, part), part, sweep.points(), [&](std::string_view line) {
+          if (PointLine(line).row.ends_with(',')) rows.emplace(place, line);
+          ++place;
+        });
     if (!is_whole) rows.clear();
   }
 };
@@ -54,8 +54,8 @@ class Tally {
     remarks_ = place_of("remarks", sweep);
   }
 
-  void add(std::string_view row) {
-    const std::vector<std::string> cells = csv_cells(row);
+  void add(std::string_view line) {
+    const std::vector<std::string> cells = csv_cells(PointLine(line).row);
     ++points_;
     if (!cells.back().empty())
       ++refused_;
@@ -91,7 +91,7 @@ class Tally {
 Tally compute(const Sweep& sweep, const Part& part, const std::string& out, int threads,
               const Rows& known = {}) {
   const long points = part.points(sweep.points());
-  Journal journal(out, sweep_head(sweep, part), points);
+  Journal journal(out, heads_of(sweep, part), points);
   const long before = journal.rows();
   const std::string name = journal.path().string();
   if (journal.dropped() > 0)
@@ -102,7 +102,7 @@ Tally compute(const Sweep& sweep, const Part& part, const std::string& out, int 
   if (before > 0)
     print_message(fmt::format("rotor: {} of {} points are already in {}", before, points, name));
   std::atomic<long> written = before;
-  ProgressLine line;
+  ProgressLine progress;
   const auto text = [&](double elapsed_s) {
     const auto done = static_cast<double>(written - before),
                left = static_cast<double>(points - written);
@@ -118,12 +118,12 @@ Tally compute(const Sweep& sweep, const Part& part, const std::string& out, int 
       return found == known.end() ? rows(part.point(place)) : found->second;
     };
   };
-  const auto take = [&](const std::string& row) {
-    journal.write(row);
+  const auto take = [&](const std::string& line) {
+    journal.write(line);
     ++written;
   };
   try {
-    compute_in_order(before, points, threads, make_work, take, [&] { line.update(text); });
+    compute_in_order(before, points, threads, make_work, take, [&] { progress.update(text); });
   } catch (...) {
     if (!is_interrupted()) throw;
     throw Interrupted(
@@ -131,7 +131,7 @@ Tally compute(const Sweep& sweep, const Part& part, const std::string& out, int 
                     written.load(), points, name));
   }
   Tally tally(sweep);
-  journal.finish([&](std::string_view row) { tally.add(row); });
+  journal.finish([&](std::string_view line) { tally.add(line); });
   return tally;
 }
 
@@ -143,8 +143,8 @@ Tally join(const Sweep& sweep, const std::string& out) {
         one_line(journal.string()));
   join_parts(sweep, out);
   Tally tally(sweep);
-  read_results(out, sweep_head(sweep), sweep.points(),
-               [&](std::string_view row) { tally.add(row); });
+  read_results(out, heads_of(sweep), Part(), sweep.points(),
+               [&](std::string_view line) { tally.add(line); });
   return tally;
 }
 
@@ -155,14 +155,22 @@ void require_results(const SweepOptions& options, bool has_any) {
         fmt::format("{}: no point has a result; column refusal says why", one_line(options.out)));
 }
 
-void require_file(const SweepOptions& options) {
+void require_files(const Sweep& sweep, const SweepOptions& options) {
   std::error_code error;  // reported as it is opened
   const fs::file_status status = fs::status(options.out, error);
   if (options.out == "-" || (fs::exists(status) && !fs::is_regular_file(status)))
     throw InputError(
         "--out {}: must be a regular file: a sweep resumes from the journal next to it",
         shown(options.out));
-  FileTransaction(options.file).open(options.out);  // errors are reported before any work
+  FileTransaction files(options.file);  // errors are reported before any work
+  files.open(options.out);
+  if (!sweep.section_turns) return;
+  const fs::path sections = sections_of(options.out);
+  files.open(sections);
+  if (fs::exists(sections) && !fs::exists(options.out) && !fs::exists(journal_of(options.out)) &&
+      !options.force)
+    throw InputError("{}: exists without the results {}; --force replaces it",
+                     one_line(sections.string()), one_line(options.out));
 }
 
 }  // namespace
@@ -182,7 +190,7 @@ void run_sweep(const SweepOptions& stated) {
     require_budget("--budget", *options.budget_s);
     sweep.budget_s = options.budget_s;
   }
-  require_file(options);
+  require_files(sweep, options);
   const std::string name = one_line(options.out);
   Rows known;
   if (options.retry && !fs::exists(options.out))

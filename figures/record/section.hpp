@@ -1,62 +1,86 @@
-/// A motion at a constant speed once a turn.
+/// A motion at a constant speed, turn by turn.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <complex>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "figures/record/recorder.hpp"
 
 namespace rotor {
 
+/// A multiple of the rotation's frequency.
+struct Order {
+  std::string_view name;
+  double multiple;
+};
+inline constexpr auto orders = std::to_array<Order>(
+    {{"1_3", 1 / 3.}, {"1_2", 1 / 2.}, {"2_3", 2 / 3.}, {"1", 1.}, {"3_2", 3 / 2.}, {"2", 2.}});
+
+/// F(o) and F(-o), m: the mean of z exp(-i o phi) over some turns, where z = x_a + i y_a is the
+/// position of O and phi the angle of e_x.
+struct OrderMeans {
+  std::complex<double> forward, backward;
+
+  double peak_to_peak_x() const { return 2 * std::abs(forward + std::conj(backward)); }
+  double peak_to_peak_y() const { return 2 * std::abs(forward - std::conj(backward)); }
+};
+
+/// What a section tells of the motion.
+struct SectionSummary {
+  long turns = 0;
+  /// The least number of turns after which O comes back, in all turns, to within a millionth of the
+  /// clearance. Empty if there is none up to `longest_period`, or to half of the turns.
+  std::optional<long> repeats_after_turns;
+  /// Of the means: the most of the last turns that are a multiple of six, of which each order has
+  /// whole periods, and of that number. Without it, or if they are too few, of six.
+  long orders_over_turns = 0;
+  bool orders_over_whole_periods = false;
+  /// Zero over no turns, and where they are below 1e-9 of the largest: less than the motion between
+  /// steps is known to.
+  std::array<OrderMeans, orders.size()> means{};
+
+  static constexpr long longest_period = 64;
+};
+
+/// The number of whole turns of a run; the last may end with it, up to rounding. Throws InputError
+/// if they are not of one length, if nothing is known of the motion between steps, or without any.
+long whole_turns(const Scenario& scenario);
+
 /// The last turns of a run, one row each, at the instant at which e_x points down: its points of
-/// Poincare. The run must have a dense output and a constant speed.
-class Section : public Sampler {
+/// Poincare.
+class Section : public Observer {
  public:
-  static constexpr long most_turns = 192, longest_period = 64;
+  static constexpr long usual_turns = 192, most_turns = 10000;
 
-  Section(const Scenario& scenario, RowSink sink)
-      : Sampler(first_turn(scenario) / scenario.start_speed_Hz, scenario.until,
-                1 / scenario.start_speed_Hz, columns(), scenario,
-                [this, sink = std::move(sink)](std::span<const double> row) {
-                  places_.emplace_back(row[1], row[2]);
-                  sink(row);
-                }),
-        near_(1e-6 * Ring<double>(scenario.parameters).clearance) {}
-
+  /// Of at most so many turns. Throws as whole_turns().
+  Section(const Scenario& scenario, long turns, RowSink sink);
   Section(const Section&) = delete;  // its sink refers to it
   Section& operator=(const Section&) = delete;
 
   /// Time, position, velocity and normal force.
-  static std::vector<const Column*> columns() {
-    std::vector<const Column*> all;
-    for (const char* name :
-         {"time_s", "x_a_m", "y_a_m", "x_a_rate_m_per_s", "y_a_rate_m_per_s", "normal_force_N"})
-      all.push_back(find_column(name));
-    return all;
-  }
+  static std::vector<const Column*> columns();
 
-  /// The least number of turns after which O comes back, in all turns, to within a millionth of the
-  /// clearance. Empty if there is none, or fewer than twice as many turns.
-  std::optional<long> repeats_after() const {
-    const auto turns = static_cast<long>(places_.size());
-    for (long n = 1; n <= std::min(longest_period, turns / 2); ++n)
-      if (std::equal(places_.begin() + n, places_.end(), places_.begin(),
-                     [&](const auto& a, const auto& b) { return (a - b).norm() <= near_; }))
-        return n;
-    return std::nullopt;
-  }
+  bool wants_dense_output(const double& from_s, const double& until_s) const override;
+  void on_step(const DenseOutput& motion) override;
+
+  SectionSummary summary() const;
 
  private:
-  /// The number of the first turn of the section; the last may be at the end, up to rounding.
-  static double first_turn(const Scenario& scenario) {
-    const double last = std::floor(scenario.until * scenario.start_speed_Hz + 1e-6);
-    return std::max(0., last - (most_turns - 1));
-  }
+  using Means = std::array<OrderMeans, orders.size()>;
 
-  double near_;
+  void integrate(const DenseOutput& motion, double from_s, double until_s, Means& into) const;
+  std::optional<long> repeats_after_turns() const;
+  double end_of_turn_s() const;  ///< of the present one
+
+  long last_turn_, turns_;
+  double turn_s_, near_;
   std::vector<Vector<double>> places_;
+  std::vector<Means> means_;  ///< of each turn up to the present one
+  bool is_complete_ = false;  ///< whether they are those of all turns
+  Sampler points_;
 };
 
 }  // namespace rotor

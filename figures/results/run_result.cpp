@@ -10,6 +10,7 @@
 
 #include "figures/data/text.hpp"
 #include "figures/input/names.hpp"
+#include "figures/results/section_result.hpp"
 #include "figures/results/version.hpp"
 #include "model/mechanics/contact.hpp"
 
@@ -257,12 +258,7 @@ Json summary_schema() {
            "where the rotor loses energy, and the energies stored at the end of each span; "
            "residual is the error of the balance",
            type("object"));
-  describe(
-      "section",
-      "Only with --section: the number of turns in it, and after how many of them O comes back "
-      "to within a millionth of the clearance, in all of them; null if after none up to 64, or "
-      "half of the turns",
-      type("object"));
+  properties["section"] = section_schema();
   return {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "Summary of a run, as `rotor run --json` prints it"},

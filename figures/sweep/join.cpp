@@ -96,32 +96,24 @@ fs::path file_of(const Part& part, const fs::path& results) {
 void join_parts(const Sweep& sweep, const fs::path& results) {
   const long parts = count_parts(results);
   require_finished(parts, results);
-  std::vector<ResultsReader> readers;
+  std::vector<PointsReader> readers;
   for (Part part{1, parts}; part.number <= parts; ++part.number)
-    readers.emplace_back(file_of(part, results), sweep_head(sweep, part),
+    readers.emplace_back(file_of(part, results), heads_of(sweep, part),
                          fmt::format("--part {}/{} --force replaces it", part.number, parts));
-  OutputFile joined(results);
-  CheckSum sum;
-  const auto write = [&](const std::string& text) {
-    joined.write(text);
-    sum.add(text);
-  };
-  write(sweep_head(sweep));
-  const auto reader_of = [&](const Part& part) -> ResultsReader& {
+  PointsWriter joined(results, heads_of(sweep));
+  const auto reader_of = [&](const Part& part) -> PointsReader& {
     return readers[static_cast<std::size_t>(part.number - 1)];
   };
   for (long point = 0; point < sweep.points(); ++point) {
     const Part part{Part::with(point, parts), parts};
-    const std::optional<std::string> row = reader_of(part).next();
-    if (!row) throw std::runtime_error(damage_of(part, results));
-    write(*row + '\n');
+    const std::optional<std::string> line = reader_of(part).next(point);
+    if (!line) throw std::runtime_error(damage_of(part, results));
+    joined.write(*line);
   }
   std::vector<std::string> failures;
   for (Part part{1, parts}; part.number <= parts; ++part.number)
     if (!reader_of(part).ends_with_check_sum()) failures.push_back(damage_of(part, results));
   report_failures(failures);
-  joined.write(last_line(sum));
-  joined.sync();
   joined.commit();
 }
 

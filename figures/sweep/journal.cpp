@@ -20,8 +20,8 @@ std::filesystem::path journal_of(const std::filesystem::path& file) {
   return file.string() + ".journal";
 }
 
-Journal::Journal(const std::filesystem::path& file, std::string head, long points)
-    : file_(file), path_(journal_of(file)), head_(std::move(head)), points_(points) {
+Journal::Journal(const std::filesystem::path& file, ResultHeads heads, long points)
+    : file_(file), path_(journal_of(file)), heads_(std::move(heads)), points_(points) {
   try {
     // The sweep that held the lock may have finished, and removed the file that was opened here.
     do open();
@@ -51,13 +51,15 @@ void Journal::open() {
 Journal::~Journal() { ::close(descriptor_); }
 
 /// The head with the name of the check sums.
-std::string Journal::own_head() const { return head_.substr(0, head_.size() - 1) + ",crc32\n"; }
+std::string Journal::own_head() const {
+  return heads_.results.substr(0, heads_.results.size() - 1) + ",crc32\n";
+}
 
 /// Reads the head and the rows that are good. Returns where they end: 0 if the head is incomplete.
-off_t Journal::read_rows(const std::function<void(std::string_view row)>& see) {
+off_t Journal::read_rows(const std::function<void(std::string_view line)>& see) {
   rows_ = 0;
   sum_ = {};
-  sum_.add(head_);
+  sum_.add(heads_.results);
   const std::string wanted = own_head(), head = read_file(path_, wanted.size());
   if (!wanted.starts_with(head)) fail(difference(head, wanted, "resume with that, or remove it"));
   if (head != wanted) return 0;
@@ -77,10 +79,10 @@ off_t Journal::read_rows(const std::function<void(std::string_view row)>& see) {
   return end;
 }
 
-void Journal::write(std::string_view row) {
-  sum_.add(row);
+void Journal::write(std::string_view line) {
+  sum_.add(line);
   sum_.add("\n");
-  write_all(fmt::format("{},{}\n", row, sum_.text()));
+  write_all(fmt::format("{},{}\n", line, sum_.text()));
   ++rows_;
 }
 
@@ -94,17 +96,13 @@ void Journal::write_all(std::string_view text) {
 }
 
 /// The results are on the disk before the journal is removed.
-void Journal::finish(const std::function<void(std::string_view row)>& see) {
-  OutputFile results(file_);
-  results.write(head_);
-  read_rows([&](std::string_view row) {
-    results.write(row);
-    results.write("\n");
-    if (see) see(row);
+void Journal::finish(const std::function<void(std::string_view line)>& see) {
+  PointsWriter results(file_, heads_);
+  read_rows([&](std::string_view line) {
+    results.write(line);
+    if (see) see(line);
   });
   if (rows_ != points_) fail("was changed by another program");
-  results.write(last_line(sum_));
-  results.sync();
   results.commit();
   std::filesystem::remove(path_);
 }

@@ -9,7 +9,8 @@ namespace rotor {
 /// another part, or a part could have whole columns of a grid. So each part is a sample of all
 /// regions, and results are joined by taking rows in turn.
 struct Part {
-  static constexpr long most = 1000;  ///< as many files as a program may usually read at once
+  /// A program may usually read twice as many files at once.
+  static constexpr long most = 500;
 
   long number = 1, of = 1;  ///< the first part is 1; 1 of 1 is the whole sweep
 

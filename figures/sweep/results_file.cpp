@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <sstream>
@@ -15,6 +16,21 @@ namespace rotor {
 std::string last_line(const CheckSum& above) {
   return fmt::format("# crc32 of the lines above: {}\n", above.text());
 }
+
+std::filesystem::path sections_of(const std::filesystem::path& results) {
+  return std::filesystem::path(results).replace_filename(results.stem().string() + "-sections" +
+                                                         results.extension().string());
+}
+
+PointLine::PointLine(std::string_view line) : row(line.substr(0, line.find('\t'))) {
+  for (std::size_t at = row.size(); at < line.size();) {
+    const std::size_t from = at + 1;
+    at = std::min(line.find('\t', from), line.size());
+    section.push_back(line.substr(from, at - from));
+  }
+}
+
+std::string start_of_section_row(long point) { return fmt::format("{},", point + 1); }
 
 std::string difference(std::string_view head, std::string_view wanted, std::string_view advice) {
   if (head.starts_with("\xef\xbb\xbf"))
@@ -45,9 +61,14 @@ ResultsReader::ResultsReader(const std::filesystem::path& file, std::string_view
   sum_.add(head);
 }
 
-std::optional<std::string> ResultsReader::next() {
+std::optional<std::string> ResultsReader::next(std::string_view start) {
+  const auto here = start.empty() ? std::streampos() : stream_.tellg();
   std::string row;
   if (!std::getline(stream_, row)) return std::nullopt;
+  if (!row.starts_with(start)) {
+    stream_.seekg(here);
+    return std::nullopt;
+  }
   sum_.add(row);
   sum_.add("\n");
   return row;
@@ -59,13 +80,62 @@ bool ResultsReader::ends_with_check_sum() {
          stream_.peek() == std::ifstream::traits_type::eof();
 }
 
-bool read_results(const std::filesystem::path& file, std::string_view head, long points,
-                  const std::function<void(std::string_view row)>& see) {
-  ResultsReader reader(file, head, "--force replaces it");
-  for (long n = 0; n < points; ++n) {
-    const std::optional<std::string> row = reader.next();
-    if (!row) return false;
-    see(*row);
+PointsReader::PointsReader(const std::filesystem::path& file, const ResultHeads& heads,
+                           std::string_view advice)
+    : results_(file, heads.results, advice) {
+  if (!heads.sections.empty()) sections_.emplace(sections_of(file), heads.sections, advice);
+}
+
+std::optional<std::string> PointsReader::next(long point) {
+  std::optional<std::string> line = results_.next();
+  if (!line || !sections_) return line;
+  while (const auto row = sections_->next(start_of_section_row(point))) *line += '\t' + *row;
+  return line;
+}
+
+bool PointsReader::ends_with_check_sum() {
+  return results_.ends_with_check_sum() && (!sections_ || sections_->ends_with_check_sum());
+}
+
+PointsWriter::PointsWriter(const std::filesystem::path& file, const ResultHeads& heads)
+    : results_(file, heads.results) {
+  if (!heads.sections.empty()) sections_.emplace(sections_of(file), heads.sections);
+}
+
+void PointsWriter::write(std::string_view line) {
+  const PointLine of_point(line);
+  const auto write = [](File& file, std::string_view row) {
+    file.write(row);
+    file.write("\n");
+  };
+  write(results_, of_point.row);
+  for (const std::string_view row : of_point.section) write(sections_.value(), row);
+}
+
+void PointsWriter::commit() {
+  if (sections_) sections_->finish();
+  results_.finish();
+  if (sections_) sections_->file.commit();
+  results_.file.commit();
+}
+
+void PointsWriter::File::write(std::string_view text) {
+  file.write(text);
+  sum.add(text);
+}
+
+void PointsWriter::File::finish() {
+  file.write(last_line(sum));
+  file.sync();
+}
+
+bool read_results(const std::filesystem::path& file, const ResultHeads& heads, const Part& part,
+                  long points, const std::function<void(std::string_view line)>& see) {
+  PointsReader reader(file, heads, "--force replaces it");
+  for (long row = 0; row < part.points(points); ++row) {
+    const std::optional<std::string> line = reader.next(part.point(row));
+    if (!line) return false;
+    see(*line);
   }
   return reader.ends_with_check_sum();
 }

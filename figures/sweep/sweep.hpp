@@ -58,7 +58,7 @@ struct Sample {
 };
 
 /// The columns of results if none are selected.
-std::vector<std::string> usual_columns();
+std::vector<std::string> usual_columns(bool with_section = false);
 
 struct Sweep {
   std::string title;
@@ -68,6 +68,7 @@ struct Sweep {
   Sample sample;
   std::vector<std::string> columns = usual_columns();  ///< of the results
   std::optional<double> budget_s = {};  ///< time for each point; if empty, none, or the usual
+  std::optional<long> section_turns{};  ///< of the section of each point
 
   long points() const;
   std::vector<std::string> quantities() const;  ///< the ones that vary

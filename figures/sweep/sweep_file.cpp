@@ -7,13 +7,15 @@
 
 #include "figures/input/toml_file.hpp"
 #include "figures/results/estimated_result.hpp"
+#include "figures/results/section_result.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
 namespace rotor {
 namespace {
 
-/// Rows with the usual columns have some 280 bytes each; more of them would make a useless file.
-constexpr double most_points = 1e8, bytes_a_row = 280;
+/// Rows with the usual columns have some 280 bytes each, those of a section 130; more of them would
+/// make a useless file.
+constexpr double bytes_a_row = 280, bytes_a_turn = 130, most_bytes = 28e9;
 /// Limit of the number of corners to check.
 constexpr std::size_t most_dimensions = 12;
 
@@ -35,11 +37,13 @@ class SweepReader : TomlFile {
     if (root().contains("stop_on"))
       fail_at(root(), "stop_on",
               "a sweep has none: each point runs until nothing can change its columns");
-    expect_keys(root(), {"title", "columns", "budget", "parameters", "axis", "sample"});
+    expect_keys(root(), {"title", "columns", "budget", "section", "parameters", "axis", "sample"});
     Sweep sweep;
     sweep.title = text(root(), "title").value_or("");
     sweep.text = content();
-    if (root().contains("columns")) sweep.columns = columns();
+    if (root().contains("section")) sweep.section_turns = section(table(root(), "section"));
+    const bool has_section = sweep.section_turns.has_value();
+    sweep.columns = root().contains("columns") ? columns(has_section) : usual_columns(has_section);
     sweep.budget_s = value<double>(root(), "budget", "a number of seconds");
     if (sweep.budget_s)
       at(*root().get("budget"), "budget", [&] { require_budget("budget", *sweep.budget_s); });
@@ -49,6 +53,7 @@ class SweepReader : TomlFile {
     require_points(sweep);
     require_one_statement_each(sweep);
     require_physical_corners(sweep);
+    if (has_section) require_turns(sweep);
     return sweep;
   }
 
@@ -59,15 +64,26 @@ class SweepReader : TomlFile {
     return *array;
   }
 
-  std::vector<std::string> columns() const {
+  long section(const toml::table& in) const {
+    expect_keys(in, {"turns"});
+    if (!in.contains("turns")) return Section::usual_turns;
+    const long turns = count(in, "turns", 1);
+    if (turns > Section::most_turns)
+      fail_at(in, "turns", "must be at most {}", Section::most_turns);
+    return turns;
+  }
+
+  std::vector<std::string> columns(bool has_section) const {
     if (const auto* name = root().get("columns")->as_string()) {
-      if (name->get() == "all") return result_columns();
+      if (name->get() == "all") return result_columns(has_section);
       fail_at(root(), "columns", "must be a list of results, or \"all\"");
     }
-    const std::vector<std::string>& allowed = columns_on_request();
+    const std::vector<std::string> allowed = columns_on_request(has_section);
     std::vector<std::string> all;
     for (const toml::node& item : list(root(), "columns")) {
       const auto name = item.value_or<std::string>("");
+      if (!has_section && contains(section_columns(), name))
+        fail(item, "columns", "{} needs section = {{ turns = {} }}", name, Section::usual_turns);
       if (!contains(allowed, name))
         fail(item, "columns", "there is no result \"{}\"{}", shown(name),
              choices(
@@ -231,10 +247,29 @@ class SweepReader : TomlFile {
            "nothing varies: there must be an [[axis]] or a [sample]; a scene is for rotor run");
     auto all = static_cast<double>(sweep.sample.count);
     for (const Axis& axis : sweep.axes) all *= static_cast<double>(axis.points());
-    if (all > most_points)
+    const double bytes_each =
+        bytes_a_row + bytes_a_turn * static_cast<double>(sweep.section_turns.value_or(0));
+    if (all * bytes_each > most_bytes)
       fail(root(), "points",
            "{:.6g} points are more than {:.6g}: their rows would take some {:.3g} GB", all,
-           most_points, all * bytes_a_row / 1e9);
+           std::floor(most_bytes / bytes_each), all * bytes_each / 1e9);
+  }
+
+  /// A point without turns is refused by itself; if the first and the last one are, the sweep.
+  void require_turns(const Sweep& sweep) const {
+    if (sweep.base.digits)
+      fail_at(root(), "section", "excludes digits: they are not estimated in it");
+    const SweepPoints points(sweep);
+    std::string reason;
+    for (const long n : {0L, sweep.points() - 1}) try {
+        whole_turns(stated_scenario(points(n).spec));
+        return;
+      } catch (const ScenarioError&) {
+        return;  // for a reason of its own
+      } catch (const InputError& error) {
+        reason = error.what();
+      }
+    fail_at(root(), "section", "{}", reason);
   }
 
   std::vector<const toml::table*> varying() const {

@@ -10,6 +10,7 @@
 #include "figures/data/text.hpp"
 #include "figures/results/estimated_result.hpp"
 #include "figures/results/laws.hpp"
+#include "figures/results/section_result.hpp"
 #include "figures/results/version.hpp"
 
 namespace rotor {
@@ -34,16 +35,19 @@ std::string field(const Json& summary, const std::string& key) {
   return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
-bool has_laws(const std::vector<std::string>& columns) {
-  return std::any_of(columns.begin(), columns.end(),
-                     [](const std::string& column) { return !contains(result_columns(), column); });
-}
-
 std::string cells(Json summary, const Scenario& scenario, const std::vector<std::string>& columns) {
-  if (has_laws(columns)) summary.update(laws_or_nulls(scenario));
+  if (std::any_of(columns.begin(), columns.end(),
+                  [&](const std::string& column) { return !summary.contains(column); }))
+    summary.update(laws_or_nulls(scenario));
   std::string row;
   for (const std::string& key : columns) row += field(summary, key) + ',';
   return row;
+}
+
+std::vector<std::string> joined(std::vector<std::string> names,
+                                const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
 }
 
 /// The end of the line above the sweep file in a head, and the start of the file's lines.
@@ -51,38 +55,34 @@ constexpr std::string_view above_file = ", as this file has them, a row each:", 
 
 }  // namespace
 
-const std::vector<std::string>& result_columns() {
+std::vector<std::string> result_columns(bool with_section) {
   static const std::vector<std::string> keys = keys_of(to_json(RunResult{}));
-  return keys;
+  return with_section ? joined(keys, section_columns()) : keys;
 }
 
-std::vector<std::string> usual_columns() {
-  return {"outcome",
-          "touch_downs",
-          "touch_downs_before_loss",
-          "speed_at_mass_loss_Hz",
-          "first_contact_s",
-          "rolling_onset_s",
-          "rolling_onset_speed_Hz",
-          "rolling_onset_force_N",
-          "peak_force_to_rolling_N",
-          "peak_normal_force_N",
-          "peak_time_s",
-          "peak_displacement_m",
-          "contact_time_s",
-          "whirl_frequency_Hz",
-          "final_time_s",
-          "final_speed_Hz",
-          "remarks"};
+std::vector<std::string> usual_columns(bool with_section) {
+  std::vector<std::string> all = {"outcome",
+                                  "touch_downs",
+                                  "touch_downs_before_loss",
+                                  "speed_at_mass_loss_Hz",
+                                  "first_contact_s",
+                                  "rolling_onset_s",
+                                  "rolling_onset_speed_Hz",
+                                  "rolling_onset_force_N",
+                                  "peak_force_to_rolling_N",
+                                  "peak_normal_force_N",
+                                  "peak_time_s",
+                                  "peak_displacement_m",
+                                  "contact_time_s",
+                                  "whirl_frequency_Hz",
+                                  "final_time_s",
+                                  "final_speed_Hz",
+                                  "remarks"};
+  return with_section ? joined(all, {"repeats_after_turns"}) : all;
 }
 
-const std::vector<std::string>& columns_on_request() {
-  static const std::vector<std::string> keys = [] {
-    std::vector<std::string> all = result_columns(), more = keys_of(laws(Scenario{}));
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }();
-  return keys;
+std::vector<std::string> columns_on_request(bool with_section) {
+  return joined(result_columns(with_section), keys_of(laws(Scenario{})));
 }
 
 std::optional<std::size_t> place_of(std::string_view column, const Sweep& sweep) {
@@ -95,7 +95,7 @@ std::string column_of(const std::string& quantity) {
   return contains(result_columns(), quantity) ? quantity + "_varied" : quantity;
 }
 
-std::string sweep_head(const Sweep& sweep, const Part& part) {
+ResultHeads heads_of(const Sweep& sweep, const Part& part) {
   const long all = sweep.points();
   const std::string points = part.of == 1
                                  ? fmt::format("{} points", all)
@@ -112,11 +112,17 @@ std::string sweep_head(const Sweep& sweep, const Part& part) {
     std::replace(line.begin(), line.end(), '\t', ' ');
     provenance.push_back(std::string(of_file) + line);
   }
-  std::vector<std::string> names = sweep.quantities();
-  std::transform(names.begin(), names.end(), names.begin(), column_of);
-  names.insert(names.end(), sweep.columns.begin(), sweep.columns.end());
-  names.emplace_back("refusal");
-  return csv_head(provenance, {names.begin(), names.end()});
+  std::vector<std::string> varied = sweep.quantities();
+  std::transform(varied.begin(), varied.end(), varied.begin(), column_of);
+  const auto head = [&](const std::vector<std::string>& names) {
+    return csv_head(provenance, {names.begin(), names.end()});
+  };
+  ResultHeads heads{head(joined(joined(varied, sweep.columns), {"refusal"}))};
+  if (!sweep.section_turns) return heads;
+  std::vector<std::string> in_section = joined({"point"}, varied);
+  for (const Column* column : Section::columns()) in_section.emplace_back(column->name);
+  heads.sections = head(in_section);
+  return heads;
 }
 
 Sweep sweep_of(std::string_view head, const std::string& name) {
@@ -137,7 +143,7 @@ Sweep sweep_of(std::string_view head, const std::string& name) {
       file += lines[n].substr(start.size()) + '\n';
   try {
     Sweep sweep = read_sweep("the sweep file in its head", file);
-    std::istringstream wanted(sweep_head(sweep));
+    std::istringstream wanted(heads_of(sweep).results);
     bool is_equal = true;
     std::string line;
     for (const std::string& has : lines)
@@ -153,31 +159,48 @@ Sweep sweep_of(std::string_view head, const std::string& name) {
 
 std::string SweepRows::operator()(long n) {
   const SweepPoint point = points_(n);
-  std::string row;
-  for (const std::string& value : point.values) row += csv_field(value) + ',';
+  std::string varied, section;
+  for (const std::string& value : point.values) varied += csv_field(value) + ',';
+  const std::string start = '\t' + start_of_section_row(n) + varied;
+  try {
+    const std::string found = results(point, start, section);
+    return varied + found + section;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    return varied + std::string(sweep_.columns.size(), ',') + csv_field(one_line(error.what()));
+  }
+}
+
+/// Adds to the section its rows, which start so.
+std::string SweepRows::results(const SweepPoint& point, const std::string& start,
+                               std::string& section) {
   const auto digits = point.spec.digits;
   double budget_s = Interruptible::unlimited;
   if (digits) budget_s = usual_budget_s;
   Interruptible monitor(sweep_.budget_s.value_or(budget_s));
   const std::vector<std::string>& columns = sweep_.columns;
-  try {
-    const Scenario scenario = scenario_of(point.spec, run_ups_);
-    if (digits) {
-      const Comparison found = comparison_to_digits(scenario, *digits, monitor);
-      return row + cells(to_json(found, scenario, *digits), scenario, columns) +
-             csv_field(complaint(found, *digits, monitor));
-    }
-    const RunResult result =
-        finish_for(columns, run_ups_.checkpoint_before(scenario, monitor), scenario, monitor);
-    if (is_interrupted()) throw Interrupted();
-    if (result.early.interrupted)
-      throw std::runtime_error(fmt::format("a budget of {} s is not enough", monitor.budget_s()));
-    return row + cells(to_json(result, &columns), scenario, columns);
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const std::exception& error) {
-    return row + std::string(columns.size(), ',') + csv_field(one_line(error.what()));
+  const Scenario scenario = scenario_of(point.spec, run_ups_);
+  if (digits) {
+    const Comparison found = comparison_to_digits(scenario, *digits, monitor);
+    return cells(to_json(found, scenario, *digits), scenario, columns) +
+           csv_field(complaint(found, *digits, monitor));
   }
+  std::optional<Section> turns;
+  ObserverGroup observers = {&monitor};
+  if (sweep_.section_turns)
+    observers.add(turns.emplace(scenario, *sweep_.section_turns, [&](std::span<const double> row) {
+      section += start + fmt::format("{}", fmt::join(row, ","));
+    }));
+  const RunResult result =
+      turns ? finish(RunUpCheckpoint(scenario), scenario, std::nullopt, observers)
+            : finish_for(columns, run_ups_.checkpoint_before(scenario, monitor), scenario, monitor);
+  if (is_interrupted()) throw Interrupted();
+  if (result.early.interrupted)
+    throw std::runtime_error(fmt::format("a budget of {} s is not enough", monitor.budget_s()));
+  Json summary = to_json(result, &columns);
+  if (turns) summary.update(to_json(turns->summary()));
+  return cells(std::move(summary), scenario, columns);
 }
 
 }  // namespace rotor

@@ -1,8 +1,9 @@
 #include "model/results/energy.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <numeric>
+
+#include "model/integration/quadrature.hpp"
 
 namespace rotor {
 namespace {
@@ -45,18 +46,11 @@ double EnergyByCause::of(std::string_view load) const {
 }
 
 void EnergyObserver::on_step(const DenseOutput& motion) {
-  using Rule = boost::math::quadrature::gauss<double, 7>;  // exact for polynomials of degree 13
-  const long parts = 1 + motion.arcs / 3;                  // of three radians
-  const double part = (motion.until_s - motion.from_s) / static_cast<double>(parts);
+  const long parts = 1 + motion.arcs / 3;  // of three radians
   EnergyByCause work;
-  for (long n = 0; n < parts; ++n) {
-    const double middle = motion.from_s + part * (static_cast<double>(n) + 0.5);
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      const double away = part / 2 * Rule::abscissa()[i], weight = part / 2 * Rule::weights()[i];
-      work.add(powers(acting_, ring_, motion.at(middle + away)), weight);
-      if (i > 0) work.add(powers(acting_, ring_, motion.at(middle - away)), weight);
-    }
-  }
+  gauss_nodes(motion.from_s, motion.until_s, parts, [&](double time_s, double weight) {
+    work.add(powers(acting_, ring_, motion.at(time_s)), weight);
+  });
   balance_.work.add(work);
 }
 

@@ -106,6 +106,37 @@ TEST_F(PlotSweep, TellsPointsWithoutAResultFromStalledOnes) {
   EXPECT_FALSE(shows(drawn, "stalled"));
 }
 
+// Of places that are too close for a picture one is drawn; the others are not left out.
+TEST_F(PlotSweep, DrawsSectionsAboveACurve) {
+  std::string text = content(ROTOR_SOURCES "/figures/maps/partial-rub.toml");
+  text = replaced(replaced(text, "until = 100", "until = 10"), "points = 400", "points = 7");
+  write("s.toml", text);
+  ASSERT_EQ(rotor("sweep s.toml").status, 0);
+  draft();
+  const auto drawn = drafts("section1.csv");
+  double least = 1e9, most = -1e9;
+  std::map<double, std::vector<double>> at_speed;
+  for (const CsvRow& row : read_csv(folder_ / "s-sections.csv")) {
+    const double x = 1e3 * static_cast<double>(row.number("x_a_m"));
+    least = std::min(least, x);
+    most = std::max(most, x);
+    at_speed[static_cast<double>(row.number("start_speed_Hz"))].push_back(x);
+  }
+  EXPECT_EQ(at_speed.size(), 7U);
+  EXPECT_GT(drawn.size(), 100U);  // some speeds have rub
+  EXPECT_LT(drawn.size(), 4 * 192U);
+  for (const auto& [speed, all] : at_speed)
+    for (const double x : all)
+      EXPECT_TRUE(std::ranges::any_of(drawn,
+                                      [&, speed = speed](const auto& row) {
+                                        return std::stod(row[0]) == speed &&
+                                               std::abs(std::stod(row[1]) - x) <=
+                                                   (most - least) / 600;
+                                      }))
+          << speed << ' ' << x;
+  EXPECT_TRUE(shows(picture(), "once a turn, mm"));
+}
+
 TEST_F(PlotSweep, DrawsACurveForEachCombinationOfTheOtherAxes) {
   sweep(speeds_ + sets_);
   draft("--columns rolling_onset_speed_Hz,peak_displacement_m");

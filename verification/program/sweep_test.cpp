@@ -12,6 +12,7 @@
 
 #include "figures/data/read_csv.hpp"
 #include "figures/results/json.hpp"
+#include "figures/results/section_result.hpp"
 #include "figures/sweep/journal.hpp"
 #include "figures/sweep/sweep_row.hpp"
 #include "verification/support/command_line.hpp"
@@ -125,26 +126,36 @@ struct Followed : Observer {
 TEST(SweepRows, HaveInEachColumnWhatTheWholeRunGives) {
   RandomRuns runs(41);
   std::mt19937 random(1);
-  const std::vector<std::string>& all = result_columns();
+  const std::vector<std::string> all = result_columns(true);
   std::set<std::string> empty(all.begin(), all.end());
   for (int n = 0; n < 150; ++n) {
     const RandomInputs::Rotor rotor = runs.rotor();
     SCOPED_TRACE(options_of(rotor.stated));
-    std::optional<RunResult> whole;
+    Json expected;
+    Sweep sweep{.title = {}, .text = {}, .base = rotor.stated, .axes = {}, .sample = {}};
     try {
-      whole = finish(RunUpCheckpoint(rotor.scenario), rotor.scenario, std::nullopt, nobody);
+      std::optional<Section> section;
+      ObserverGroup observers;
+      try {
+        observers.add(section.emplace(rotor.scenario, 12, [](auto) {}));
+        sweep.section_turns = 12;
+      } catch (const InputError&) {  // as it has no turns
+      }
+      expected =
+          to_json(finish(RunUpCheckpoint(rotor.scenario), rotor.scenario, std::nullopt, observers));
+      if (section) expected.update(to_json(section->summary()));
     } catch (const std::runtime_error&) {  // a refusal, which other tests compare
       continue;
     }
-    const Json expected = to_json(*whole);
-    Sweep sweep{.title = {}, .text = {}, .base = rotor.stated, .axes = {}, .sample = {}};
+    const std::vector<std::string> with = result_columns(sweep.section_turns.has_value());
     for (int k = 0; k < 4; ++k) {
-      sweep.columns = all;
+      sweep.columns = with;
       if (k > 0) {
         std::shuffle(sweep.columns.begin(), sweep.columns.end(), random);
         sweep.columns.resize(1 + random() % 3);
       }
-      const std::vector<std::string> cells = csv_cells(SweepRows(sweep)(0));
+      const std::string line = SweepRows(sweep)(0);
+      const std::vector<std::string> cells = csv_cells(PointLine(line).row);
       ASSERT_EQ(cells.size(), sweep.columns.size() + 1);
       EXPECT_EQ(cells.back(), "");
       for (std::size_t i = 0; i < sweep.columns.size(); ++i) {
@@ -333,7 +344,7 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
   const std::string whole = content("whole.csv");
   std::string journal;
   {
-    Journal written(folder_ / "r.csv", sweep_head(sweep), sweep.points());
+    Journal written(folder_ / "r.csv", heads_of(sweep), sweep.points());
     const auto rows = rows_of("whole.csv");
     for (std::size_t n = 1; n < rows.size(); ++n) written.write(rows[n]);
     journal = content("r.csv.journal");
@@ -377,7 +388,7 @@ TEST_F(SweepCommand, MakesGoodWhatHasHappenedToItsJournal) {
 TEST_F(SweepCommand, LeavesTheJournalOfAnotherAlone) {
   const auto compete = [this] {
     for (int n = 0; n < 300; ++n) try {
-        Journal journal(folder_ / "r.csv", "head\n", 2);
+        Journal journal(folder_ / "r.csv", {"head\n"}, 2);
         while (journal.rows() < 2) journal.write("row");
         EXPECT_TRUE(fs::exists(journal.path()));
         journal.finish();
@@ -395,7 +406,7 @@ TEST_F(SweepCommand, LeavesTheJournalOfAnotherAlone) {
 
 // From its last row to the results.
 TEST_F(SweepCommand, FinishesNoJournalThatAnotherProgramHasChanged) {
-  Journal journal(folder_ / "r.csv", "head\n", 2);
+  Journal journal(folder_ / "r.csv", {"head\n"}, 2);
   journal.write("first");
   journal.write("second");
   const std::string whole = content("r.csv.journal");

@@ -1,0 +1,50 @@
+/// What a section tells, by its keys in summaries and its columns in results of sweeps.
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "figures/record/section.hpp"
+#include "figures/results/json.hpp"
+
+namespace rotor {
+
+/// What is told of an order: the key is order_, the order's name, _ and this ending.
+struct OrderValue {
+  std::string_view ending, meaning;
+  std::optional<double> (*of)(const OrderMeans&);
+};
+/// Empty if the mean is zero.
+std::optional<double> phase(const std::complex<double>& mean);
+inline constexpr auto order_values = std::to_array<OrderValue>({
+    {"forward_m", "|F(o)|",
+     [](const OrderMeans& of) { return std::optional(std::abs(of.forward)); }},
+    {"forward_phase_rad", "arg F(o)", [](const OrderMeans& of) { return phase(of.forward); }},
+    {"backward_m", "|F(-o)|",
+     [](const OrderMeans& of) { return std::optional(std::abs(of.backward)); }},
+    {"backward_phase_rad", "arg F(-o)", [](const OrderMeans& of) { return phase(of.backward); }},
+    {"x_a_peak_to_peak_m", "2 |F(o) + conj F(-o)|",
+     [](const OrderMeans& of) { return std::optional(of.peak_to_peak_x()); }},
+    {"y_a_peak_to_peak_m", "2 |F(o) - conj F(-o)|",
+     [](const OrderMeans& of) { return std::optional(of.peak_to_peak_y()); }},
+});
+
+/// A key besides those of orders.
+struct SectionValue {
+  std::string_view key, meaning, type;  ///< in JSON schema, besides null
+  Json (*of)(const SectionSummary&);
+};
+const std::vector<SectionValue>& section_values();
+
+std::string key_of(const Order& order, const OrderValue& value);
+
+/// The keys of all.
+std::vector<std::string> section_columns();
+
+Json to_json(const SectionSummary& section);
+/// The JSON schema of that.
+Json section_schema();
+
+}  // namespace rotor
