@@ -199,9 +199,9 @@ RunReport run_one(const RunOptions& options, const Scene& scene, Files& files, R
 
   // A run that writes files starts at its beginning, so that observers see all of it.
   const bool writes = files.trace || files.events || files.section;
-  RunResult result =
-      finish(writes ? RunUpCheckpoint(scenario) : run_ups.checkpoint_before(scenario, progress),
-             scenario, options.stop_on, observers);
+  RunResult result = complete_run(
+      writes ? RunUpCheckpoint(scenario) : run_ups.checkpoint_before(scenario, progress), scenario,
+      options.stop_on, observers);
   if (is_interrupted()) throw Interrupted();
   if ((trace && trace->rows() == 0) || (samples && samples->rows() == 0))
     refuse_empty_trace(options);

@@ -131,7 +131,7 @@ Tally compute(const Sweep& sweep, const Part& part, const std::string& out, int 
                     written.load(), points, name));
   }
   Tally tally(sweep);
-  journal.finish([&](std::string_view line) { tally.add(line); });
+  journal.write_results([&](std::string_view line) { tally.add(line); });
   return tally;
 }
 

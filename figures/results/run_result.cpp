@@ -150,7 +150,7 @@ RunResult continued(RunUpCheckpoint run_so_far, const Scenario& scenario,
   observers.on_instant(simulation.instant());
   observers.add(summary);  // the summary has seen the start
   if (!simulation.stopped())
-    simulation.finish(observers);
+    simulation.run_to_end(observers);
   else
     summary.on_instant(simulation.instant());
   const RunEnd end{simulation.instant(), simulation.counters(), simulation.stopped()};
@@ -179,15 +179,15 @@ Json inputs_of(const Scenario& scenario) {
   return inputs;
 }
 
-RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
-                 std::optional<StopOn> stop_on, Observer& others) {
+RunResult complete_run(RunUpCheckpoint run_so_far, const Scenario& scenario,
+                       std::optional<StopOn> stop_on, Observer& others) {
   std::optional<StopObserver> stop;
   if (stop_on) stop.emplace(*stop_on, scenario);
   return continued(std::move(run_so_far), scenario, std::move(stop), others);
 }
 
-RunResult finish_for(const std::vector<std::string>& keys, RunUpCheckpoint run_so_far,
-                     const Scenario& scenario, Observer& others) {
+RunResult complete_run_for(const std::vector<std::string>& keys, RunUpCheckpoint run_so_far,
+                           const Scenario& scenario, Observer& others) {
   Settled last = Settled::once_known;
   for (const std::string& key : keys) {
     const Settled settled = settled_by(key);

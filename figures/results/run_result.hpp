@@ -33,12 +33,12 @@ struct RunResult {
 
 /// Continues a run from a checkpoint to its end, or to where it is to stop. `others` are shown
 /// everything from the checkpoint on.
-RunResult finish(RunUpCheckpoint run_so_far, const Scenario& scenario,
-                 std::optional<StopOn> stop_on, Observer& others);
+RunResult complete_run(RunUpCheckpoint run_so_far, const Scenario& scenario,
+                       std::optional<StopOn> stop_on, Observer& others);
 /// Finishes a run, but only until the rest of the run cannot change any value with these keys,
 /// which are those of the whole run. No other value may be read.
-RunResult finish_for(const std::vector<std::string>& keys, RunUpCheckpoint run_so_far,
-                     const Scenario& scenario, Observer& others);
+RunResult complete_run_for(const std::vector<std::string>& keys, RunUpCheckpoint run_so_far,
+                           const Scenario& scenario, Observer& others);
 
 /// All numbers that determine a run, by their names; null for what does not apply.
 Json inputs_of(const Scenario& scenario);

@@ -57,8 +57,8 @@ std::map<int, SceneData> compute_data(const std::map<int, Scene>& scenes) {
   for (Job& job : jobs) {
     try {
       ObserverGroup observers = {&monitor, &job.recorders};
-      job.summary = finish(run_ups.checkpoint_before(job.scenario, monitor, job.from_s),
-                           job.scenario, std::nullopt, observers)
+      job.summary = complete_run(run_ups.checkpoint_before(job.scenario, monitor, job.from_s),
+                                 job.scenario, std::nullopt, observers)
                         .summary;
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(job.name + ": " + error.what());

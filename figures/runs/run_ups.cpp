@@ -16,8 +16,8 @@ long steps(const RunUpCheckpoint& checkpoint) { return checkpoint.simulation.cou
 
 RunUpCheckpoint branched(const Scenario& scenario, const RunUpCheckpoint& run_so_far) {
   RunUpCheckpoint checkpoint = run_so_far;
-  checkpoint.simulation = run_so_far.simulation.with(scenario);
-  checkpoint.summary = run_so_far.summary.with(scenario);
+  checkpoint.simulation = run_so_far.simulation.branch(scenario);
+  checkpoint.summary = run_so_far.summary.branch(scenario);
   return checkpoint;
 }
 
@@ -74,7 +74,7 @@ SpeedReached search(const Simulation& from, Scenario run_up, double speed_Hz,
   run_up.until = until_s.value_or(2 * p.inertia * two_pi * speed_Hz / moment);
   p.motor_off_Hz = std::min(p.motor_off_Hz, speed_Hz);
   SpeedWatch watch(monitor);
-  from.with(run_up).finish(watch);
+  from.branch(run_up).run_to_end(watch);
   if (p.motor_off_Hz < speed_Hz) watch.reached.time_s = std::nullopt;
   return watch.reached;
 }

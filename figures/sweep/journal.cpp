@@ -96,7 +96,7 @@ void Journal::write_all(std::string_view text) {
 }
 
 /// The results are on the disk before the journal is removed.
-void Journal::finish(const std::function<void(std::string_view line)>& see) {
+void Journal::write_results(const std::function<void(std::string_view line)>& see) {
   PointsWriter results(file_, heads_);
   read_rows([&](std::string_view line) {
     results.write(line);

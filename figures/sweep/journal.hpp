@@ -38,7 +38,7 @@ class Journal {
 
   /// Writes FILE, and that of sections, whole or not at all, and removes the journal. Passes each
   /// line to `see`. Fails if the journal no longer has all of them.
-  void finish(const std::function<void(std::string_view line)>& see = {});
+  void write_results(const std::function<void(std::string_view line)>& see = {});
 
  private:
   void open();

@@ -113,8 +113,8 @@ void PointsWriter::write(std::string_view line) {
 }
 
 void PointsWriter::commit() {
-  if (sections_) sections_->finish();
-  results_.finish();
+  if (sections_) sections_->write_last_line();
+  results_.write_last_line();
   if (sections_) sections_->file.commit();
   results_.file.commit();
 }
@@ -124,7 +124,7 @@ void PointsWriter::File::write(std::string_view text) {
   sum.add(text);
 }
 
-void PointsWriter::File::finish() {
+void PointsWriter::File::write_last_line() {
   file.write(last_line(sum));
   file.sync();
 }

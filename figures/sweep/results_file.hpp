@@ -100,7 +100,7 @@ class PointsWriter {
     File(const std::filesystem::path& path, std::string_view head) : file(path) { write(head); }
 
     void write(std::string_view text);
-    void finish();
+    void write_last_line();
 
     OutputFile file;
     CheckSum sum{};

@@ -193,8 +193,9 @@ std::string SweepRows::results(const SweepPoint& point, const std::string& start
       section += start + fmt::format("{}", fmt::join(row, ","));
     }));
   const RunResult result =
-      turns ? finish(RunUpCheckpoint(scenario), scenario, std::nullopt, observers)
-            : finish_for(columns, run_ups_.checkpoint_before(scenario, monitor), scenario, monitor);
+      turns ? complete_run(RunUpCheckpoint(scenario), scenario, std::nullopt, observers)
+            : complete_run_for(columns, run_ups_.checkpoint_before(scenario, monitor), scenario,
+                               monitor);
   if (is_interrupted()) throw Interrupted();
   if (result.early.interrupted)
     throw std::runtime_error(fmt::format("a budget of {} s is not enough", monitor.budget_s()));

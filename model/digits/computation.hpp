@@ -104,7 +104,7 @@ Computation<S> compute(const Scenario& scenario, const S& tolerance,
   }
   EventMethod<S> method(rotor, tolerance, start);
   observer.on_instant(method.instant());
-  finish(method, scenario, loss, observer);
+  run_to_end(method, scenario, loss, observer);
   Computation<S> result = observer.course;
   result.summary = observer.summary();
   const BasicInstant<S>& end = result.end = method.instant();

@@ -92,10 +92,10 @@ class EventMethod {
 
   /// The same motion with the ring of another scenario, and the speed at which that switches its
   /// motor off; its run-up part is the same otherwise.
-  EventMethod with(const Scenario& scenario) const {
-    EventMethod branch = *this;
-    branch.rotor_ = rotor_.with(scenario.parameters, scenario.equations);
-    return branch;
+  EventMethod branch(const Scenario& scenario) const {
+    EventMethod other = *this;
+    other.rotor_ = rotor_.with_ring_of(scenario.parameters, scenario.equations);
+    return other;
   }
 
   const BasicInstant<S>& instant() const { return at_; }

@@ -22,11 +22,11 @@ class PublishedMethod {
   void run_up(double until_s, Observer& observer);
 
   void restart(const Instant& from);
-  PublishedMethod with(const Scenario& scenario) const {
-    PublishedMethod branch = *this;
-    branch.scenario_ = scenario;
-    branch.rotor_ = rotor_.with(scenario.parameters, scenario.equations);
-    return branch;
+  PublishedMethod branch(const Scenario& scenario) const {
+    PublishedMethod other = *this;
+    other.scenario_ = scenario;
+    other.rotor_ = rotor_.with_ring_of(scenario.parameters, scenario.equations);
+    return other;
   }
 
   const Instant& instant() const { return at_; }

@@ -30,8 +30,8 @@ void pass_mass_loss(Method& method, const Scenario& scenario, const MassLoss<S>&
 
 /// Runs to the end of the scenario, through its mass loss and all contacts.
 template <class Method, class S>
-void finish(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
-            BasicObserver<S>& observer) {
+void run_to_end(Method& method, const Scenario& scenario, const MassLoss<S>& loss,
+                BasicObserver<S>& observer) {
   const S end = as_typed<S>(scenario.until);
   pass_mass_loss(method, scenario, loss, observer);
   if (!method.stopped()) {

@@ -43,7 +43,7 @@ struct RotorSystem {
         motor_off(radians_per_turn() * as_typed<S>(p.motor_off_Hz)) {}
 
   /// With the ring of other parameters, and the speed at which they switch the motor off.
-  RotorSystem with(const Parameters& p, Equations equations) const {
+  RotorSystem with_ring_of(const Parameters& p, Equations equations) const {
     RotorSystem other(p, equations);
     other.body = body;
     other.acting = acting;

@@ -191,13 +191,13 @@ class BasicSummaryObserver : public BasicObserver<S> {
 
   /// The same for a run that another scenario continues, which must not have differed so far: clear
   /// of the ring, and before its mass loss and time_of_speed_s().
-  BasicSummaryObserver with(const Scenario& scenario) const {
-    BasicSummaryObserver branch = *this;
-    branch.ring_ = Ring<S>(scenario.parameters);
-    branch.in_rolling_ = NextMaximum<S>(scenario);
-    branch.watch_ = BasicOutcomeWatch<S>(scenario);
-    branch.note_parameters(scenario.parameters);
-    return branch;
+  BasicSummaryObserver branch(const Scenario& scenario) const {
+    BasicSummaryObserver other = *this;
+    other.ring_ = Ring<S>(scenario.parameters);
+    other.in_rolling_ = NextMaximum<S>(scenario);
+    other.watch_ = BasicOutcomeWatch<S>(scenario);
+    other.note_parameters(scenario.parameters);
+    return other;
   }
 
   /// Time of the speed that decides whether the rotor stalls, s.

@@ -47,16 +47,16 @@ void Simulation::run_up(double until_s, Observer& observer) {
   state_->visit([&](auto& method) { method.run_up(until_s, observer); });
 }
 
-void Simulation::finish(Observer& observer) {
+void Simulation::run_to_end(Observer& observer) {
   const MassLoss<double> loss(state_->scenario.parameters);
-  state_->visit([&](auto& method) { rotor::finish(method, state_->scenario, loss, observer); });
+  state_->visit([&](auto& method) { rotor::run_to_end(method, state_->scenario, loss, observer); });
 }
 
-Simulation Simulation::with(const Scenario& scenario) const {
+Simulation Simulation::branch(const Scenario& scenario) const {
   Simulation branch = *this;
   branch.state_->scenario = scenario;
   branch.state_->method =
-      state_->visit([&](auto& method) -> AnyMethod { return method.with(scenario); });
+      state_->visit([&](auto& method) -> AnyMethod { return method.branch(scenario); });
   return branch;
 }
 
@@ -79,7 +79,7 @@ RunEnd run(const Scenario& scenario, Observer& observer) {
 RunEnd run(const Scenario& scenario, const Instant& from, Observer& observer) {
   Simulation simulation(scenario, from);
   observer.on_instant(simulation.instant());
-  simulation.finish(observer);
+  simulation.run_to_end(observer);
   return {simulation.instant(), simulation.counters(), simulation.stopped()};
 }
 

@@ -29,10 +29,10 @@ class Simulation {
   void run_up(double until_s, Observer& observer);
 
   /// Runs to the end of the scenario.
-  void finish(Observer& observer);
+  void run_to_end(Observer& observer);
 
   /// The same run continued by another scenario, which must not have differed so far.
-  Simulation with(const Scenario& scenario) const;
+  Simulation branch(const Scenario& scenario) const;
 
   const Instant& instant() const;
   const Counters& counters() const;

@@ -15,7 +15,7 @@ Accident law_of(const Scenario& scenario) {
 }
 
 Summary until_decided(const Scenario& scenario) {
-  return finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, nobody).summary;
+  return complete_run(RunUpCheckpoint(scenario), scenario, StopOn::outcome, nobody).summary;
 }
 
 // The rotation is so fast that at the end of the swing O is on the far side of C.

@@ -32,7 +32,7 @@ TEST_P(Costs, AreNoHigherThanTheyWere) {
   Simulation simulation(scenario);
   if (scenario.loses_mass()) simulation.run_up(cost.mass_loss_s, nobody);  // counted from there
   const Counters before = simulation.counters();
-  simulation.finish(nobody);
+  simulation.run_to_end(nobody);
   const Counters& now = simulation.counters();
   constexpr double compilers = 1.01;
   EXPECT_LE(now.right_hand_sides - before.right_hand_sides,
@@ -74,7 +74,7 @@ TEST(Costs, OfASummaryAreLittleBesideThoseOfTheRun) {
   run_up.run_up(29.1, nobody);
   const auto right_hand_sides = [&](Observer& observer) {
     Simulation simulation = run_up;
-    simulation.finish(observer);
+    simulation.run_to_end(observer);
     return simulation.counters().right_hand_sides - run_up.counters().right_hand_sides;
   };
   EXPECT_LT(static_cast<double>(right_hand_sides(summary)),

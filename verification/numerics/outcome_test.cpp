@@ -50,9 +50,10 @@ TEST(Outcome, IsAStallWhereTheMotorDoesNotGetTheRotorThroughItsCriticalSpeed) {
       const Outcome outcome = summary_of(scenario).outcome;
       EXPECT_EQ(outcome == Outcome::stalled, c.stalls) << c.what << ' ' << name_of(method);
       RunUps run_ups;
-      EXPECT_EQ(finish(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, nobody)
-                    .summary.outcome,
-                outcome)
+      EXPECT_EQ(
+          complete_run(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, nobody)
+              .summary.outcome,
+          outcome)
           << c.what;
     }
 }
@@ -242,7 +243,7 @@ TEST(Outcome, IsOpenWhereErrorsDecideWhetherTheRingIsReached) {
        .stator_radius = 0.4298 + 0.02533,
        .loses_mass = false};
   const auto finished = [&](std::optional<StopOn> stop_on) {
-    return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
+    return complete_run(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
   };
   EXPECT_GT(finished(std::nullopt).summary.touch_downs, 0);
   EXPECT_EQ(contradiction(finished(StopOn::outcome), finished(std::nullopt)), "");

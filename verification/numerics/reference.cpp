@@ -58,8 +58,8 @@ std::vector<NamedRun> landmarks(std::vector<NamedRun> runs, const Quad& toleranc
     fmt::print(stderr, "{}: {}\n", what, run.name);
     trunk.run_up(Quad(run.scenario.run_up_end()), on_the_way);
     BasicEventRecorder<Quad> own = on_the_way;
-    auto branch = trunk.with(run.scenario);
-    finish(branch, run.scenario, MassLoss<Quad>(run.scenario.parameters), own);
+    auto branch = trunk.branch(run.scenario);
+    run_to_end(branch, run.scenario, MassLoss<Quad>(run.scenario.parameters), own);
     run.landmarks = own.events();
     run.landmarks.push_back(branch.instant());
     run.landmarks.back().event = Event::none;

@@ -20,7 +20,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class Units : public testing::TestWithParam<Case> {
  protected:
   static RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
-    return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
+    return complete_run(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
   }
 };
 

@@ -99,7 +99,7 @@ class PaperWatch : public Observer {
 PaperRun::PaperRun(const Scenario& scenario, RunUps& run_ups) : scenario_(scenario) {
   PaperWatch watch(*this);
   const RunResult result =
-      finish(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, watch);
+      complete_run(run_ups.checkpoint_before(scenario, nobody), scenario, std::nullopt, watch);
   summary_ = result.summary;
   last_ = result.end.last;
 }
@@ -227,7 +227,8 @@ const std::optional<PaperRuns::FrictionWork>& PaperRuns::friction_work() {
     Scenario until_rolling = run.scenario();
     until_rolling.until = run.onset()->time_s;
     FrictionWatch watch(until_rolling);
-    finish(run_ups_.checkpoint_before(until_rolling, nobody), until_rolling, std::nullopt, watch);
+    complete_run(run_ups_.checkpoint_before(until_rolling, nobody), until_rolling, std::nullopt,
+                 watch);
     *friction_work_ = FrictionWork{watch.until_touch_downs, -watch.balance().work.friction};
   }
   return *friction_work_;

@@ -62,7 +62,7 @@ RubEnd end_of(const ScenarioSpec& spec) {
   const Scenario scenario = scenario_of(spec);
   RollingForce in_rolling(scenario);
   const Summary summary =
-      finish(RunUpCheckpoint(scenario), scenario, StopOn::outcome, in_rolling).summary;
+      complete_run(RunUpCheckpoint(scenario), scenario, StopOn::outcome, in_rolling).summary;
   return {summary.touch_downs > 0, summary.outcome == Outcome::rolling,
           summary.peak_force_to_rolling_N.value_or(0), in_rolling.largest};
 }

@@ -161,13 +161,14 @@ TEST_F(Stops, AreAtTheFirstMaximumOfTheForceOnceItRolls) {
                           .method = Method::rk4,
                           .start_speed_Hz = 150,
                           .until = 0.1};
-  const Summary last = finish(RunUpCheckpoint(by_steps), by_steps, StopOn::rolling, nobody).summary;
+  const Summary last =
+      complete_run(RunUpCheckpoint(by_steps), by_steps, StopOn::rolling, nobody).summary;
   EXPECT_NEAR(last.final_time_s - last.peak_time_s.value(), by_steps.step_rub, 1e-9);
 }
 
 /// Nothing that a stopped run reports differs from the whole run, other than where it ends.
 RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on) {
-  return finish(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
+  return complete_run(RunUpCheckpoint(scenario), scenario, stop_on, nobody);
 }
 
 // At half its critical speed gravity's moment, whole or balanced, shakes a rotor until it touches;

@@ -12,7 +12,7 @@ namespace rotor {
 namespace {
 
 std::string finished(RunUpCheckpoint run_so_far, const Scenario& scenario) {
-  run_so_far.simulation.finish(run_so_far.summary);
+  run_so_far.simulation.run_to_end(run_so_far.summary);
   return to_json({scenario,
                   run_so_far.summary.summary(),
                   {run_so_far.simulation.instant(), run_so_far.simulation.counters()},
@@ -70,7 +70,7 @@ TEST(RunUps, ForgetTheWayThatWasInterrupted) {
   const RunUpCheckpoint stopped = run_ups.checkpoint_before(scenario, monitor);
   ASSERT_TRUE(stopped.simulation.stopped());
   // It does not continue, and reports that it was cut short.
-  const RunResult result = finish(stopped, scenario, StopOn::rolling, monitor);
+  const RunResult result = complete_run(stopped, scenario, StopOn::rolling, monitor);
   EXPECT_EQ(result.end.last.time_s, stopped.simulation.instant().time_s);
   EXPECT_TRUE(result.early.interrupted);
   EXPECT_FALSE(result.early.stop_reached);
@@ -114,7 +114,7 @@ TEST(Start, InRollingIsRollingForTheLibraryTheProgramAndTheDigits) {
   SummaryObserver library(scenario);
   run(scenario, library);
   for (const Summary& summary :
-       {library.summary(), finish(RunUpCheckpoint(scenario), scenario, {}, nobody).summary,
+       {library.summary(), complete_run(RunUpCheckpoint(scenario), scenario, {}, nobody).summary,
         compare(Precision::double_, scenario, 1e-9, always)->values}) {
     EXPECT_EQ(summary.rolling_onset_s, 0);
     EXPECT_EQ(summary.whirl_from_s, 0);
@@ -167,8 +167,8 @@ TEST(RunUps, AreThoseOfRunsOfTheirOwn) {
     const double latest_s = n % 2 == 0 ? all[n].until : 1 + static_cast<double>(random() % 30);
     RunUpCheckpoint run_so_far = run_ups.checkpoint_before(all[n], shared, latest_s);
     shared.seen.clear();
-    const RunResult result = finish(std::move(run_so_far), all[n], std::nullopt, shared);
-    const RunResult expected = finish(RunUpCheckpoint(all[n]), all[n], std::nullopt, alone);
+    const RunResult result = complete_run(std::move(run_so_far), all[n], std::nullopt, shared);
+    const RunResult expected = complete_run(RunUpCheckpoint(all[n]), all[n], std::nullopt, alone);
     EXPECT_EQ(to_json(result, &keys), to_json(expected, &keys)) << n;
     ASSERT_LE(shared.seen.size(), alone.seen.size());
     const auto after_first = shared.seen.begin() + Log::numbers;  // where the run continues

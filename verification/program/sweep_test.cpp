@@ -141,8 +141,8 @@ TEST(SweepRows, HaveInEachColumnWhatTheWholeRunGives) {
         sweep.section_turns = 12;
       } catch (const InputError&) {  // as it has no turns
       }
-      expected =
-          to_json(finish(RunUpCheckpoint(rotor.scenario), rotor.scenario, std::nullopt, observers));
+      expected = to_json(
+          complete_run(RunUpCheckpoint(rotor.scenario), rotor.scenario, std::nullopt, observers));
       if (section) expected.update(to_json(section->summary()));
     } catch (const std::runtime_error&) {  // a refusal, which other tests compare
       continue;
@@ -184,7 +184,8 @@ TEST(SweepRows, RunNoFurtherThanTheirColumnsNeed) {
       scenario.until = 29.2;
       if (!rolls) scenario.parameters.mass_loss_time = 14.15;
       Followed followed;
-      const RunResult result = finish_for(columns, RunUpCheckpoint(scenario), scenario, followed);
+      const RunResult result =
+          complete_run_for(columns, RunUpCheckpoint(scenario), scenario, followed);
       EXPECT_EQ(result.summary.outcome, rolls ? Outcome::rolling : Outcome::no_contact);
       EXPECT_NEAR(followed.until_s, rolls ? rolls_until_s : clear_until_s, 0.01) << columns[0];
     }
@@ -391,7 +392,7 @@ TEST_F(SweepCommand, LeavesTheJournalOfAnotherAlone) {
         Journal journal(folder_ / "r.csv", {"head\n"}, 2);
         while (journal.rows() < 2) journal.write("row");
         EXPECT_TRUE(fs::exists(journal.path()));
-        journal.finish();
+        journal.write_results();
       } catch (const std::runtime_error& error) {
         EXPECT_TRUE(std::string_view(error.what()).ends_with("another sweep is writing it"))
             << error.what();
@@ -417,13 +418,13 @@ TEST_F(SweepCommand, FinishesNoJournalThatAnotherProgramHasChanged) {
   for (const std::string& changed : all) {
     write("r.csv.journal", changed);
     if (!changed.starts_with(whole)) {
-      EXPECT_THROW(journal.finish(), std::runtime_error) << changed;
+      EXPECT_THROW(journal.write_results(), std::runtime_error) << changed;
       EXPECT_EQ(files(), 1);
     }
     EXPECT_TRUE(content("r.csv.journal") == changed);
   }
   write("r.csv.journal", whole);
-  journal.finish();
+  journal.write_results();
   EXPECT_TRUE(content("r.csv").starts_with("head\nfirst\nsecond\n#"));
   EXPECT_EQ(files(), 1);
 }

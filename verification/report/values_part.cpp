@@ -17,7 +17,7 @@ namespace {
 
 /// The results of a run by their keys, and the durations between them.
 Json run_json(const Scenario& scenario) {
-  const RunResult result = finish(RunUpCheckpoint(scenario), scenario, std::nullopt, nobody);
+  const RunResult result = complete_run(RunUpCheckpoint(scenario), scenario, std::nullopt, nobody);
   const Summary& s = result.summary;
   Json all = to_json(result);
   if (s.rolling_onset_s && s.first_contact_s)

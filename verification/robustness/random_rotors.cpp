@@ -45,7 +45,7 @@ class Inspection : public BalanceObserver {
 };
 
 RunResult result(const Scenario& scenario, std::optional<StopOn> stop_on, Observer& observer) {
-  return finish(RunUpCheckpoint(scenario), scenario, stop_on, observer);
+  return complete_run(RunUpCheckpoint(scenario), scenario, stop_on, observer);
 }
 
 /// The largest difference of two summaries, relative to the values or to what they are parts of,

@@ -103,7 +103,7 @@ class Run {
       at_.contact = ContactState::indented;
   }
 
-  bool finish() {
+  bool run_to_end() {
     at_.touches() ? begin_contact(Event::none) : show(Event::none);
     if (scenario_.loses_mass()) {
       if (!advance(scenario_.parameters.mass_loss_time)) return false;
@@ -384,7 +384,7 @@ class Run {
 }  // namespace
 
 bool run_by_newton(const Scenario& scenario, const NewtonSteps& steps, Observer& observer) {
-  return Run(scenario, steps, observer).finish();
+  return Run(scenario, steps, observer).run_to_end();
 }
 
 }  // namespace rotor

@@ -53,8 +53,8 @@ Picture Explorer::run(const Options& options, double closeness) {
   });
   Observer nobody;
   ObserverGroup observers = {&motion, &events};
-  const RunResult result = finish(run_ups_.checkpoint_before(scenario, nobody, from_s), scenario,
-                                  std::nullopt, observers);
+  const RunResult result = complete_run(run_ups_.checkpoint_before(scenario, nobody, from_s),
+                                        scenario, std::nullopt, observers);
   Json& about = picture.metadata;
   about["summary"] = to_json(result);
   about["events"] = happened;
