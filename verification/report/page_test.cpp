@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "verification/report/document.hpp"
 #include "verification/support/approved.hpp"
 #include "verification/support/pattern.hpp"
 
@@ -44,6 +45,25 @@ TEST(Render, EscapesAndPrintsSymbols) {
   EXPECT_EQ(rendered("columns = [\n\"x_a_m\"]"), "columns = [\n&quot;x_a_m&quot;]");
   EXPECT_EQ(render("{{#x}}{{is}}{{/x}}{{^y}}no{{/y}}", {}, {{"x", {{{"is", -2.5}}}}, {"y", ""}}),
             "\u22122.5no");
+}
+
+// A number that the page can state from a run or as a reading is the same in both.
+TEST(ReportValues, OfRunsAreTheReadingsOfTheSameQuantities) {
+  const Json all = values_json(judged());
+  struct Both {
+    const char *reading, *run;
+    double unit;
+  };
+  for (const auto& [set, readings] :
+       {std::pair("published", "reading"), {"corrected", "reading_corrected"}})
+    for (const auto& [reading, run, unit] : {Both{"peak_kN", "/mu_03/peak_normal_force_N", 1e3},
+                                             {"peak_kN_100", "/t_19/peak_normal_force_N", 1e3},
+                                             {"to_rolling", "/mu_03/to_rolling_s", 1},
+                                             {"onset_Hz", "/mu_03/rolling_onset_speed_Hz", 1}}) {
+      const Json& value = all[set][Json::json_pointer(run)];
+      EXPECT_NEAR(all[readings].at(reading).get<double>() * unit / value.get<double>(), 1, 1e-9)
+          << set << ' ' << reading;
+    }
 }
 
 TEST(ApprovedAccident, IsThePictureInTheReadme) {
