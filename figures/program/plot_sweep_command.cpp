@@ -12,6 +12,7 @@
 #include "figures/data/read_csv.hpp"
 #include "figures/program/commands.hpp"
 #include "figures/results/provenance.hpp"
+#include "figures/results/section_result.hpp"
 #include "figures/sweep/results_file.hpp"
 #include "figures/sweep/sweep_row.hpp"
 
@@ -64,6 +65,7 @@ Shown described(const std::string& name) {
     }
   for (const ResultInWords& result : results_in_words)
     if (result.key == name) shown.label = result.label;
+  shown.label = order_in_words(name).value_or(shown.label);
   for (const Unit& unit : units)
     if (name.ends_with(unit.ending)) shown.label += fmt::format(", {}", unit.label);
   return shown;
@@ -76,10 +78,10 @@ std::vector<std::string> usual(const Sweep& sweep, bool with_outcome, std::size_
     if (contains(sweep.columns, name) && all.size() < most) all.emplace_back(name);
   };
   if (with_outcome) add("outcome");
-  add("repeats_after_turns");
   add("peak_force_to_rolling_N");
   if (!contains(sweep.columns, "peak_force_to_rolling_N")) add("peak_normal_force_N");
   add("rolling_onset_speed_Hz");
+  add("repeats_after_turns");
   return all;
 }
 
@@ -119,7 +121,9 @@ void read_rows(const std::string& file, const ResultHeads& heads, Results& into)
     if (remarks && !cells[*remarks].empty()) ++into.remarked;
     if (sweep.section_turns) into.x_once_a_turn.emplace_back();
     for (const std::string_view row : point.section) {
-      const std::string cell = csv_cells(row).at(place_in_section);
+      const std::vector<std::string> in_section = csv_cells(row);
+      const std::string cell =
+          in_section.size() > place_in_section ? in_section[place_in_section] : "";
       const std::optional<double> number = number_in(cell);
       if (!number) refuse("x_a_m", cell, "a number");
       into.x_once_a_turn.back().push_back(1e3 * number.value_or(none));
@@ -147,7 +151,7 @@ void read_rows(const std::string& file, const ResultHeads& heads, Results& into)
     }
   };
   if (!read_results(file, heads, Part(), sweep.points(), see))
-    throw InputError("{}: {}", one_line(file), damaged_in_words);
+    throw InputError("{}", damage_in_words(file, heads));
   if (!fault.empty()) throw InputError("{}", fault);
 }
 
@@ -345,8 +349,10 @@ Drafts section_data(const Results& results, const Layout& layout, std::string& s
           number(x));
   }
   Drafts drafts;
-  for (std::size_t panel = 0; panel < texts.size(); ++panel)
+  for (std::size_t panel = 0; panel < texts.size(); ++panel) {
+    settings += fmt::format("turns{} = {}\n", panel + 1, int{!texts[panel].empty()});
     drafts.emplace_back(fmt::format("section{}.csv", panel + 1), std::move(texts[panel]));
+  }
   return drafts;
 }
 
@@ -495,8 +501,11 @@ void plot_sweep(const PlotOptions& options) {
     results.shown.push_back(described(name));
   }
   if (options.drafts.empty()) require_picture(out, options.file);
-  ResultHeads heads = heads_of(sweep);
-  heads.results = head;  // perhaps of another version
+  ResultHeads heads{head};
+  if (const std::string other = heads_of(sweep).sections; !other.empty() && !is_map && !is_sample) {
+    const auto end_of_provenance = [](const std::string& of) { return of.rfind('\n', of.size() - 2) + 1; };
+    heads.sections = head.substr(0, end_of_provenance(head)) + other.substr(end_of_provenance(other));  // of any version
+  }
   read_rows(options.file, heads, results);
   std::string settings =
       fmt::format("heading = {}; conditions = {}; panels = {}; columns = {}\n",

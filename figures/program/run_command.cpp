@@ -34,14 +34,15 @@ void require_digits_to_be_known(const RunOptions& options, const SceneRun& run) 
 }
 
 /// Refuses a section of a motion that has no turns of one length up to its end.
-void require_turns(const RunOptions& options, const Scenario& scenario) {
+void require_turns(const RunOptions& options, const SceneRun& run, bool is_alone) {
   if (options.section.empty()) return;
   if (options.stop_on)
     throw InputError("--section: excludes --stop-on: it has the last turns before until");
   try {
-    whole_turns(scenario);
-  } catch (const InputError& error) {
-    throw InputError("--section: {}", error.what());
+    whole_turns(run.scenario);
+  } catch (const ScenarioError& error) {
+    throw InputError("--section: {}{}", is_alone ? "" : run.name + ": ",
+                     as_stated(error.message(), run.stated).text());
   }
 }
 
@@ -58,7 +59,7 @@ Scene requested_scene(const RunOptions& options, RunUps& run_ups) {
     if (options.energy && run.scenario.method == Method::rk4)
       throw InputError("--energy: only --method event knows the motion between its steps");
     require_digits_to_be_known(options, run);
-    require_turns(options, run.scenario);
+    require_turns(options, run, result.runs.size() == 1);
   }
   result.window = stated_window(result.window, options.from_s, std::nullopt, result.runs);
   if (!options.columns.empty()) try {

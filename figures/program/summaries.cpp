@@ -117,9 +117,7 @@ void print_section(const Json& section, std::FILE* to) {
   for (const char* head : {"mm", "rad", "mm", "rad", "x_a", "y_a"}) fmt::print(to, "{:>12}", head);
   fmt::print(to, "\n");
   for (const Order& order : orders) {
-    std::string name(order.name);
-    std::replace(name.begin(), name.end(), '_', '/');
-    fmt::print(to, "  {:<6}", name);
+    fmt::print(to, "  {:<6}", order.name);
     for (const OrderValue& column : order_values) {
       const Json& value = section.at(key_of(order, column));
       const double in_si = column.ending.ends_with("_m") ? 1e-3 : 1;
@@ -226,6 +224,11 @@ void print_table(const Json& runs, bool in_rpm, std::FILE* to) {
   for (const std::string& line : lines)
     fmt::print(to, "{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
   if (has_times_after_loss) fmt::print(to, "\n+: after the mass loss\n");
+  for (const Json& run : runs)
+    if (run.contains("section")) {
+      fmt::print(to, "\n{}\n", run["run"].get<std::string>());
+      print_section(run["section"], to);
+    }
   if (runs.front().contains("errors")) fmt::print(to, "\ntimes since the start of the run\n");
 }
 

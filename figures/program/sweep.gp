@@ -2,7 +2,7 @@
 #   heading; conditions in one or more lines; panels and their names, panel1, ...; columns, and of each, by its number, label1,
 #   low1 and high1 of its numbers, log1, gaps1 (whether some are empty) and of_outcome1; found, the codes of outcomes; is_sample
 #   over a quantity: x_name, x_log, x_low, x_high; panelN.csv has the quantity, the code, each column and whether it is empty;
-#   sections, whether sectionN.csv has the quantity and x_a once a turn, and low0 and high0 of that
+#   sections, whether sectionN.csv has the quantity and x_a once a turn, unless turnsN is 0, and low0 and high0 of that
 #   of a sample: barsN-C.csv has from, to, bottom and top of each bar in percent, and the code; emptyN_C is the percentage
 #   without a value, tallestC that of the tallest bar
 # In a code, -1 stands for a point without an outcome. Rows of panels are columns of the results.
@@ -19,14 +19,15 @@ tall = top + rows*(row + between) - between + 40 + bottom
 eval "set terminal ".size(wide, tall).sprintf(" font 'DejaVu Sans,%d' enhanced rounded", letters)
 write(text, x, y, place) = sprintf("set label %s at screen %g,screen %g %s noenhanced", text, x/wide, 1 - y/tall, place)
 tint_of_code(code) = code < 0 ? "#8a8a8a" : outcome_tint[code + 1]
-left = 66.; gap = 28.
-side = (wide - left - 34 - (panels - 1)*gap)/panels
 codes = found eq "" ? "-1" : found
 
 # Numbers that do not differ have some space around them.
 around(a) = a == 0 ? 1 : 0.05*abs(a)
 from_of(c) = value(sprintf("low%d", c)); until_of(c) = value(sprintf("high%d", c))
 has_numbers(c) = from_of(c) == from_of(c)
+has_long_tics(c) = has_numbers(c) && !is_sample && (abs(from_of(c)) > 9999 || abs(until_of(c)) > 9999)
+left = 66. + 24*((sum [c = 1 - sections:columns] has_long_tics(c)) > 0); gap = 28.
+side = (wide - left - 34 - (panels - 1)*gap)/panels
 margin(c) = from_of(c) == until_of(c) ? around(from_of(c)) : 0.04*(until_of(c) - from_of(c))
 is_log(c) = value(sprintf("log%d", c))
 range_of(c) = !has_numbers(c) ? "[0:1]" : is_log(c) ? sprintf("[%.9g:%.9g]", 0.8*from_of(c), 1.25*until_of(c)) : \
@@ -78,7 +79,9 @@ do for [c = 1 - sections:columns] {
       its(code, i) = $2 == code ? column(2 + i) : NaN
       lacks(code, i) = $2 == code && column(2 + columns + i) == 1 ? 0.025 : NaN
       if (c == 0) {
-        plot sprintf("section%d.csv", p) using 1:2 with points pointtype 7 pointsize 0.2 linecolor rgb event_tint
+        if (value(sprintf("turns%d", p))) {
+          plot sprintf("section%d.csv", p) using 1:2 with points pointtype 7 pointsize 0.3 linecolor rgb event_tint
+        } else { plot NaN }
       } else {
         plot for [k in codes] data using 1:(lacks(int(k), c)) axes x1y2 with points pointtype 5 pointsize 0.55 linecolor rgb tint_of_code(int(k)), \
           data using 1:(column(2 + c)) with points pointtype 7 pointsize 0.75 linecolor rgb event_tint, \

@@ -156,9 +156,12 @@ void require_results(const SweepOptions& options, bool has_any) {
 }
 
 void require_files(const Sweep& sweep, const SweepOptions& options) {
-  std::error_code error;  // reported as it is opened
-  const fs::file_status status = fs::status(options.out, error);
-  if (options.out == "-" || (fs::exists(status) && !fs::is_regular_file(status)))
+  const auto is_special = [](const fs::path& file) {
+    std::error_code error;  // reported as it is opened
+    const fs::file_status status = fs::status(file, error);
+    return fs::exists(status) && !fs::is_regular_file(status);
+  };
+  if (options.out == "-" || is_special(options.out))
     throw InputError(
         "--out {}: must be a regular file: a sweep resumes from the journal next to it",
         shown(options.out));
@@ -166,11 +169,14 @@ void require_files(const Sweep& sweep, const SweepOptions& options) {
   files.open(options.out);
   if (!sweep.section_turns) return;
   const fs::path sections = sections_of(options.out);
+  if (is_special(sections))
+    throw InputError("{}: must be a regular file", one_line(sections.string()));
   files.open(sections);
-  if (fs::exists(sections) && !fs::exists(options.out) && !fs::exists(journal_of(options.out)) &&
-      !options.force)
-    throw InputError("{}: exists without the results {}; --force replaces it",
-                     one_line(sections.string()), one_line(options.out));
+  const std::string wanted = heads_of(sweep, options.part.value_or(Part())).sections;
+  if (!fs::exists(sections) || options.force) return;
+  if (const std::string has = read_file(sections, wanted.size()); has != wanted)
+    throw InputError("{}: {}", one_line(sections.string()),
+                     difference(has, wanted, "--force replaces it"));
 }
 
 }  // namespace
@@ -198,7 +204,7 @@ void run_sweep(const SweepOptions& stated) {
                      fs::exists(journal_of(options.out)) ? "; without it the sweep resumes" : "");
   if (fs::exists(options.out) && !options.force) {
     Finished finished(sweep, part, options.out);
-    const std::string fault = fmt::format("{}: {}", name, damaged_in_words);
+    const std::string fault = damage_in_words(options.out, heads_of(sweep));
     if (options.retry) {
       print_message(finished.is_whole
                         ? fmt::format("rotor: {} rows of {} are kept", finished.rows.size(), name)

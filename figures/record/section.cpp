@@ -5,20 +5,24 @@
 #include <numeric>
 #include <utility>
 
-#include "figures/input/names.hpp"
 #include "model/integration/quadrature.hpp"
 
 namespace rotor {
 
-long whole_turns(const Scenario& scenario) {
+void require_equal_turns(const Scenario& scenario) {
   if (scenario.parameters.drive != Drive::constant_speed)
-    throw InputError("needs drive = constant_speed, which makes all turns equally long");
+    throw ScenarioError({"needs drive = constant_speed, which makes all turns equally long"});
   if (scenario.method == Method::rk4)
-    throw InputError("needs method = event, which knows the motion between its steps");
-  const double turns = scenario.until * scenario.start_speed_Hz + 1e-6;
+    throw ScenarioError({"needs method = event, which knows the motion between its steps"});
+}
+
+long whole_turns(const Scenario& scenario) {
+  require_equal_turns(scenario);
+  constexpr double rounding = 1e-9;  // in which O moves by less than its place is known to
+  const double turns = scenario.until * scenario.start_speed_Hz + rounding;
   if (!(turns >= 1))
-    throw InputError("until = {} s is before the end of the first turn at start_speed_Hz = {} Hz",
-                     scenario.until, scenario.start_speed_Hz);
+    throw ScenarioError({mention_of(scenario, "until"), " is before the end of the first turn at ",
+                         mention_of(scenario, "start_speed_Hz"), ": state a later one"});
   return static_cast<long>(turns);
 }
 
@@ -28,9 +32,11 @@ Section::Section(const Scenario& scenario, long turns, RowSink sink)
       turn_s_(1 / scenario.start_speed_Hz),
       near_(1e-6 * Ring<double>(scenario.parameters).clearance),
       means_(1),
-      points_(static_cast<double>(last_turn_ - turns_ + 1) * turn_s_, scenario.until, turn_s_,
+      points_(static_cast<double>(last_turn_ - turns_ + 1) * turn_s_,
+              std::min(scenario.until, static_cast<double>(last_turn_) * turn_s_), turn_s_,
               columns(), scenario, [this, sink = std::move(sink)](std::span<const double> row) {
-                places_.emplace_back(row[1], row[2]);
+                const Vector<double> velocity(row[3], row[4]);
+                places_.push_back({{row[1], row[2]}, velocity * (turn_s_ / two_pi)});
                 sink(row);
               }) {}
 
@@ -86,7 +92,10 @@ std::optional<long> Section::repeats_after_turns() const {
   const auto turns = static_cast<long>(places_.size());
   for (long n = 1; n <= std::min(SectionSummary::longest_period, turns / 2); ++n)
     if (std::equal(places_.begin() + n, places_.end(), places_.begin(),
-                   [&](const auto& a, const auto& b) { return (a - b).norm() <= near_; }))
+                   [&](const Place& a, const Place& b) {
+                     return (a.position - b.position).norm() <= near_ &&
+                            (a.velocity - b.velocity).norm() <= near_;
+                   }))
       return n;
   return std::nullopt;
 }
@@ -107,6 +116,7 @@ SectionSummary Section::summary() const {
       all.means[n].backward += (*turn)[n].backward / over;
     }
   double largest = 0;
+  for (const Place& place : places_) largest = std::max(largest, place.position.norm());
   for (const OrderMeans& mean : all.means)
     largest = std::max({largest, std::abs(mean.forward), std::abs(mean.backward)});
   for (OrderMeans& mean : all.means)

@@ -17,7 +17,7 @@ struct Order {
   double multiple;
 };
 inline constexpr auto orders = std::to_array<Order>(
-    {{"1_3", 1 / 3.}, {"1_2", 1 / 2.}, {"2_3", 2 / 3.}, {"1", 1.}, {"3_2", 3 / 2.}, {"2", 2.}});
+    {{"1/3", 1 / 3.}, {"1/2", 1 / 2.}, {"2/3", 2 / 3.}, {"1", 1.}, {"3/2", 3 / 2.}, {"2", 2.}});
 
 /// F(o) and F(-o), m: the mean of z exp(-i o phi) over some turns, where z = x_a + i y_a is the
 /// position of O and phi the angle of e_x.
@@ -31,22 +31,26 @@ struct OrderMeans {
 /// What a section tells of the motion.
 struct SectionSummary {
   long turns = 0;
-  /// The least number of turns after which O comes back, in all turns, to within a millionth of the
-  /// clearance. Empty if there is none up to `longest_period`, or to half of the turns.
+  /// The least number of turns after which position and velocity of O come back, in all turns, to
+  /// within a millionth of the clearance, and of the clearance times the speed. Empty if there is
+  /// none up to `longest_period`, or to half of the turns.
   std::optional<long> repeats_after_turns;
   /// Of the means: the most of the last turns that are a multiple of six, of which each order has
   /// whole periods, and of that number. Without it, or if they are too few, of six.
   long orders_over_turns = 0;
   bool orders_over_whole_periods = false;
-  /// Zero over no turns, and where they are below 1e-9 of the largest: less than the motion between
-  /// steps is known to.
+  /// Zero over no turns, and where they are below 1e-9 of the largest displacement in the section:
+  /// less than the motion between steps is known to.
   std::array<OrderMeans, orders.size()> means{};
 
   static constexpr long longest_period = 64;
 };
 
-/// The number of whole turns of a run; the last may end with it, up to rounding. Throws InputError
-/// if they are not of one length, if nothing is known of the motion between steps, or without any.
+/// Throws ScenarioError if a run's turns are not of one length, or if nothing is known of the
+/// motion between its steps.
+void require_equal_turns(const Scenario& scenario);
+/// The number of whole turns of a run; the last may end with it, up to rounding. Throws
+/// ScenarioError without equal turns, and if there is none.
 long whole_turns(const Scenario& scenario);
 
 /// The last turns of a run, one row each, at the instant at which e_x points down: its points of
@@ -75,9 +79,14 @@ class Section : public Observer {
   std::optional<long> repeats_after_turns() const;
   double end_of_turn_s() const;  ///< of the present one
 
+  /// At the end of a turn: the position of O, and its velocity divided by the speed, m.
+  struct Place {
+    Vector<double> position, velocity;
+  };
+
   long last_turn_, turns_;
   double turn_s_, near_;
-  std::vector<Vector<double>> places_;
+  std::vector<Place> places_;
   std::vector<Means> means_;  ///< of each turn up to the present one
   bool is_complete_ = false;  ///< whether they are those of all turns
   Sampler points_;

@@ -15,8 +15,9 @@ const std::vector<SectionValue>& section_values() {
       {"section_turns", "The number of turns in the section", "integer",
        [](const SectionSummary& s) { return Json(s.turns); }},
       {"repeats_after_turns",
-       "After how many turns O comes back to within a millionth of the clearance, in all turns of "
-       "the section; null if after none up to 64, or half of the turns",
+       "After how many turns position and velocity of O come back, in all turns of the section, to "
+       "within a millionth of the clearance, and of the clearance times the speed; null if after "
+       "none up to 64, or half of the turns",
        "integer",
        [](const SectionSummary& s) {
          return s.repeats_after_turns ? Json(*s.repeats_after_turns) : Json();
@@ -25,13 +26,25 @@ const std::vector<SectionValue>& section_values() {
        "The number of last turns over which the means of orders are taken: a multiple of six, and "
        "of repeats_after_turns if there are so many",
        "integer", [](const SectionSummary& s) { return Json(s.orders_over_turns); }},
-      {"orders_over_whole_periods", "Whether that is a multiple of repeats_after_turns", "boolean",
-       [](const SectionSummary& s) { return Json(s.orders_over_whole_periods); }}};
+      {"orders_over_whole_periods",
+       "Whether that is a multiple of repeats_after_turns; null over less than six turns",
+       "boolean", [](const SectionSummary& s) {
+         return s.orders_over_turns > 0 ? Json(s.orders_over_whole_periods) : Json();
+       }}};
   return all;
 }
 
 std::string key_of(const Order& order, const OrderValue& value) {
-  return fmt::format("order_{}_{}", order.name, value.ending);
+  std::string name(order.name);
+  std::replace(name.begin(), name.end(), '/', '_');
+  return fmt::format("order_{}_{}", name, value.ending);
+}
+
+std::optional<std::string> order_in_words(std::string_view key) {
+  for (const Order& order : orders)
+    for (const OrderValue& value : order_values)
+      if (key_of(order, value) == key) return fmt::format("order {}, {}", order.name, value.words);
+  return std::nullopt;
 }
 
 std::vector<std::string> section_columns() {

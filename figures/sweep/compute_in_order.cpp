@@ -21,18 +21,25 @@ class Queue {
 
   /// The next point; none if all have been taken, or after a failure.
   std::optional<long> next() {
-    constexpr long most_waiting = 4096;  // rows, which are in memory
+    constexpr long most_waiting = 4096;            // rows, which are in memory
+    constexpr std::size_t most_bytes = 1U << 28U;  // of them
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return next_ - passed_on_ < most_waiting || has_failed_; });
+    changed_.wait(lock, [&] {
+      return (next_ - passed_on_ < most_waiting && bytes_ < most_bytes) || has_failed_;
+    });
     if (next_ == until_ || has_failed_) return std::nullopt;
     return next_++;
   }
 
   void put(long point, std::string row) {
     const std::lock_guard lock(mutex_);
+    bytes_ += row.size();
     waiting_.emplace(point, std::move(row));
-    for (; !has_failed_ && waiting_.contains(passed_on_); ++passed_on_)
-      take_(waiting_.extract(passed_on_).mapped());
+    for (; !has_failed_ && waiting_.contains(passed_on_); ++passed_on_) {
+      const std::string next = waiting_.extract(passed_on_).mapped();
+      bytes_ -= next.size();
+      take_(next);
+    }
     changed_.notify_all();
   }
 
@@ -48,6 +55,7 @@ class Queue {
   long next_, passed_on_, until_;
   const std::function<void(const std::string&)>& take_;
   std::map<long, std::string> waiting_;
+  std::size_t bytes_ = 0;  ///< of those that wait
   bool has_failed_ = false;
 };
 

@@ -50,9 +50,9 @@ long count_parts(const fs::path& results) {
                   one_line(results.extension().string())));
 }
 
-std::string damage_of(const Part& part, const fs::path& results) {
-  return fmt::format("{}: {}; --part {}/{} --retry computes it anew",
-                     one_line(file_of(part, results).string()), damaged_in_words, part.number,
+std::string damage_of(const Sweep& sweep, const Part& part, const fs::path& results) {
+  return fmt::format("{}; --part {}/{} --retry computes it anew",
+                     damage_in_words(file_of(part, results), heads_of(sweep)), part.number,
                      part.of);
 }
 
@@ -107,12 +107,12 @@ void join_parts(const Sweep& sweep, const fs::path& results) {
   for (long point = 0; point < sweep.points(); ++point) {
     const Part part{Part::with(point, parts), parts};
     const std::optional<std::string> line = reader_of(part).next(point);
-    if (!line) throw std::runtime_error(damage_of(part, results));
+    if (!line) throw std::runtime_error(damage_of(sweep, part, results));
     joined.write(*line);
   }
   std::vector<std::string> failures;
   for (Part part{1, parts}; part.number <= parts; ++part.number)
-    if (!reader_of(part).ends_with_check_sum()) failures.push_back(damage_of(part, results));
+    if (!reader_of(part).ends_with_check_sum()) failures.push_back(damage_of(sweep, part, results));
   report_failures(failures);
   joined.commit();
 }

@@ -82,11 +82,13 @@ bool ResultsReader::ends_with_check_sum() {
 
 PointsReader::PointsReader(const std::filesystem::path& file, const ResultHeads& heads,
                            std::string_view advice)
-    : results_(file, heads.results, advice) {
-  if (!heads.sections.empty()) sections_.emplace(sections_of(file), heads.sections, advice);
+    : results_(file, heads.results, advice), has_sections_(!heads.sections.empty()) {
+  if (has_sections_ && std::filesystem::exists(sections_of(file)))
+    sections_.emplace(sections_of(file), heads.sections, advice);
 }
 
 std::optional<std::string> PointsReader::next(long point) {
+  if (has_sections_ && !sections_) return std::nullopt;
   std::optional<std::string> line = results_.next();
   if (!line || !sections_) return line;
   while (const auto row = sections_->next(start_of_section_row(point))) *line += '\t' + *row;
@@ -127,6 +129,16 @@ void PointsWriter::File::write(std::string_view text) {
 void PointsWriter::File::write_last_line() {
   file.write(last_line(sum));
   file.sync();
+}
+
+std::string damage_in_words(const std::filesystem::path& file, const ResultHeads& heads) {
+  constexpr std::string_view damaged =
+      "is damaged or cut: its last line is not the check sum of those above";
+  const std::string name = one_line(file.string());
+  if (heads.sections.empty()) return fmt::format("{}: {}", name, damaged);
+  const std::string sections = one_line(sections_of(file).string());
+  if (!std::filesystem::exists(sections_of(file))) return fmt::format("{}: is missing", sections);
+  return fmt::format("{} or {}: {}", name, sections, damaged);
 }
 
 bool read_results(const std::filesystem::path& file, const ResultHeads& heads, const Part& part,

@@ -71,7 +71,8 @@ class ResultsReader {
   CheckSum sum_;
 };
 
-/// Reads both files of results point after point, like a ResultsReader.
+/// Reads both files of results point after point, like a ResultsReader. Without that of sections
+/// there is no next point.
 class PointsReader {
  public:
   PointsReader(const std::filesystem::path& file, const ResultHeads& heads,
@@ -83,6 +84,7 @@ class PointsReader {
 
  private:
   ResultsReader results_;
+  bool has_sections_;
   std::optional<ResultsReader> sections_;
 };
 
@@ -115,7 +117,6 @@ bool read_results(const std::filesystem::path& file, const ResultHeads& heads, c
                   long points, const std::function<void(std::string_view line)>& see);
 
 /// What is wrong with results of which that is not so.
-inline constexpr std::string_view damaged_in_words =
-    "is damaged or cut: its last line is not the check sum of those above";
+std::string damage_in_words(const std::filesystem::path& file, const ResultHeads& heads);
 
 }  // namespace rotor

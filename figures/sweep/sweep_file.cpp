@@ -251,25 +251,28 @@ class SweepReader : TomlFile {
         bytes_a_row + bytes_a_turn * static_cast<double>(sweep.section_turns.value_or(0));
     if (all * bytes_each > most_bytes)
       fail(root(), "points",
-           "{:.6g} points are more than {:.6g}: their rows would take some {:.3g} GB", all,
-           std::floor(most_bytes / bytes_each), all * bytes_each / 1e9);
+           "{:.6g} points are more than {:.6g}: their rows would take some {:.3g} GB{}", all,
+           std::floor(most_bytes / bytes_each), all * bytes_each / 1e9,
+           sweep.section_turns
+               ? fmt::format(" with section = {{ turns = {} }}", *sweep.section_turns)
+               : "");
   }
 
-  /// A point without turns is refused by itself; if the first and the last one are, the sweep.
+  /// Points that have no section are refused one by one, unless it is for what does not vary.
   void require_turns(const Sweep& sweep) const {
     if (sweep.base.digits)
       fail_at(root(), "section", "excludes digits: they are not estimated in it");
-    const SweepPoints points(sweep);
-    std::string reason;
-    for (const long n : {0L, sweep.points() - 1}) try {
-        whole_turns(stated_scenario(points(n).spec));
-        return;
-      } catch (const ScenarioError&) {
-        return;  // for a reason of its own
-      } catch (const InputError& error) {
-        reason = error.what();
-      }
-    fail_at(root(), "section", "{}", reason);
+    Scenario first;
+    first.parameters.drive = sweep.base.drive.value_or(first.parameters.drive);
+    first.method = sweep.base.method.value_or(first.method);
+    const std::vector<std::string> varied = sweep.quantities();
+    if (contains(varied, "drive")) first.parameters.drive = Drive::constant_speed;
+    if (contains(varied, "method")) first.method = Method::event;
+    try {
+      require_equal_turns(first);
+    } catch (const ScenarioError& error) {
+      fail_at(root(), "section", "{}", error.what());
+    }
   }
 
   std::vector<const toml::table*> varying() const {

@@ -137,6 +137,9 @@ Sweep sweep_of(std::string_view head, const std::string& name) {
   if (lines[before_file - 1].starts_with(comment + "part "))
     throw InputError("{}: has the results of a part: rotor sweep --join puts all parts together",
                      name);
+  if (lines.back().starts_with("point,"))
+    throw InputError("{}: has the sections of a sweep, which rotor plot draws from its results",
+                     name);
   std::string file;
   for (std::size_t n = before_file; n < lines.size(); ++n)
     if (const std::string start = comment + std::string(of_file); lines[n].starts_with(start))

@@ -64,6 +64,7 @@ TEST_F(Sections, OfShortRunsHaveTheirTurnsAndPerhapsNoPeriod) {
   EXPECT_EQ(run["section"]["orders_over_turns"], 6);
   EXPECT_EQ(run["section"]["orders_over_whole_periods"], false);
   EXPECT_EQ(short_one["orders_over_turns"], 0);
+  EXPECT_EQ(short_one["orders_over_whole_periods"], nullptr);
   EXPECT_EQ(short_one["order_1_forward_m"], nullptr);
   EXPECT_EQ(numbers_of("s.csv").size(), 5U);
   for (const char* key : {"section", "right_hand_sides", "contact_evaluations"})
@@ -90,6 +91,27 @@ TEST_F(Sections, OfTheSteadyResponseHaveItAsTheirFirstOrder) {
   for (const char* other : {"1_3", "1_2", "2_3", "3_2", "2"})
     for (const char* sense : {"forward", "backward"})
       EXPECT_NEAR(found[fmt::format("order_{}_{}_m", other, sense)].get<double>(), 0, rounding);
+}
+
+// A balanced rotor that vibrates once in two turns is in the middle after each, and moves the other
+// way; nothing of its vibration is at another order. The last turn may end with the run, up to
+// rounding.
+TEST_F(Sections, TellMotionsApartByTheirVelocity) {
+  const Parameters p;
+  const double natural_Hz = std::sqrt(p.support_stiffness / p.mass) / two_pi;
+  for (const double turns : {40., 40 - 1e-10, 40 - 1e-6}) {
+    const Json found = summary(fmt::format(
+        "--drive constant_speed --no-mass-loss --eccentricity 0 --support-damping 0 --start-x 0 "
+        "--start-y 0 --start-velocity-x 0.1 --start-velocity-y 0 --start-speed-Hz {} --until {} "
+        "--section s.csv",
+        2 * natural_Hz, turns / (2 * natural_Hz)))["section"];
+    EXPECT_EQ(found["section_turns"], turns > 40 - 1e-9 ? 40 : 39);
+    EXPECT_EQ(found["repeats_after_turns"], 2);
+    EXPECT_NEAR(found["order_1_2_x_a_peak_to_peak_m"].get<double>(), 0.2 / (two_pi * natural_Hz),
+                1e-9);
+    EXPECT_EQ(found["order_1_forward_m"], 0);
+    EXPECT_EQ(found["order_1_forward_phase_rad"], nullptr);
+  }
 }
 
 TEST_F(Sections, AreRefusedWithoutTurnsOfOneLengthUpToTheEnd) {
@@ -167,11 +189,24 @@ TEST_F(Sections, OfASweepAreKeptJoinedAndResumed) {
   // Neither file is trusted without the other.
   shell("sed -i '$d' r-sections.csv");
   expect_refusal("sweep s.toml --out r.csv", "is damaged or cut");
-  shell("mv r-sections.csv x-sections.csv");
-  expect_refusal("sweep s.toml --out r.csv", "r-sections.csv");
-  expect_refusal("sweep s.toml --out x.csv", "x-sections.csv: exists without the results x.csv");
+  fs::remove(folder_ / "r-sections.csv");
+  expect_refusal("sweep s.toml --out r.csv", "r-sections.csv: is missing; --force");
+  EXPECT_EQ(rotor("sweep s.toml --out r.csv --retry").status, 0);
+  expect_whole("r.csv", "r-sections.csv");
+  fs::remove(folder_ / "s.1-of-2-sections.csv");
+  expect_refusal("sweep s.toml --join --force",
+                 "s.1-of-2-sections.csv: is missing; --part 1/2 --retry computes it anew");
+  // Whatever else has that name is kept, also while a journal waits.
+  for (const char* journal : {"", "r.csv.journal"}) {
+    fs::remove(folder_ / "r.csv");
+    if (*journal) write(journal, "");
+    write("r-sections.csv", "mine\n");
+    expect_refusal("sweep s.toml --out r.csv", "r-sections.csv: is of another sweep file");
+    EXPECT_EQ(content("r-sections.csv"), "mine\n");
+  }
   EXPECT_EQ(rotor("sweep s.toml --out r.csv --force").status, 0);
   expect_whole("r.csv", "r-sections.csv");
+  expect_refusal("plot r-sections.csv", "r-sections.csv: has the sections of a sweep");
 }
 
 TEST_F(Sections, OfASweepAreRefusedWithTheReason) {

@@ -139,7 +139,7 @@ TEST(SweepRows, HaveInEachColumnWhatTheWholeRunGives) {
       try {
         observers.add(section.emplace(rotor.scenario, 12, [](auto) {}));
         sweep.section_turns = 12;
-      } catch (const InputError&) {  // as it has no turns
+      } catch (const ScenarioError&) {  // as it has no turns
       }
       expected = to_json(
           complete_run(RunUpCheckpoint(rotor.scenario), rotor.scenario, std::nullopt, observers));
