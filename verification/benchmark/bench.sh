@@ -13,8 +13,10 @@ for tolerance in 1e-6 1e-9 1e-12; do
 done
 "$entries/rotor_entry.py" "$1/rotor" --method rk4 >"$problems/published RK4.csv"
 /usr/bin/python3 "$entries/scipy_entry.py" >"$problems/SciPy.csv" # Debian's SciPy is for Debian's Python
-"$1/cvode-entry" >"$problems/CVODE.csv"
-all=("$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE}.csv)
+for library in CVODE GSL Odeint; do
+  "$1/library-entry" $library >"$problems/$library.csv"
+done
+all=("$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE,GSL,Odeint}.csv)
 "$entries/score.py" "${all[@]}" | tee "$out/problems.md"
 "$entries/score.py" --csv "${all[@]}" >"$out/problems.csv"
 figures/draw.sh "$entries/problems.svg" "data = '$out/problems.csv'" "$entries/problems.gp"

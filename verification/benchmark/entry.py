@@ -14,16 +14,17 @@ def processor_s():
 
 
 def print_entry(solve):
-    """`solve` gets a problem's file, and returns quantities by their names."""
+    """`solve` gets a problem's file, and returns quantities by their names, perhaps with right_hand_sides."""
     with open(PROBLEMS / 'answers.csv', encoding='utf-8') as answers:
         rows = csv.DictReader(line for line in answers if line[0] != '#')
         asked = [(row['problem'], row['quantity']) for row in rows]
     table = csv.writer(sys.stdout, lineterminator='\n')
-    table.writerow(['problem', 'quantity', 'value', 'seconds'])
+    table.writerow(['problem', 'quantity', 'value', 'seconds', 'right_hand_sides'])
     for problem in dict.fromkeys(problem for problem, _ in asked):
         begin = processor_s()
         found = solve(PROBLEMS / f'{problem}.toml')
         seconds = processor_s() - begin
         for name, quantity in asked:
             if name == problem and quantity in found:
-                table.writerow([problem, quantity, repr(found[quantity]), f'{seconds:.2g}'])
+                costs = f'{seconds:.2g}', found.get('right_hand_sides')
+                table.writerow([problem, quantity, repr(found[quantity]), *costs])

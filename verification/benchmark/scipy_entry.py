@@ -43,7 +43,7 @@ class Problem:
         self.M = 0 if self.held else p['torque']
         self.state, self.sign = FREE, 1
         self.t, self.y = 0.0, self.start()
-        self.touch_downs, self.contact_time = [], 0.0
+        self.touch_downs, self.contact_time, self.right_hand_sides = [], 0.0, 0
         self.onset, self.largest_N, self.largest_rho = None, (0.0, 0.0), 0.0
 
     def start(self):
@@ -187,6 +187,7 @@ class Problem:
             dense_output=self.state == FREE,
         )
         after, self.y, until = None, list(run.y[:, -1]), run.t[-1]
+        self.right_hand_sides += run.nfev
         for (follow, _), times in zip(guards, run.t_events[len(rates) :]):
             if len(times):
                 after = follow
@@ -236,6 +237,7 @@ class Problem:
             'final_q1_m': x * math.cos(phi) + y * math.sin(phi),
             'final_q2_m': y * math.cos(phi) - x * math.sin(phi),
             'final_displacement_m': math.hypot(x, y),
+            'right_hand_sides': self.right_hand_sides,
         }
         return {name: value if isinstance(value, int) else float(value) for name, value in found.items()}
 
