@@ -152,7 +152,7 @@ mutants: ## break the program in ways that tests must notice
 	@figures/make/packages.sh check deps && verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call text,UNDER)
 
 bench-programs: ## build the programs of make bench, stress and reference
-	@$(build) --with bench benchmark library-entry rotor random-rotors reference random-digits
+	@$(build) --with bench benchmark entries rotor random-rotors reference random-digits
 
 bench: bench-programs ## measure run time and error of each method, and draw them
 	@verification/benchmark/bench.sh $(BUILD)
