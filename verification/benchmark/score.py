@@ -43,7 +43,7 @@ def rows_of(file, names):
                 raise Refused(f'{place}: {cells} cells; must be {len(titles)}, as in the first row')
             yield place, row
     except csv.Error as error:
-        raise Refused(f'{place}: {error}') from error
+        raise Refused(f'{file}, line {numbers[reader.reader.line_num - 1]}: {error}') from error
 
 
 def number(row, column, place):
