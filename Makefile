@@ -103,7 +103,7 @@ prove: ## proven.csv: the accident by ball arithmetic
 	@$(build) --with prove prove prover-tests && verification/tests.sh $(BUILD) prover-tests && \
 	  verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
-validate: ## independent.csv: accidents by an independent code
+validate: ## independent.csv: accidents and problems by an independent code
 	@$(build) --with validate validate rotor && verification/validation/validate.sh $(BUILD) $(call text,CASES)
 
 reasons: ## reasons-tried.csv: reasons for the accident on 5000 rotors

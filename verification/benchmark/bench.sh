@@ -10,7 +10,8 @@ entries=verification/benchmark problems=$out/problems
 mkdir -p "$problems"
 "$1/entries" "$problems"
 /usr/bin/python3 "$entries/scipy_entry.py" >"$problems/SciPy.csv" # Debian's SciPy is for Debian's Python
-all=("$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE,GSL,Odeint}.csv)
+all=("$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE,GSL,Odeint}.csv
+  "$entries/LIGGGHTS.csv") # by make validate
 "$entries/score.py" "${all[@]}" | tee "$out/problems.md"
 "$entries/score.py" --csv "${all[@]}" >"$out/problems.csv"
 figures/draw.sh "$entries/problems.svg" "data = '$out/problems.csv'" "$entries/problems.gp"

@@ -93,7 +93,7 @@ std::vector<ComparedAccident> accidents() {
 std::vector<ComparedAccident> problems() {
   std::vector<ComparedAccident> all;
   for (const char* name : {"accident", "low-friction", "hertz", "sliding-to-rolling", "limit-cycle",
-                           "partial-rub", "chaos", "graze"}) {
+                           "partial-rub", "chaos"}) {
     Scenario scenario =
         read_scene(fmt::format(ROTOR_REFERENCE_DATA "/problems/{}.toml", name)).runs.at(0).scenario;
     const double until_s = std::exchange(scenario.until, 0);
@@ -132,7 +132,13 @@ void Course::add(const Sample& now, double friction_coefficient) {
     peak_N = now.normal_force_N;
     peak_s = now.time_s;
   }
-  if (now.normal_force_N > 0) contact_s += now.time_s - last.time_s;
+  const bool ends = last.normal_force_N > 0 && now.gap > 0;
+  if (now.normal_force_N > 0 || ends) {
+    const double inside = (now.gap > 0) == (last.gap > 0)
+                              ? 1
+                              : std::min(last.gap, now.gap) / -std::abs(last.gap - now.gap);
+    contact_s += inside * (now.time_s - last.time_s);
+  }
   least_gap = std::min(least_gap, now.gap);
   const double limit = std::abs(friction_coefficient) * now.normal_force_N;
   if (!onset_s && std::abs(now.friction_N) < 0.5 * limit) {

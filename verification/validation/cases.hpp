@@ -27,8 +27,8 @@ struct ComparedAccident {
 /// Gravity's moment is balanced in all: the whole of it has no force.
 std::vector<ComparedAccident> accidents();
 
-/// The problems of reference-data/problems that the other code can state, by their names: without
-/// torque, and in minutes.
+/// Those of reference-data/problems that the other code can state, which has no torque, and whose
+/// samples would pass over a graze.
 std::vector<ComparedAccident> problems();
 
 /// A result, and its allowed differences: of times (s) and counts absolute, otherwise relative.

@@ -19,6 +19,8 @@
 namespace rotor {
 namespace {
 
+constexpr int samples = 25;  // their distance in coarse steps
+
 /// In SI units and the stator's axes.
 constexpr const char* input = R"in(atom_style granular
 atom_modify map array
@@ -77,11 +79,12 @@ std::string spheres(const ComparedAccident& accident) {
   return all;
 }
 
-/// Adds the normal force over time to the curve, if there is one.
-Course by_liggghts(const ComparedAccident& accident, int divisor, const std::string& folder,
-                   Table* curve = nullptr) {
+/// Takes steps of that length and samples that many steps apart. Adds the normal force over time to
+/// the curve, if there is one.
+Course by_liggghts(const ComparedAccident& accident, double step_s, int every,
+                   const std::string& folder, Table* curve = nullptr) {
   const Parameters& p = accident.given.parameters;
-  const double step_s = coarse_step_s(p) / divisor, r = p.rotor_radius;
+  const double r = p.rotor_radius;
   using fmt::arg;
   // F = kn sqrt(r) Delta^1.5 in Hertz's contact, and friction of gammat m sqrt(r Delta).
   const bool is_hertz = p.contact_exponent == 1.5;
@@ -100,16 +103,16 @@ Course by_liggghts(const ComparedAccident& accident, int divisor, const std::str
       arg("r_a", p.stator_radius), arg("k", p.support_stiffness), arg("d", p.support_damping),
       arg("turns", p.drive == Drive::constant_speed ? "off" : "on"),
       arg("rest_x", -p.ring_offset_x), arg("rest_y", -p.ring_offset_y), arg("g", p.gravity),
-      arg("weight", accident.given_from.body.mass * p.gravity), arg("every", 25 * divisor),
+      arg("weight", accident.given_from.body.mass * p.gravity), arg("every", every),
       arg("steps", std::lround(accident.until_s / step_s)));
   if (std::system(
           fmt::format("cd {} && liggghts -in liggghts.in >liggghts.log 2>&1", folder).c_str()) != 0)
     throw std::runtime_error(
         fmt::format("liggghts failed on liggghts.in: see {}/liggghts.log", folder));
   Course course;
-  std::ifstream samples(folder + "/liggghts.out");
+  std::ifstream rows(folder + "/liggghts.out");
   double step = 0, x = 0, y = 0, dx = 0, dy = 0, w = 0, fx = 0, fy = 0;
-  while (samples >> step >> x >> y >> dx >> dy >> w >> fx >> fy) {
+  while (rows >> step >> x >> y >> dx >> dy >> w >> fx >> fy) {
     const double rho = std::hypot(x, y), force_N = -(fx * x + fy * y) / rho,
                  arm = std::hypot(dx, dy);
     course.add({step * step_s, p.stator_radius - r - rho, force_N, (fy * x - fx * y) / rho,
@@ -140,20 +143,26 @@ double seconds_of_others() {
          1e-6 * static_cast<double>(used.ru_utime.tv_usec);
 }
 
-/// The forces are computed once in a step.
+/// Samples have the distance of `accidents`, or a little less so that the last is at the end. The
+/// forces are computed once in a step.
 int enter_problems(const std::string& folder) {
-  std::string csv = "problem,quantity,value,seconds,right_hand_sides\n";
+  std::string csv =
+      "# An entry to the problems of rub by LIGGGHTS, from `make validate`\n"
+      "problem,quantity,value,seconds,right_hand_sides\n";
   for (const ComparedAccident& problem : problems()) {
     fmt::print(stderr, "problem {}\n", problem.name);
     const Parameters& p = problem.scenario.parameters;
-    const double begin = seconds_of_others();
-    const auto values = by_liggghts(problem, finer, folder).values(p);
-    const double seconds = seconds_of_others() - begin;
+    const int every = samples * finer;
+    const long steps = every * std::lround(std::ceil(problem.until_s / coarse_step_s(p) / samples));
+    const double begin_s = seconds_of_others();
+    const auto values =
+        by_liggghts(problem, problem.until_s / static_cast<double>(steps), every, folder).values(p);
+    const double seconds = seconds_of_others() - begin_s;
     for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/problems/answers.csv"))
       if (const auto value = values.find(row["quantity"]);
           row["problem"] == problem.name && value != values.end())
-        csv += fmt::format("{},{},{},{:.2g},{}\n", problem.name, value->first, value->second,
-                           seconds, std::lround(problem.until_s / coarse_step_s(p) * finer));
+        csv += fmt::format("{},{},{:.10g},{:.2g},{}\n", problem.name, value->first, value->second,
+                           seconds, steps);
   }
   write_file(folder + "/LIGGGHTS.csv", csv);
   return 0;
@@ -173,7 +182,8 @@ int validate(const Arguments& arguments) {
     fmt::print(stderr, "{}\n", accident.name);
     const bool mistaken = accident.mistaken;
     const auto findings = [&](int divisor, Table* curve = nullptr) {
-      return by_liggghts(accident, divisor, folder, curve).findings(accident);
+      const double step_s = coarse_step_s(accident.given.parameters) / divisor;
+      return by_liggghts(accident, step_s, samples * divisor, folder, curve).findings(accident);
     };
     const auto theirs = findings(1, force.rows() == 0 ? &force : nullptr),
                better = mistaken ? theirs : findings(finer),
