@@ -1,7 +1,7 @@
 # Right digits of each entry to the problems of rub against its time and right-hand sides; hollow where it lacks
 # quantities. data is by score.py --csv.
 eval "set terminal ".size(960, 1000).sprintf(" font 'DejaVu Sans,%d' enhanced rounded", letters)
-set multiplot title "{/:Bold Problems of rub}: least right digits of each solver; hollow: not all quantities"
+set multiplot title "{/:Bold Problems of rub}: least right digits of each solver; hollow or ×: not all quantities"
 entries = "'event' 'published RK4' 'SciPy' 'CVODE' 'GSL' 'Odeint' 'LIGGGHTS'"
 array tint[7] = [event_tint, "#e69f00", "#882255", "#44aa99", "#332288", "#999933", paper_tint]  # methods are no equations
 array mark[7] = [7, 5, 9, 13, 11, 15, 3]                                                        # solid; one less is hollow
@@ -19,7 +19,7 @@ do for [n = 0:words(problems) - 1] {
   do for [i = 0:1] {
     cost = word("seconds right_hand_sides", i + 1); left = 0.055 + 0.485*(n % 2) + 0.229*i
     set lmargin at screen left; set rmargin at screen left + 0.215
-    if (i) { set xrange [200:2e8]; set xtics 1e3,100 } else { set xrange [2e-5:20]; set xtics 1e-4,100 }
+    if (i) { set xrange [200:2e8]; set xtics 1e3,100 } else { set xrange [2e-5:200]; set xtics 1e-4,100 }
     if (!i) { set label 1 name at screen left + 0.222, screen top + 0.012 center }
     set xlabel (at_bottom ? word("'time, s' 'right-hand sides'", i + 1) : "") offset 0,0.4
     set format x (at_bottom ? "10^{%T}" : "")

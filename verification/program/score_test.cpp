@@ -79,6 +79,16 @@ TEST_F(Score, OfTheEngineIsHighWithoutChaos) {
     }
 }
 
+// Where its samples are close enough, and its friction at another lever does not matter.
+TEST_F(Score, OfAnIndependentCodeIsRightInTouchDowns) {
+  const std::string output =
+      score_of("'" ROTOR_SOURCES "/verification/benchmark/LIGGGHTS.csv'").output;
+  for (const char* what : {"accident\n  touch_downs +right", "low-friction\n  touch_downs +right",
+                           "hertz\n  touch_downs +right", "limit-cycle\n  touch_downs +right",
+                           "touch_down_7_s +[5-9]\\.", "touch_down_10_s +[4-9]\\."})
+    EXPECT_FALSE(matches(output, what).empty()) << what << output;
+}
+
 TEST_F(Score, NamesWhatItRefuses) {
   const auto expect_refused = [&](const std::string& rows, std::string_view message) {
     const auto [status, output] = score(rows);
