@@ -5,6 +5,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "figures/runs/scene.hpp"
 #include "model/results/summary.hpp"
