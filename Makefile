@@ -103,7 +103,7 @@ prove: ## proven.csv: the accident by ball arithmetic
 	@$(build) --with prove prove prover-tests && verification/tests.sh $(BUILD) prover-tests && \
 	  verification/proof/theorems.sh $(BUILD)/prove reference-data/proven.csv
 
-validate: ## independent.csv: accidents by an independent code
+validate: ## independent.csv: accidents and problems by an independent code
 	@$(build) --with validate validate rotor && verification/validation/validate.sh $(BUILD) $(call text,CASES)
 
 reasons: ## reasons-tried.csv: reasons for the accident on 5000 rotors
@@ -152,7 +152,7 @@ mutants: ## break the program in ways that tests must notice
 	@figures/make/packages.sh check deps && verification/robustness/mutants.py --seed $(SEED) --hand $(HAND) --count $(COUNT) --under $(call text,UNDER)
 
 bench-programs: ## build the programs of make bench, stress and reference
-	@$(build) --with bench benchmark cvode-entry rotor random-rotors reference random-digits
+	@$(build) --with bench benchmark entries rotor random-rotors reference random-digits
 
 bench: bench-programs ## measure run time and error of each method, and draw them
 	@verification/benchmark/bench.sh $(BUILD)

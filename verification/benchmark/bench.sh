@@ -8,13 +8,10 @@ export PYTHONDONTWRITEBYTECODE=1 # beside the sources
 
 entries=verification/benchmark problems=$out/problems
 mkdir -p "$problems"
-for tolerance in 1e-6 1e-9 1e-12; do
-  "$entries/rotor_entry.py" "$1/rotor" --tolerance $tolerance >"$problems/event $tolerance.csv"
-done
-"$entries/rotor_entry.py" "$1/rotor" --method rk4 >"$problems/published RK4.csv"
+"$1/entries" "$problems"
 /usr/bin/python3 "$entries/scipy_entry.py" >"$problems/SciPy.csv" # Debian's SciPy is for Debian's Python
-"$1/cvode-entry" >"$problems/CVODE.csv"
-all=("$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE}.csv)
+all=("$problems"/event\ {1e-6,1e-9,1e-12}.csv "$problems"/{published\ RK4,SciPy,CVODE,GSL,Odeint}.csv
+  "$entries/LIGGGHTS.csv") # by make validate
 "$entries/score.py" "${all[@]}" | tee "$out/problems.md"
 "$entries/score.py" --csv "${all[@]}" >"$out/problems.csv"
 figures/draw.sh "$entries/problems.svg" "data = '$out/problems.csv'" "$entries/problems.gp"

@@ -13,7 +13,7 @@
 #include "model/digits/digits.hpp"
 #include "model/digits/quad.hpp"
 #include "verification/support/newton.hpp"
-#include "verification/support/observers.hpp"
+#include "verification/support/problem_observer.hpp"
 
 namespace rotor {
 namespace {
@@ -58,10 +58,6 @@ std::vector<Answer> answers_to(const std::string& problem) {
   return answers;
 }
 
-std::string time_of_touch_down(std::size_t number) {
-  return fmt::format("touch_down_{}_s", number);
-}
-
 // ---- the first way: the engine, in the precision that its row names
 
 Values by_engine(const Scenario& scenario, int digits) {
@@ -75,7 +71,7 @@ Values by_engine(const Scenario& scenario, int digits) {
   std::size_t touch_downs = 0;
   for (const EventEstimate& event : found.events)
     if (event.event == Event::touch_down)
-      add(time_of_touch_down(++touch_downs), event.values.front());
+      add(ProblemObserver::time_of_touch_down(++touch_downs), event.values.front());
   const Found q1 = all.at("final_q1_m"), q2 = all.at("final_q2_m");
   all["final_displacement_m"] = {std::hypot(q1.value, q2.value), q1.error + q2.error};
   return all;
@@ -83,35 +79,10 @@ Values by_engine(const Scenario& scenario, int digits) {
 
 // ---- another way: Newton's laws in the stator's axes
 
-class Recorder : public SummaryObserver {
- public:
-  using SummaryObserver::SummaryObserver;
-  void on_instant(const Instant& at) override {
-    SummaryObserver::on_instant(at);
-    if (at.event == Event::touch_down) touch_downs_.push_back(at.time_s);
-  }
-  std::map<std::string, double> values() const {
-    const Summary& s = summary();
-    std::map<std::string, double> all = {{"touch_downs", static_cast<double>(s.touch_downs)}};
-    for (const SummaryField<double>& field : summary_fields<double>) {
-      if (const auto* always = std::get_if<double Summary::*>(&field.value))
-        all[std::string(field.key)] = s.**always;
-      if (const auto* perhaps = std::get_if<std::optional<double> Summary::*>(&field.value))
-        if (const auto& value = s.**perhaps) all[std::string(field.key)] = *value;
-    }
-    for (std::size_t n = 0; n < touch_downs_.size(); ++n)
-      all[time_of_touch_down(n + 1)] = touch_downs_[n];
-    return all;
-  }
-
- private:
-  std::vector<double> touch_downs_;
-};
-
 /// Its errors are estimated by a second run with larger steps.
 Values by_newton(const Scenario& scenario) {
   const auto run = [&](double tolerance) {
-    Recorder recorder(scenario);
+    ProblemObserver recorder(scenario);
     EXPECT_TRUE(run_by_newton(scenario, {tolerance, 30, 10'000'000}, recorder));
     return recorder.values();
   };

@@ -5,7 +5,9 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <random>
+#include <utility>
 
+#include "figures/runs/scene.hpp"
 #include "model/results/summary.hpp"
 #include "verification/support/bare.hpp"
 
@@ -89,6 +91,24 @@ std::vector<ComparedAccident> accidents() {
   return all;
 }
 
+std::vector<ComparedAccident> problems() {
+  std::vector<ComparedAccident> all;
+  for (const char* name : {"accident", "low-friction", "hertz", "sliding-to-rolling", "limit-cycle",
+                           "partial-rub", "chaos"}) {
+    Scenario scenario =
+        read_scene(fmt::format(ROTOR_REFERENCE_DATA "/problems/{}.toml", name)).runs.at(0).scenario;
+    const double until_s = std::exchange(scenario.until, 0);
+    Instant from = start_of(scenario);
+    if (scenario.loses_mass()) from = recorded(scenario).first(Event::mass_loss);
+    // A constant speed asks for no inertia, and any will do.
+    const Parameters& p = scenario.parameters;
+    if (p.drive == Drive::constant_speed)
+      from.body.inertia = from.body.mass * p.rotor_radius * p.rotor_radius / 2;
+    all.push_back({name, scenario, from, scenario, from, until_s});
+  }
+  return all;
+}
+
 double indentation(const Parameters& p, double force_N) {
   if (p.contact_exponent == 1) return force_N / p.contact_stiffness;
   const double share = force_N / p.contact_stiffness / p.reference_indentation;
@@ -109,13 +129,45 @@ void Course::add(const Sample& now, double friction_coefficient) {
   if (last.gap > 0 && now.gap <= 0)
     touch_downs_s.push_back(last.time_s +
                             (now.time_s - last.time_s) * last.gap / (last.gap - now.gap));
-  peak_N = std::max(peak_N, now.normal_force_N);
+  if (now.normal_force_N > peak_N) {
+    peak_N = now.normal_force_N;
+    peak_s = now.time_s;
+  }
+  const bool ends = last.normal_force_N > 0 && now.gap > 0;
+  if (now.normal_force_N > 0 || ends) {
+    const double inside = (now.gap > 0) == (last.gap > 0)
+                              ? 1
+                              : std::min(last.gap, now.gap) / -std::abs(last.gap - now.gap);
+    contact_s += inside * (now.time_s - last.time_s);
+  }
+  least_gap = std::min(least_gap, now.gap);
   const double limit = std::abs(friction_coefficient) * now.normal_force_N;
   if (!onset_s && std::abs(now.friction_N) < 0.5 * limit) {
     onset_s = now.time_s;
     onset_Hz = now.speed_Hz;
+    onset_N = now.normal_force_N;
   }
   last = now;
+}
+
+std::map<std::string, double> Course::values(const Parameters& p) const {
+  const double clearance = p.stator_radius - p.rotor_radius;
+  std::map<std::string, double> all = {{"touch_downs", static_cast<double>(touch_downs_s.size())},
+                                       {"peak_normal_force_N", peak_N},
+                                       {"peak_time_s", peak_s},
+                                       {"peak_displacement_m", clearance - least_gap},
+                                       {"contact_time_s", contact_s},
+                                       {"final_speed_Hz", last.speed_Hz},
+                                       {"final_q1_m", last.q1_m},
+                                       {"final_q2_m", last.q2_m},
+                                       {"final_displacement_m", clearance - last.gap}};
+  for (std::size_t n = 0; n < touch_downs_s.size(); ++n)
+    all[fmt::format("touch_down_{}_s", n + 1)] = touch_downs_s[n];
+  if (onset_s)
+    all.insert({{"rolling_onset_s", *onset_s},
+                {"rolling_onset_speed_Hz", *onset_Hz},
+                {"rolling_onset_force_N", *onset_N}});
+  return all;
 }
 
 std::vector<Finding> Course::findings(const ComparedAccident& of) const {

@@ -2,6 +2,8 @@
 /// measured rebounds.
 #pragma once
 
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +27,10 @@ struct ComparedAccident {
 /// Gravity's moment is balanced in all: the whole of it has no force.
 std::vector<ComparedAccident> accidents();
 
+/// Those of reference-data/problems that the other code can state, which has no torque, and whose
+/// samples would pass over a graze.
+std::vector<ComparedAccident> problems();
+
 /// A result, and its allowed differences: of times (s) and counts absolute, otherwise relative.
 struct Finding {
   std::string quantity;
@@ -37,14 +43,16 @@ double find(const std::vector<Finding>& all, const std::string& quantity);  ///<
 /// Gathers results from samples of the motion, about a microsecond apart.
 struct Course {
   struct Sample {
-    double time_s, gap, normal_force_N, friction_N, speed_Hz;
+    double time_s, gap, normal_force_N, friction_N, speed_Hz, q1_m = 0, q2_m = 0;
   };
   void add(const Sample& now, double friction_coefficient);
   std::vector<Finding> findings(const ComparedAccident& of) const;
+  /// As reference-data/problems names them.
+  std::map<std::string, double> values(const Parameters& p) const;
 
   std::vector<double> touch_downs_s;
-  std::optional<double> onset_s, onset_Hz;
-  double peak_N = 0;
+  std::optional<double> onset_s, onset_Hz, onset_N;
+  double peak_N = 0, peak_s = 0, contact_s = 0, least_gap = std::numeric_limits<double>::infinity();
   Sample last{};
 };
 

@@ -1,5 +1,8 @@
 /// `validate FOLDER TABLE [CASES]`: lets LIGGGHTS compute the accidents, or those with CASES in
 /// their name, and compares the engine with it. FOLDER receives the curves of the picture.
+/// `validate FOLDER`: enters LIGGGHTS to reference-data/problems, as FOLDER/LIGGGHTS.csv.
+#include <sys/resource.h>
+
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -7,6 +10,7 @@
 
 #include "figures/data/csv.hpp"
 #include "figures/data/files.hpp"
+#include "figures/data/read_csv.hpp"
 #include "figures/data/thinning.hpp"
 #include "verification/support/follow.hpp"
 #include "verification/support/program.hpp"
@@ -14,6 +18,8 @@
 
 namespace rotor {
 namespace {
+
+constexpr int samples = 25;  // their distance in coarse steps
 
 /// In SI units and the stator's axes.
 constexpr const char* input = R"in(atom_style granular
@@ -31,19 +37,21 @@ fix mu all property/global coefficientFriction peratomtypepair 1 {mu}
 pair_style gran model {model}{absolute} limitForce on
 pair_coeff * *
 timestep {step}
-fix body all rigid single force * on on off torque * off off on
+fix body all rigid single force * on on off torque * off off {turns}
 fix ring disk wall/gran model {model} &
   primitive type 1 zcylinder {r_a} 0 0 store_force yes{absolute} limitForce on
-fix springs disk spring tether {k} 0 0 0 0
+fix springs disk spring tether {k} {rest_x} {rest_y} 0 0
 fix dampers disk viscous {d}
 fix weight all gravity {g} vector 1 0 0
 fix preload disk addforce -{weight} 0 0
 variable x equal x[1]
 variable y equal y[1]
+variable dx equal x[2]-x[1]
+variable dy equal y[2]-y[1]
 variable w equal omegaz[1]
 variable fx equal f_force_ring[1][1]
 variable fy equal f_force_ring[1][2]
-fix out all print {every} "$(step) ${{x}} ${{y}} ${{w}} ${{fx}} ${{fy}}" screen no file liggghts.out title ""
+fix out all print {every} "$(step) ${{x}} ${{y}} ${{dx}} ${{dy}} ${{w}} ${{fx}} ${{fy}}" screen no file liggghts.out title ""
 run {steps}
 )in";
 
@@ -71,11 +79,12 @@ std::string spheres(const ComparedAccident& accident) {
   return all;
 }
 
-/// Adds the normal force over time to the curve, if there is one.
-std::vector<Finding> by_liggghts(const ComparedAccident& accident, int divisor,
-                                 const std::string& folder, Table* curve = nullptr) {
+/// Takes steps of that length and samples that many steps apart. Adds the normal force over time to
+/// the curve, if there is one.
+Course by_liggghts(const ComparedAccident& accident, double step_s, int every,
+                   const std::string& folder, Table* curve = nullptr) {
   const Parameters& p = accident.given.parameters;
-  const double step_s = coarse_step_s(p) / divisor, r = p.rotor_radius;
+  const double r = p.rotor_radius;
   using fmt::arg;
   // F = kn sqrt(r) Delta^1.5 in Hertz's contact, and friction of gammat m sqrt(r Delta).
   const bool is_hertz = p.contact_exponent == 1.5;
@@ -92,23 +101,26 @@ std::vector<Finding> by_liggghts(const ComparedAccident& accident, int divisor,
       arg("absolute", is_hertz ? "" : " absolute_damping on"), arg("abs", is_hertz ? "" : "_abs"),
       arg("viscosity", is_hertz ? braking / root : braking), arg("step", step_s),
       arg("r_a", p.stator_radius), arg("k", p.support_stiffness), arg("d", p.support_damping),
-      arg("g", p.gravity), arg("weight", accident.given_from.body.mass * p.gravity),
-      arg("every", 25 * divisor), arg("steps", std::lround(accident.until_s / step_s)));
+      arg("turns", p.drive == Drive::constant_speed ? "off" : "on"),
+      arg("rest_x", -p.ring_offset_x), arg("rest_y", -p.ring_offset_y), arg("g", p.gravity),
+      arg("weight", accident.given_from.body.mass * p.gravity), arg("every", every),
+      arg("steps", std::lround(accident.until_s / step_s)));
   if (std::system(
           fmt::format("cd {} && liggghts -in liggghts.in >liggghts.log 2>&1", folder).c_str()) != 0)
     throw std::runtime_error(
         fmt::format("liggghts failed on liggghts.in: see {}/liggghts.log", folder));
   Course course;
-  std::ifstream samples(folder + "/liggghts.out");
-  double step = 0, x = 0, y = 0, w = 0, fx = 0, fy = 0;
-  while (samples >> step >> x >> y >> w >> fx >> fy) {
-    const double rho = std::hypot(x, y), force_N = -(fx * x + fy * y) / rho;
-    course.add(
-        {step * step_s, p.stator_radius - r - rho, force_N, (fy * x - fx * y) / rho, in_Hz(w)},
-        p.friction);
+  std::ifstream rows(folder + "/liggghts.out");
+  double step = 0, x = 0, y = 0, dx = 0, dy = 0, w = 0, fx = 0, fy = 0;
+  while (rows >> step >> x >> y >> dx >> dy >> w >> fx >> fy) {
+    const double rho = std::hypot(x, y), force_N = -(fx * x + fy * y) / rho,
+                 arm = std::hypot(dx, dy);
+    course.add({step * step_s, p.stator_radius - r - rho, force_N, (fy * x - fx * y) / rho,
+                in_Hz(w), (x * dx + y * dy) / arm, (y * dx - x * dy) / arm},
+               p.friction);
     if (curve != nullptr) curve->add(std::array{step * step_s, force_N});
   }
-  return course.findings(accident);
+  return course;
 }
 
 constexpr const char* head =
@@ -123,9 +135,43 @@ std::string cell(double value, const char* form = "{:.8g}") {
   return std::isnan(value) ? "" : fmt::format(fmt::runtime(form), value);
 }
 
+/// Processor time of the programs that this one has waited for.
+double seconds_of_others() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  return static_cast<double>(used.ru_utime.tv_sec) +
+         1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+}
+
+/// Samples have the distance of `accidents`, or a little less so that the last is at the end. The
+/// forces are computed once in a step.
+int enter_problems(const std::string& folder) {
+  std::string csv =
+      "# An entry to the problems of rub by LIGGGHTS, from `make validate`\n"
+      "problem,quantity,value,seconds,right_hand_sides\n";
+  for (const ComparedAccident& problem : problems()) {
+    fmt::print(stderr, "problem {}\n", problem.name);
+    const Parameters& p = problem.scenario.parameters;
+    const int every = samples * finer;
+    const long steps = every * std::lround(std::ceil(problem.until_s / coarse_step_s(p) / samples));
+    const double begin_s = seconds_of_others();
+    const auto values =
+        by_liggghts(problem, problem.until_s / static_cast<double>(steps), every, folder).values(p);
+    const double seconds = seconds_of_others() - begin_s;
+    for (const CsvRow& row : read_csv(ROTOR_REFERENCE_DATA "/problems/answers.csv"))
+      if (const auto value = values.find(row["quantity"]);
+          row["problem"] == problem.name && value != values.end())
+        csv += fmt::format("{},{},{:.10g},{:.2g},{}\n", problem.name, value->first, value->second,
+                           seconds, steps);
+  }
+  write_file(folder + "/LIGGGHTS.csv", csv);
+  return 0;
+}
+
 int validate(const Arguments& arguments) {
-  if (arguments.size() < 2) throw std::invalid_argument("usage: validate FOLDER TABLE [CASES]");
+  if (arguments.empty()) throw std::invalid_argument("usage: validate FOLDER [TABLE [CASES]]");
   const std::string& folder = arguments[0];
+  if (arguments.size() == 1) return enter_problems(folder);
   FileTransaction files;
   OutputFile& table = files.open(arguments[1]);
   table.write(head);
@@ -135,8 +181,12 @@ int validate(const Arguments& arguments) {
     if (arguments.size() > 2 && accident.name.find(arguments[2]) == std::string::npos) continue;
     fmt::print(stderr, "{}\n", accident.name);
     const bool mistaken = accident.mistaken;
-    const auto theirs = by_liggghts(accident, 1, folder, force.rows() == 0 ? &force : nullptr),
-               better = mistaken ? theirs : by_liggghts(accident, finer, folder),
+    const auto findings = [&](int divisor, Table* curve = nullptr) {
+      const double step_s = coarse_step_s(accident.given.parameters) / divisor;
+      return by_liggghts(accident, step_s, samples * divisor, folder, curve).findings(accident);
+    };
+    const auto theirs = findings(1, force.rows() == 0 ? &force : nullptr),
+               better = mistaken ? theirs : findings(finer),
                with = mistaken ? theirs : with_lever(accident).findings(accident);
     for (const Finding& ours : by_engine(accident).findings(accident)) {
       const std::string& name = ours.quantity;

@@ -10,6 +10,8 @@ if [ -n "$cases" ]; then
   picture=$out
 else
   "$build/validate" "$out" reference-data/independent.csv
+  "$build/validate" "$out" # enters LIGGGHTS to the problems of rub, too
+  mv "$out/LIGGGHTS.csv" verification/benchmark
   picture=verification/validation
 fi
 "$build/rotor" run --equations corrected --from 29.1 --until 29.1344 --columns time_s,normal_force_N \

@@ -40,6 +40,21 @@ TEST(Independent, CodeGivesTheSameAccidentsUnlessItsInputHasAMistake) {
   EXPECT_TRUE(table.empty()) << table.begin()->first.first;
 }
 
+// The gap (t - 1)(t - 2) is straight between samples to a quarter of the square of their distance.
+TEST(Course, FindsContactBetweenSamples) {
+  Course course;
+  constexpr double distance = 0.03;
+  for (double time_s = 0; time_s < 3; time_s += distance) {
+    const double gap = (time_s - 1) * (time_s - 2);
+    course.add({time_s, gap, std::max(0., -gap), 0, 0}, 0);
+  }
+  const auto values = course.values({});
+  EXPECT_NEAR(values.at("touch_down_1_s"), 1, distance * distance);
+  EXPECT_NEAR(values.at("contact_time_s"), 1, distance * distance);
+  EXPECT_NEAR(values.at("peak_normal_force_N"), 0.25, distance * distance);
+  EXPECT_NEAR(values.at("peak_time_s"), 1.5, distance / 2);
+}
+
 TEST(MeasuredRebounds, AgreeWhereTheSphereSlides) {
   const std::string page = content_of(ROTOR_SOURCES "/verification/validation/README.md");
   int sliding = 0;
