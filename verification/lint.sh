@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What `make lint` does: checks that all scripts can be called by their names, that all wrong changes of
-# `make mutants` can still be made, the format of all sources, and model/ and figures/ by clang-tidy (see
-# .clang-tidy). cppcheck was tried and found no real fault.
+# What `make lint` does: checks that all scripts can be called by their names, that the wrong changes by hand
+# of `make mutants` compile, the format of all sources, and model/ and figures/ by clang-tidy (see .clang-tidy).
+# cppcheck was tried and found no real fault.
 set -uo pipefail
 build=$1/lint
 failed=""

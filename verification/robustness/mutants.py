@@ -197,6 +197,30 @@ def sample(seed, count, folders):
 
 # ---- the build
 
+def copy(changes):
+    """A copy of the sources, into which the changes can be put."""
+    for number, change in enumerate(changes, 1):
+        change.number = number
+    shutil.rmtree(TREE, ignore_errors=True)
+    shutil.copytree(ROOT, TREE, symlinks=True, ignore=lambda folder, names: {
+        name for name in names if name == '.git' or name == 'build' and pathlib.Path(folder) == ROOT})
+    (WORK / 'switches.hpp').write_text(SWITCHES.replace('COUNT', str(len(changes))))
+
+
+def check(hand):
+    """Compiles the changes by hand: each must be of a whole expression, or a whole statement."""
+    copy(hand)
+    put = {change.file for change in write_switched(hand)}
+    (TREE / 'headers.cpp').write_text(''.join(f'#include "{file}"\n' for file in put if file.endswith('.hpp')))
+    macros = {f'-D{name}=""' for name in re.findall(r'\b(ROTOR_[A-Z_]+)="', (ROOT / 'CMakeLists.txt').read_text())}
+    command = ['c++', '-std=c++20', '-w', '-fsyntax-only', '-isystem', '/usr/include/eigen3', f'-I{TREE}', *macros]
+    with concurrent.futures.ThreadPoolExecutor(WORKERS) as pool:
+        sources = ['headers.cpp', *(file for file in put if file.endswith('.cpp'))]
+        failed = [done.returncode for done in pool.map(
+            lambda file: subprocess.run([*command, TREE / file], check=False), sources)]
+    return 1 if any(failed) else 0
+
+
 def write_switched(changes):
     """Puts the changes into the copy, and no others. Of two that meet, the first is put."""
     put, edits = [], {}
@@ -268,12 +292,7 @@ def call(command, what):
 def build(hand, candidates, count):
     """Builds all tests with all changes in them; the changes that are."""
     changes = hand + candidates
-    for number, change in enumerate(changes, 1):
-        change.number = number
-    shutil.rmtree(TREE, ignore_errors=True)
-    shutil.copytree(ROOT, TREE, symlinks=True, ignore=lambda folder, names: {
-        name for name in names if name == '.git' or name == 'build' and pathlib.Path(folder) == ROOT})
-    (WORK / 'switches.hpp').write_text(SWITCHES.replace('COUNT', str(len(changes))))
+    copy(changes)
     call(['cmake', '-S', TREE, '-B', BUILD, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=None',
           '-DCMAKE_CXX_FLAGS=-O1 -w -fno-diagnostics-show-caret', '-DROTOR_WARNINGS_AS_ERRORS=OFF',
           '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON'], 'CMake')
@@ -350,7 +369,7 @@ def main():
     parser.add_argument('--hand', type=int, default=50, help='of changes by hand')
     parser.add_argument('--count', type=int, default=100, help='of mechanical changes')
     parser.add_argument('--under', default='', help='folders of the mechanical changes: model figures')
-    parser.add_argument('--check', action='store_true', help='only whether those by hand can be made')
+    parser.add_argument('--check', action='store_true', help='only whether those by hand compile')
     options = parser.parse_args()
     for folder in options.under.split():
         if not (ROOT / folder).is_dir():
@@ -358,10 +377,10 @@ def main():
 
     start = time.monotonic()
     hand = list(by_hand())
-    if options.check:
-        return 0
-    hand = random.Random(options.seed).sample(hand, min(options.hand, len(hand)))
     WORK.mkdir(parents=True, exist_ok=True)
+    if options.check:
+        return check(hand)
+    hand = random.Random(options.seed).sample(hand, min(options.hand, len(hand)))
     folders = options.under.split() or ['model', 'figures', 'verification/report/engine']
     changes = build(hand, sample(options.seed, round(MORE * options.count), folders), options.count)
     print(f'built with {len(changes)} changes after {time.monotonic() - start:.0f} s', flush=True)

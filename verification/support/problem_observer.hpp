@@ -25,8 +25,8 @@ class ProblemObserver : public SummaryObserver {
         {"touch_downs", static_cast<double>(s.touch_downs)},
         {"final_displacement_m", std::hypot(s.final_q1_m, s.final_q2_m)}};
     for (const SummaryField<double>& field : summary_fields<double>) {
-      if (const auto* always = std::get_if<double Summary::*>(&field.value))
-        all[std::string(field.key)] = s.**always;
+      if (const auto* number = std::get_if<double Summary::*>(&field.value))
+        all[std::string(field.key)] = s.**number;
       if (const auto* perhaps = std::get_if<std::optional<double> Summary::*>(&field.value))
         if (const auto& value = s.**perhaps) all[std::string(field.key)] = *value;
     }
