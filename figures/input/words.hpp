@@ -73,13 +73,13 @@ struct LineInWords {
 inline constexpr std::array free_motion = {Outcome::no_contact, Outcome::undecided};
 inline constexpr auto lines_in_words = std::to_array<LineInWords>(
     {{"greatest", 2, "", "closed forms: border of contact", free_motion},
-     {"bound", 1.6, "5,4", "limit of possible contact", free_motion},
+     {"bound", 1.6, "5,4", "upper bound of the swing reaches the ring", free_motion},
      {"steady", 1.6, "1,4", "steady response reaches the ring", free_motion},
-     {"forward", 1.6, "14,4", "limit of lasting forward rub", {Outcome::sliding, Outcome::sliding}},
+     {"forward", 1.6, "14,4", "friction up to which forward rub lasts", {Outcome::sliding, Outcome::sliding}},
      {"rebound",
       1.6,
       "10,4,2,4",
-      "limit of backward whirl by rebounds",
+      "friction from which rebounds lead to backward whirl",
       {Outcome::bouncing, Outcome::freed}},
      {"peak",
       1.6,
