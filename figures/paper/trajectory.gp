@@ -6,7 +6,6 @@ set size ratio -1
 set xlabel "y_a, mm"
 set ylabel "x_a (down), mm"
 set object 1 circle at 0,0 size clearance_of(run) fillstyle empty border linecolor rgb event_tint linewidth 1.2 dashtype (1,5)
-set style arrow 5 head filled size screen 0.016,18,90 fixed linecolor rgb event_tint linewidth 1
 # The place of O at a time: eval place("x_1", "y_1", t); an arrow along its path there: eval show_sense(t, a_little_s); and
 # a panel of one set of equations: eval begin_panel(offset of the words); plot @orbit.
 coordinate(name, c, t) = sprintf("stats data using (follow(of_run(run, 'time_s'), of_run(run, '%s'), %.17g)) nooutput; %s = 1e3*crossing; ", \

@@ -10,8 +10,11 @@ less(a, b) = a < b ? a : b
 lines = 1 + sum [k = 1:strlen(conditions)] (conditions[k:k] eq "\n")
 if (heading eq "") { heading = "Normal force, speed, displacement and orbit of O" }
 
-# A run has the colour of its equations, or black if they are corrected in part; several of a set shades and dashes of it.
-earlier(i) = (of("equations", i) eq "mixed") + sum [k = 1:i] (k < i && of("equations", k) eq of("equations", i))
+# A run has the colour of its equations, or black if they are corrected in part; several of a set shades and dashes of it,
+# the darker the larger the force.
+peak(i) = (peak_N = of("peak_normal_force_N", i), peak_N == peak_N ? peak_N : 0)
+earlier(i) = (of("equations", i) eq "mixed") + sum [k = 1:runs] (of("equations", k) eq of("equations", i) && \
+  (k < i ? peak(k) >= peak(i) : peak(k) > peak(i)))
 alike(i) = sum [k = 1:runs] (of("equations", k) eq of("equations", i))
 tint(i) = of("equations", i) eq "mixed" ? event_tint : tint_of(of("equations", i))
 array dashes[4] = ["solid", "(9,5)", "(3,3)", "(9,3,2,3)"]
@@ -110,8 +113,8 @@ plot for [i = runs:1:-1] data(i, "rho_m") using (column("time_s")):(column("rho_
 set size ratio -1
 eval right_axis
 eval down_axis
-set parametric
 set trange [0:2*pi]
+keep(x, y) = (x != x_2 || y != y_2 ? (x_1 = x_2, y_1 = y_2, x_2 = x, y_2 = y) : 0, 0)
 do for [i = 1:runs] {
   x = runs > 1 ? 75 + (i - 1) % in_a_row*cell : 0.5*wide + left
   y = runs > 1 ? 590 + (i - 1)/in_a_row*cell : top + height + 73
@@ -119,6 +122,11 @@ do for [i = 1:runs] {
   set xlabel "y_a, mm"
   if (runs > 1) { set title shortened(greek(of("run", i)), int(less(36, cell/8.8))) offset 0,-0.7 noenhanced font small textcolor linetype i }
   eval panel(x, x + (runs > 1 ? side : 0.5*wide - right - left), y, y + side)
+  # Where it ends, and in which direction.
+  unset parametric; x_1 = NaN; x_2 = NaN; y_2 = NaN
+  stats data(i, "x_a_m") using (keep(1e3*column("x_a_m"), 1e3*column("y_a_m"))) nooutput
+  unset arrow; set parametric
+  if (x_1 == x_1) { set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front }
   plot data(i, "x_a_m") using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i dashtype solid, \
     gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance
 }

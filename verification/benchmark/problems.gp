@@ -27,5 +27,5 @@ do for [n = 0:words(problems) - 1] {
 unset border; unset tics; unset title; unset xlabel; unset ylabel; unset logscale
 set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen 0.1
 set key at screen 0.5, screen 0.035 center center maxrows 1 Left reverse
-plot [0:1] [0:1] for [k = 1:4] keyentry with points pointtype mark[k] linecolor rgb tint[k] title word(entries, k), NaN notitle
+plot [0:1] [0:1] for [k = 1:4] keyentry with points pointtype mark[k] linecolor rgb tint[k] title word(entries, k).(k == 1 ? ", ours" : ""), NaN notitle
 unset multiplot

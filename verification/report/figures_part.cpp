@@ -17,7 +17,7 @@ std::string inline_svg(std::string svg, const std::string& name) {
                  "<g transform=\"translate\\(([^,]*),([^)]*)\\)\" stroke=\"none\"([^>]*)>\\s*<text "
                  "?>([^<]*)</text>\\s*</g>",
                  "<text x=\"$1\" y=\"$2\"$3>$4</text>");
-  const std::string size = matches(svg, " font-size=\"[^\"]*\"").at(0);
+  const std::string size = matches(svg, " font-size=\"[^\"]*\"").at(0).at(0);
   svg = replaced(svg, "(<(?:g|text) [^>]*)" + size, "$1");
   svg = replaced(svg, " id=\"gnuplot_[^\"]*\"", "");
   svg = replaced(svg, "id='([^']*)'", "id='" + name + "-$1'");
