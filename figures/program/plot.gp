@@ -54,13 +54,18 @@ show(a, b, n, room) = changes(a, b) ? fit(a, b, n, room) : fit(a - around(a), b 
 axis(c, from, to) = sprintf("set %srange [%.17g:%.17g]; set %stics %.17g; set format %s '%s'", \
   c, from - 1e-5*(to - from), to + 1e-5*(to - from), c, step, c, form)    # rounding must cut nothing off
 
-# The limits of all runs' data and clearances.
+# The limits of all runs' data and clearances, and an arrow where each orbit ends.
+array ending[runs]
+keep(x, y) = (!places || x != x_2 || y != y_2 ? (places = places + 1, x_1 = x_2, y_1 = y_2, x_2 = x, y_2 = y) : 0, x)
 do for [i = 1:runs] {
   do for [c in "time_s normal_force_N speed_Hz rho_m x_a_m y_a_m"] {
     stats data(i, c eq "time_s" ? "speed_Hz" : c eq "y_a_m" ? "x_a_m" : c) using (column(c)) name "its" nooutput
     eval sprintf("least_%s = i > 1 ? less(least_%s, its_min) : its_min", c, c)
     eval sprintf("most_%s = i > 1 ? greater(most_%s, its_max) : its_max", c, c)
   }
+  places = 0; x_2 = 0; y_2 = 0
+  stats data(i, "x_a_m") using (keep(1e3*column("x_a_m"), 1e3*column("y_a_m"))) nooutput
+  ending[i] = places > 1 ? sprintf("set arrow from %.17g,%.17g to %.17g,%.17g arrowstyle 5 front", y_1, x_1, y_2, x_2) : ""
   widest_gap = i > 1 ? greater(widest_gap, gap(i)) : gap(i)
   least_gap = i > 1 ? less(least_gap, gap(i)) : gap(i)
 }
@@ -113,8 +118,8 @@ plot for [i = runs:1:-1] data(i, "rho_m") using (column("time_s")):(column("rho_
 set size ratio -1
 eval right_axis
 eval down_axis
+set parametric
 set trange [0:2*pi]
-keep(x, y) = (x != x_2 || y != y_2 ? (x_1 = x_2, y_1 = y_2, x_2 = x, y_2 = y) : 0, 0)
 do for [i = 1:runs] {
   x = runs > 1 ? 75 + (i - 1) % in_a_row*cell : 0.5*wide + left
   y = runs > 1 ? 590 + (i - 1)/in_a_row*cell : top + height + 73
@@ -122,11 +127,8 @@ do for [i = 1:runs] {
   set xlabel "y_a, mm"
   if (runs > 1) { set title shortened(greek(of("run", i)), int(less(36, cell/8.8))) offset 0,-0.7 noenhanced font small textcolor linetype i }
   eval panel(x, x + (runs > 1 ? side : 0.5*wide - right - left), y, y + side)
-  # Where it ends, and in which direction.
-  unset parametric; x_1 = NaN; x_2 = NaN; y_2 = NaN
-  stats data(i, "x_a_m") using (keep(1e3*column("x_a_m"), 1e3*column("y_a_m"))) nooutput
-  unset arrow; set parametric
-  if (x_1 == x_1) { set arrow from y_1,x_1 to y_2,x_2 arrowstyle 5 front }
+  unset arrow
+  eval ending[i]
   plot data(i, "x_a_m") using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i dashtype solid, \
     gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance
 }
