@@ -45,11 +45,8 @@ export class RotorView {
     paintRing(ctx, ring);
     paintRotor(ctx, centre, radius, now.q3_rad, loses && (lost ? "lost" : "held"));
     const behind = [];
-    for (
-      let row = rowAt(motion.time_s, this.#time_s - trail_s);
-      row < rowAt(motion.time_s, this.#time_s);
-      ++row
-    )
+    const last = rowAt(motion.time_s, this.#time_s);
+    for (let row = rowAt(motion.time_s, this.#time_s - trail_s); row < last; ++row)
       behind.push(at({ x_a_m: motion.x_a_m[row], y_a_m: motion.y_a_m[row] }));
     const ink = summary.equations; // the colour of what the run does
     paintTrail(ctx, [...behind, centre], ink);
