@@ -2,7 +2,7 @@
 run = "run"
 load figures."/paper/trajectory.gp"
 half_s = 0.5/number(run, "critical_speed_Hz")      # of its vibration: O swings out in each
-swings = 5; placed = ""
+swings = 3
 set multiplot layout 1,words(sets) margins 0.08,0.98,0.12,0.84 spacing 0.08,0 \
   title caption(16, subject, sprintf("%g–%g s, ", window_min, window_max).loss(run)."; ".dotted(run).sprintf("; 1–%d: its first swings, one in each %.2f s", swings, half_s))
 do for [set in sets] {
@@ -14,7 +14,7 @@ do for [set in sets] {
     stats data using (int((column("time_s") - t_1)/half_s) == n - 1 && column("time_s") > t_1 ? column("time_s") : NaN): \
       (sqrt(column("x_a_m")**2 + column("y_a_m")**2)) name "swing" nooutput
     eval place("x_1", "y_1", swing_pos_max_y)
-    eval beside(y_1, x_1, n, 0.25)
+    placed = ""; eval beside(y_1, x_1, n, 0.25)
   }
   plot @orbit
 }
