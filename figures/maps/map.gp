@@ -64,7 +64,7 @@ do for [n = 0:pictures - 1] {
   set title (named ne "" ? named : of_outcome(c) ? "outcome" : value(sprintf("label%d", c))) offset 0,-0.6 noenhanced
   set format x (at_bottom ? numbers(x_log) : ""); set format y (at_left ? numbers(y_log) : "")
   set xlabel (at_bottom ? x_name : "") offset 0,0.4 noenhanced
-  set ylabel (at_left ? y_name : "") offset 0,0 noenhanced
+  set ylabel (at_left ? y_name : "") offset 0.5,0 noenhanced
   unset logscale cb; unset colorbox
   if (of_outcome(c)) { eval outcome_palette } else {
     set palette maxcolors 0

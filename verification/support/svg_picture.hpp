@@ -69,8 +69,8 @@ struct Box {
   double left, top, right, bottom;
 };
 
-/// The room of a text. Its group states anchor, size and direction; letters are assumed to be half
-/// as wide as high (DejaVu Sans: 0.6 on average).
+/// The room of a text, of a slanted one its place. Its group states anchor, size and direction;
+/// letters are assumed to be half as wide as high (DejaVu Sans: 0.6 on average).
 inline Box box_of(const std::string& group, const std::string& text) {
   const auto after = [&](std::string_view key) {
     const std::size_t at = group.find(key);
@@ -87,6 +87,7 @@ inline Box box_of(const std::string& group, const std::string& text) {
   if (group.find("rotate(270") != std::string::npos ||
       group.find("rotate(-90") != std::string::npos)
     return {x - 0.7 * size, y + before - length, x + 0.2 * size, y + before};
+  if (group.find("rotate(") != std::string::npos) return {x, y, x, y};
   return {x - before, y - 0.7 * size, x - before + length, y + 0.2 * size};
 }
 
