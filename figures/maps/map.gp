@@ -8,14 +8,14 @@
 #   folder  where these files are
 #   theory  what closed forms exceed, as map-theory writes it
 #   note    what tolerance.sh says of the map
-#   $cases  of the paper, from a script with the map's name
+#   $cases  of the paper, or $border, a line, and border_words; from a script with the map's name
 
 if (!exists("folder")) folder = "."
 data(p) = sprintf("%s/panel%d.csv", folder, p)
 along_x(v) = x_log ? log10(v/x_unit) : v/x_unit
 along_y(v) = y_log ? log10(v/y_unit) : v/y_unit
 of_outcome(c) = value(sprintf("of_outcome%d", c))
-pins = exists("$cases")
+pins = exists("$cases"); bordered = exists("$border")
 forms = 0
 if (exists("theory")) {
   forms = columns == 1 && of_outcome(1) ? 5 : 6
@@ -33,7 +33,7 @@ rows = (pictures + 1)/2
 lines = 1 + exists("note") + sum [k = 1:strlen(conditions)] (conditions[k:k] eq "\n")
 wide = rows > 1 ? 760. : 960.
 row = rows > 1 ? 255. : 300.
-top = 40. + 16*lines; between = 38.; bottom = 130. + 25*(forms > 0 || pins)
+top = 40. + 16*lines; between = 38.; bottom = 130. + 45*(forms > 0 || pins || bordered)
 tall = top + rows*(row + between) + 20 + bottom
 eval "set terminal ".size(wide, tall).sprintf(" font 'DejaVu Sans,%d' enhanced rounded", letters)
 write(text, x, y) = sprintf("set label %s at screen %g,screen %g center noenhanced", text, x/wide, 1 - y/tall)
@@ -64,7 +64,7 @@ do for [n = 0:pictures - 1] {
   set title (named ne "" ? named : of_outcome(c) ? "outcome" : value(sprintf("label%d", c))) offset 0,-0.6 noenhanced
   set format x (at_bottom ? numbers(x_log) : ""); set format y (at_left ? numbers(y_log) : "")
   set xlabel (at_bottom ? x_name : "") offset 0,0.4 noenhanced
-  set ylabel (at_left ? y_name : "") offset 0,0 noenhanced
+  set ylabel (at_left ? y_name : "") offset 0.5,0 noenhanced
   unset logscale cb; unset colorbox
   if (of_outcome(c)) { eval outcome_palette } else {
     set palette maxcolors 0
@@ -93,6 +93,7 @@ do for [n = 0:pictures - 1] {
       seen[i] = 1
     }
   }
+  if (bordered) { edges = edges.", $border using 1:2 with lines ".white; drawn = drawn.", $border using 1:2 with lines linestyle clearance" }
   if (pins) { drawn = drawn.", $cases using 1:2 ".pin }
   eval "plot data(p + 1) using 1:2:(column(2 + c)) with image ".(cells > 4096 || format eq "png" ? "" : "pixels").edges.drawn
   unset label
@@ -106,6 +107,7 @@ meaning = ""; colours = ""
 do for [i = 1:forms] {
   if (seen[i]) { meaning = meaning.sprintf("keyentry with lines %s title '%s', ", line(i), line_words[i]) }
 }
+if (bordered) { meaning = meaning."keyentry with lines linestyle clearance title border_words, " }
 if (pins) { meaning = meaning."keyentry with points pointtype 6 pointsize 0.8 linewidth 1.6 linecolor rgb event_tint title 'cases of the paper', " }
 do for [k in found] {
   name = outcome_name[int(k) + 1]
@@ -113,7 +115,7 @@ do for [k in found] {
     outcome_tint[int(k) + 1], outcome_words[int(k) + 1].(name eq "freed" ? ": cannot reach the ring again" : ""))
 }
 set key Left reverse spacing 1.05 noopaque font small
-set key at screen 0.5, screen 24/tall center center samplen 4 maxrows 2 width -6
+set key at screen 0.5, screen 30/tall center center samplen 4 maxrows 3 width -6
 if (strlen(meaning)) { eval "plot ".meaning."NaN notitle" }
 set key at screen (columns == 1 ? 0.5 : 0.04), screen (bottom - 62)/tall samplen 1 maxrows 3
 if (columns == 1) { set key center center width -6 } else { set key left center width 0 }

@@ -5,8 +5,8 @@ eval "set terminal ".square
 stats data using (1) nooutput name "all"
 panel = int(all_records)/2
 stats data every ::0::0 using "draws" nooutput name "draws"
-set multiplot title sprintf("{/:Bold Backward rolling over the rounding of rotor, supports, ring and lost mass}: %d draws at each point", draws_max). \
-  "\n{/*0.8 ".system(sprintf("cat '%s'", note))."}"
+set multiplot title sprintf("{/:Bold Backward rolling over the rounding of rotor, supports, ring and lost mass}\n{/*0.8 %d draws at each point; ", draws_max). \
+  system(sprintf("cat '%s'", note))."}"
 set tics front out; set xtics 40
 unset grid; unset key; unset colorbox
 set xrange [*:*] noextend; set yrange [*:*] noextend

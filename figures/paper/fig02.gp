@@ -25,7 +25,8 @@ set label "critical speed" at crossing,graph 0.85 right offset -0.5,0
 do for [set in sets] {
   eval use(set)
   stats data using "time_s":(column("rho_m")*1e3) name "rho" nooutput
-  eval label_curve(sprintf("%s%s: largest ρ = %.2f mm at %.2f s", short_of(set), layer(set) == 21 ? " (wide)" : "", \
-    rho_max_y, rho_pos_max_y), rho_pos_max_y + 0.5, is_printed(set) ? 1.35 : 1.02, "left")
+  eval label_curve(sprintf("%s: largest ρ = %.2f mm at %.2f s", short_of(set), rho_max_y, rho_pos_max_y), \
+    rho_pos_max_y + 0.5, is_printed(set) ? 1.35 : 1.02, "left")
 }
+if (words(sets) == 2) { set label "the curves coincide, thin on wide" at rho_pos_max_y + 0.5,0.69 left boxed }
 plot [0:6.5] [0:1.6] @curves

@@ -11,17 +11,14 @@ do for [i = 1:3] {
   @begin_panel
   set label "{/:Bold ".friction(name)."}" at graph (i < 3 ? 0.5 : 0.985),0.84 right
   if (i == 1) { eval level(-455, published).says("paper: 400–450 kN in rolling, largest 455 kN", 0.985, -455, "right offset 0,0.7 boxed") }
-  if (i == 3) { eval table(0.02, 0.71, 18)
-    do for [n = 1:3] { eval row(n, "largest |F_n|, ".friction(word(runs, n)), n == 1 ? "455 kN" : "") } }
   do for [set in sets] {
     eval use(set)
     eval mark_law(name)
+    eval label_curve(sprintf("%s: largest %.1f kN", short_of(set), kN(name)), is_printed(set) || words(sets) == 1 ? 29.158 : 29.238, -640, "left")
     if (i < 3) {
       stats data using (follow(-force(name), of_run(name, "time_s"), 100)) nooutput
       eval label_curve(short_of(set), crossing, -280, is_printed(set) == (i == 1) ? "right offset -1,0" : "left offset 1.5,0")
-    } else {
-      do for [n = 1:3] { eval ours_in(n, sprintf("%.1f kN", kN(word(runs, n)))) }
-    }
+    } else { eval label_curve(short_of(set), is_printed(set) ? 29.27 : 29.127, -90, "left") }
   }
   fixed = name." by rk4"
   plot [29.1:29.35] [-720:0] fixed_data using (of_run(fixed, "time_s")):(force(fixed)) \

@@ -20,7 +20,7 @@ do for [n = 1:words(sets)] {
   onset = number("run", "rolling_onset_s"); t0 = NaN; q0 = NaN; crossings = 0
   stats data using (cross(column("time_s"), column("q1_m"))) nooutput
   f_q = (crossings - 1)/(last - first); f = number("run", "rolling_onset_speed_Hz")
-  set title sprintf("{/:Bold %s}: q_1 has %.1f Hz in %d periods, less f = %.1f Hz at the onset: %.1f Hz; {/:Normal paper: about 770 Hz}", \
+  set title sprintf("{/:Bold %s}: q_1 has %.1f Hz over %d periods from the onset, less f = %.1f Hz there: %.1f Hz; {/:Normal paper: 770 Hz}", \
     words_of(set), f_q, crossings - 1, f, f_q - f) \
     textcolor rgb tint_of(set) offset 0,-0.5
   eval mark_instant(sprintf("rolling from %.4f s", onset), onset)
@@ -67,7 +67,8 @@ unset label; unset arrow
 eval panel(140 + 200*words(sets), 290 + 200*words(sets))
 set xlabel "against the rotation  ←  frequency, Hz"; set format x "%g"
 eval sprintf("set arrow from -770,graph 0 to -770,graph 1 nohead linestyle %d", published)
-curves(n, step) = sprintf("for [set in from_below] '$spectrum_'.set every ".step." using 1:%d with lines linestyle (is_printed(set) ? 10 : 20) linewidth %g notitle", n, n == 2 ? 2.2 : 1)
+set style line 21 linecolor rgb tint_of("corrected") dashtype (6,4)
+curves(n, step) = sprintf("for [set in from_below] '$spectrum_'.set every ".step." using 1:%d with lines linestyle layer(set) linewidth %g notitle", n, n == 2 ? 2.2 : 1)
 set rmargin at screen 0.54
 set title "{/:Bold Spectrum of O}, in rolling to 29.15 s; thin: in the axes of q_1" \
   textcolor default offset 0,-0.5
@@ -76,7 +77,7 @@ set xtics 50; set ytics 1
 eval "plot [-950:-600] [0:4] ".curves(2, 1).", ".curves(3, 1)
 unset label
 set lmargin at screen 0.6; set rmargin at screen 0.97
-set title "both senses, in the stator's axes" textcolor default offset 0,-0.5
+set title "both senses, in the stator's axes, mm".(words(sets) == 2 ? "; dashed: corrected" : "") textcolor default offset 0,-0.5
 set xlabel "against the rotation  ←  frequency, Hz  →  with it"
 set logscale y; set xtics 500; set ytics 10; unset ylabel
 eval "plot [-1000:1000] [1e-3:10] ".curves(2, 2)

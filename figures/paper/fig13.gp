@@ -37,9 +37,10 @@ do for [set in sets] {
 plot [14.15:14.3] [-180:0] @each_set using "time_s":(column("normal_force_N")/1e3) @layered
 
 unset label; unset arrow; unset xlabel; unset ylabel; unset xtics; unset grid
-eval panel(0.86, 0.98, 0.1, 0.76)
-set ytics 50 format "%g %%"
-set label "draws that roll,\nof inputs that\nprint the same" at screen 0.98,screen 0.86 right
+eval panel(0.83, 0.94, 0.1, 0.76)
+unset ytics
+set y2range [0:100]; set y2tics 50 format "%g %%"
+set label "draws that roll,\nof inputs that\nprint the same" at screen 0.94,screen 0.87 right
 do for [i = 1:words(sets)] {
   equations = word(sets, i)
   stats reference_data."/ensembles.csv" using (share("rolls_75", "b")) name "draws" nooutput

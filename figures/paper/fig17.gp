@@ -1,6 +1,6 @@
 # rho near the critical speed, with and without mass loss.
 set title caption(17, "Displacement ρ of O near the critical speed", \
-  "Graph a: ".loss("a")."; Graph b, dashed: ".loss("b")."; ".dotted("a"))
+  "Graph a: ".loss("a")."; Graph b, dashed: ".loss("b").(words(sets) == 2 ? ", both coincide; " : "; ").dotted("a"))
 t_1 = number("a", "mass_loss_time")
 paper_Hz = 11.8                                    # and when the run reaches it
 set xlabel "t, s"

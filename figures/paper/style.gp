@@ -34,6 +34,7 @@ set style line published linecolor rgb paper_tint linewidth 1.2 dashtype (6, 7)
 set style line clearance linecolor rgb event_tint linewidth 1.2 dashtype (1, 5)
 set style line event linecolor rgb event_tint linewidth 0.6
 set style line lost pointtype 2 pointsize 1.2 linecolor rgb event_tint linewidth 2
+set style arrow 5 head filled size screen 0.016,18,90 fixed linecolor rgb event_tint linewidth 1    # a sense
 set style line law linecolor rgb law_tint linewidth 1.6
 outcome_code(outcome) = 7 + sum [k = 1:7] (outcome eq outcome_name[k] ? k - 8 : 0)    # of none: no result
 share_palette = sprintf("set palette defined (0 '#f4f4f4', 1 '%s'); set cbrange [0:1]", outcome_tint[6])

@@ -10,8 +10,11 @@ less(a, b) = a < b ? a : b
 lines = 1 + sum [k = 1:strlen(conditions)] (conditions[k:k] eq "\n")
 if (heading eq "") { heading = "Normal force, speed, displacement and orbit of O" }
 
-# A run has the colour of its equations, or black if they are corrected in part; several of a set shades and dashes of it.
-earlier(i) = (of("equations", i) eq "mixed") + sum [k = 1:i] (k < i && of("equations", k) eq of("equations", i))
+# A run has the colour of its equations, or black if they are corrected in part; several of a set shades and dashes of it,
+# the darker the larger the force.
+peak(i) = (peak_N = of("peak_normal_force_N", i), peak_N == peak_N ? peak_N : 0)
+earlier(i) = (of("equations", i) eq "mixed") + sum [k = 1:runs] (of("equations", k) eq of("equations", i) && \
+  (k < i ? peak(k) >= peak(i) : peak(k) > peak(i)))
 alike(i) = sum [k = 1:runs] (of("equations", k) eq of("equations", i))
 tint(i) = of("equations", i) eq "mixed" ? event_tint : tint_of(of("equations", i))
 array dashes[4] = ["solid", "(9,5)", "(3,3)", "(9,3,2,3)"]
@@ -51,13 +54,18 @@ show(a, b, n, room) = changes(a, b) ? fit(a, b, n, room) : fit(a - around(a), b 
 axis(c, from, to) = sprintf("set %srange [%.17g:%.17g]; set %stics %.17g; set format %s '%s'", \
   c, from - 1e-5*(to - from), to + 1e-5*(to - from), c, step, c, form)    # rounding must cut nothing off
 
-# The limits of all runs' data and clearances.
+# The limits of all runs' data and clearances, and an arrow where each orbit ends.
+array ending[runs]
+keep(x, y) = (!places || x != x_2 || y != y_2 ? (places = places + 1, x_1 = x_2, y_1 = y_2, x_2 = x, y_2 = y) : 0, x)
 do for [i = 1:runs] {
   do for [c in "time_s normal_force_N speed_Hz rho_m x_a_m y_a_m"] {
     stats data(i, c eq "time_s" ? "speed_Hz" : c eq "y_a_m" ? "x_a_m" : c) using (column(c)) name "its" nooutput
     eval sprintf("least_%s = i > 1 ? less(least_%s, its_min) : its_min", c, c)
     eval sprintf("most_%s = i > 1 ? greater(most_%s, its_max) : its_max", c, c)
   }
+  places = 0; x_2 = 0; y_2 = 0
+  stats data(i, "x_a_m") using (keep(1e3*column("x_a_m"), 1e3*column("y_a_m"))) nooutput
+  ending[i] = places > 1 ? sprintf("set arrow from %.17g,%.17g to %.17g,%.17g arrowstyle 5 front", y_1, x_1, y_2, x_2) : ""
   widest_gap = i > 1 ? greater(widest_gap, gap(i)) : gap(i)
   least_gap = i > 1 ? less(least_gap, gap(i)) : gap(i)
 }
@@ -119,6 +127,8 @@ do for [i = 1:runs] {
   set xlabel "y_a, mm"
   if (runs > 1) { set title shortened(greek(of("run", i)), int(less(36, cell/8.8))) offset 0,-0.7 noenhanced font small textcolor linetype i }
   eval panel(x, x + (runs > 1 ? side : 0.5*wide - right - left), y, y + side)
+  unset arrow
+  eval ending[i]
   plot data(i, "x_a_m") using (column("y_a_m")*1e3):(column("x_a_m")*1e3) with lines linetype i dashtype solid, \
     gap(i)*cos(t), gap(i)*sin(t) with lines linestyle clearance
 }

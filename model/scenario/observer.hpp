@@ -146,21 +146,27 @@ class NextMaximum {
   void on_instant(const BasicInstant<S>& at) {
     if (!is_awaited()) return;
     const S force = at.contact_force(ring_, at.motion());
+    largest_ = std::max(largest_, force);
     if (last_force_) {
-      const S change = force - *last_force_, least = S(1e-9) * *last_force_;  // rounding does less
+      const S change = force - *last_force_, least = rounding() * *last_force_;
       found_ = rises_ && change < -least;
       rises_ = rises_ || change > least;
     }
     last_force_ = force;
   }
   void on_maximum(const BasicMaximum<S>& maximum) {
-    if (maximum.of == Extreme::normal_force && awaited_) found_ = true;
+    if (maximum.of == Extreme::normal_force && awaited_ && maximum.value > rounding() * largest_)
+      found_ = true;
   }
 
  private:
+  /// More than rounding changes a force by, where a contact begins or ends, too.
+  static S rounding() { return S(1e-9); }
+
   Ring<S> ring_;
   bool awaited_ = false, found_ = false, rises_ = false;
   std::optional<S> last_force_;
+  S largest_{0};
 };
 
 }  // namespace rotor

@@ -34,5 +34,5 @@ unset border; unset tics; unset xlabel; unset ylabel; unset logscale
 set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen 0.06
 set key at screen 0.5, screen 0.03 center center maxrows 2 Left reverse
 plot [0:1] [0:1] for [k = 1:words(entries)] \
-  keyentry with points pointtype mark[k] linecolor rgb tint[k] title word(entries, k), NaN notitle
+  keyentry with points pointtype mark[k] linecolor rgb tint[k] title word(entries, k).(k == 1 ? ", ours" : ""), NaN notitle
 unset multiplot

@@ -51,6 +51,7 @@ class PlotSweep : public CommandLine {
     EXPECT_EQ(status, 0) << output;
     DrawnPicture drawn(content("s.svg"));
     EXPECT_EQ(drawn.clipped, std::vector<std::string>());
+    EXPECT_EQ(drawn.overlapping, std::vector<std::string>());
     return drawn;
   }
 

@@ -117,6 +117,21 @@ TEST_F(Plot, DrawsARunInTheColourOfItsEquations) {
   }
 }
 
+// Of several runs of a set that with the largest force has the set's colour, wherever it stands;
+// each orbit ends in an arrow.
+TEST_F(Plot, DrawsTheRunWithTheLargestForceDarkest) {
+  write("s.toml",
+        "[parameters]\nstart_speed_Hz = 150\nuntil = 0.05\n[[run]]\nname = \"weak\"\nfriction = "
+        "0.08\n[[run]]\nname = \"strong\"\n");
+  ASSERT_EQ(rotor("plot s.toml").status, 0);
+  const auto titles =
+      matches(content("s.svg"), "fill=\"rgb\\((\\d+),[^>]*>\\s*<text[^>]*>(weak|strong)</text>");
+  ASSERT_EQ(titles.size(), 2U);
+  EXPECT_EQ(titles[1][2], "strong");
+  EXPECT_LT(std::stoi(titles[1][1]), std::stoi(titles[0][1]));
+  EXPECT_EQ(matches(content("s.svg"), "<polygon").size(), 2U);
+}
+
 // In ten times the time that a picture shows, curves of the same look have hardly more corners.
 TEST_F(Plot, DrawsNoMoreThanItsPixelsShow) {
   write("s.toml",

@@ -49,8 +49,8 @@ Json drawn(const Frame& frame, const Parameters& p) {
   return {{"x", place(x)},
           {"y", place(y)},
           {"radius", place(radius)},
-          {"mark_x", place(x + 0.86 * radius * std::sin(frame.q3_rad))},
-          {"mark_y", place(y + 0.86 * radius * std::cos(frame.q3_rad))},
+          {"lost_x", place(x - 0.92 * radius * std::sin(frame.q3_rad))},  // opposite to C
+          {"lost_y", place(y - 0.92 * radius * std::cos(frame.q3_rad))},
           {"k_x", place(kx)},
           {"k_y", place(ky)},
           {"force_x", place(kx + fx)},
@@ -91,6 +91,8 @@ Json accident_json() {
   for (const auto& [title, frame] : moments(frames, p.mass_loss_time)) {
     Json still = drawn(frame, p);
     still["title"] = title;
+    still["has_piece"] = frame.time_s < p.mass_loss_time;
+    still["leaves"] = frame.time_s == p.mass_loss_time;
     still["left"] = 244 * all.size();                                                 // in a row
     const double after_us = std::round(1e6 * (frame.time_s - p.mass_loss_time)) + 0;  // no -0
     still["after_loss"] = fmt::format("{:.2f}", after_us / 1e3);
@@ -100,6 +102,7 @@ Json accident_json() {
   }
   return {{"stills", all},
           {"tint", sets_in_words[0].light},
+          {"words", std::string(sets_in_words[0].words)},
           {"enlarged", fmt::format("{:g}", enlarged)}};
 }
 

@@ -17,6 +17,8 @@ std::string inline_svg(std::string svg, const std::string& name) {
                  "<g transform=\"translate\\(([^,]*),([^)]*)\\)\" stroke=\"none\"([^>]*)>\\s*<text "
                  "?>([^<]*)</text>\\s*</g>",
                  "<text x=\"$1\" y=\"$2\"$3>$4</text>");
+  const std::string size = matches(svg, " font-size=\"[^\"]*\"").at(0).at(0);
+  svg = replaced(svg, "(<(?:g|text) [^>]*)" + size, "$1");
   svg = replaced(svg, " id=\"gnuplot_[^\"]*\"", "");
   svg = replaced(svg, "id='([^']*)'", "id='" + name + "-$1'");
   svg = replaced(svg, "href='#([^']*)'", "href='#" + name + "-$1'");
@@ -24,7 +26,8 @@ std::string inline_svg(std::string svg, const std::string& name) {
   svg = replaced(svg, "<svg[^>]*viewBox=\"([^\"]*)\"[^>]*>",
                  "<svg viewBox=\"$1\" xmlns=\"http://www.w3.org/2000/svg\" "
                  "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
-                 "font-family=\"DejaVu Sans, sans-serif\">");
+                 "font-family=\"DejaVu Sans, sans-serif\"" +
+                     size + ">");
   return replaced(svg, "[ \t]*\n\\s*", "\n");
 }
 

@@ -25,6 +25,7 @@ class DrawnPictures : public CommandLine {
     EXPECT_EQ(output, "");
     const DrawnPicture picture(content("a.svg"));
     EXPECT_EQ(picture.clipped, std::vector<std::string>());
+    EXPECT_EQ(picture.overlapping, std::vector<std::string>());
     EXPECT_EQ(picture.hiding, std::vector<std::string>());
     EXPECT_FALSE(has(content("a.svg"), "<title>"));  // gnuplot's, not the figure's
     if (std::getenv("ROTOR_APPROVE"))

@@ -95,17 +95,15 @@ test("curves are in the units of their axes", () => {
     y_a_m: [0, 4e-3],
   };
   const curves = Object.fromEntries(
-    panels.flatMap(({ unit, curves: of }) =>
-      of.map((curve) => [
-        `${curve.label}, ${unit}`,
-        curve.of({ motion }).map((value) => value + 0),
-      ]),
-    ),
+    panels.map(({ title, unit, curves: [curve] }) => [
+      `${title}, ${unit}`,
+      curve.of({ motion }).map((value) => value + 0),
+    ]),
   );
   assert.deepEqual(curves, {
     "normal force, kN": [0, 2],
     "speed, Hz": [150, 149],
-    "distance, mm": [0, 5],
+    "distance of O from the axis, mm": [0, 5],
   });
   const whirling = { summary, motion: { time_s: [], x_a_m: [], y_a_m: [], speed_Hz: [45] } };
   for (let n = 0; n < 40; ++n) {

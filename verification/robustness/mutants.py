@@ -122,8 +122,8 @@ class Change:
 # ---- changes
 
 def masked(text):
-    """The text with blanks for comments, texts and the preprocessor's lines."""
-    return re.sub(r'//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|^[ \t]*#[^\n]*',
+    """The text with blanks for comments, texts, the preprocessor's lines and concepts."""
+    return re.sub(r'\bconcept\b[^;{]*(?:;|\{.*?^\};)|//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|^[ \t]*#[^\n]*',
                   lambda m: re.sub(r'[^\n]', ' ', m[0]), text, flags=re.DOTALL | re.MULTILINE)
 
 

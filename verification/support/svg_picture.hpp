@@ -65,24 +65,30 @@ inline double number_of(std::string label) {
   return std::stod(label);
 }
 
-/// Whether a text extends beyond a canvas that starts at 0. Its group states anchor, size and
-/// direction; letters are assumed to be half as wide as high (DejaVu Sans: 0.6 on average).
-inline bool is_clipped(const std::string& group, const std::string& text,
-                       Points::value_type canvas) {
+struct Box {
+  double left, top, right, bottom;
+};
+
+/// The room of a text, of a slanted one its place. Its group states anchor, size and direction;
+/// letters are assumed to be half as wide as high (DejaVu Sans: 0.6 on average).
+inline Box box_of(const std::string& group, const std::string& text) {
   const auto after = [&](std::string_view key) {
     const std::size_t at = group.find(key);
     return at == std::string::npos ? std::string() : group.substr(at + key.size(), 30);
   };
   const auto letters = std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; });
-  const double length = 0.5 * std::stod(after("font-size=\"")) * static_cast<double>(letters);
+  const double size = std::stod(after("font-size=\"")),
+               length = 0.5 * size * static_cast<double>(letters);
   const std::string anchor = after("text-anchor=\"");
-  const double before = anchor.starts_with("start") ? 0 : anchor.starts_with("end") ? 1 : 0.5;
+  const double before = anchor.starts_with("start") ? 0
+                        : anchor.starts_with("end") ? length
+                                                    : length / 2;
   const auto [x, y] = corners(after("translate(")).front();
   if (group.find("rotate(270") != std::string::npos ||
       group.find("rotate(-90") != std::string::npos)
-    return y + before * length > canvas.second || y - (1 - before) * length < 0;
-  return x - before * length < 0 || x + (1 - before) * length > canvas.first || y < 0 ||
-         y > canvas.second;
+    return {x - 0.7 * size, y + before - length, x + 0.2 * size, y + before};
+  if (group.find("rotate(") != std::string::npos) return {x, y, x, y};
+  return {x - before, y - 0.7 * size, x - before + length, y + 0.2 * size};
 }
 
 struct DrawnCurve {
@@ -98,6 +104,7 @@ struct DrawnPicture {
     Points line;  // the last one of the grid; the key may interrupt it
     bool in_curve = false, in_inset = false, y_is_old = false, has_curves = false;
     std::string group;
+    std::vector<Box> boxes;
     const auto between = [&](std::size_t& at, std::string_view begin, std::string_view end) {
       const std::size_t from = svg.find(begin, at) + begin.size();
       at = svg.find(end, from);
@@ -129,7 +136,14 @@ struct DrawnPicture {
         }
       } else if (tag.starts_with("<text")) {
         texts.push_back(without_tags(between(at, ">", "</text>")));
-        if (is_clipped(group, texts.back(), canvas)) clipped.push_back(texts.back());
+        const Box box = box_of(group, texts.back());
+        if (box.left < 0 || box.top < 0 || box.right > canvas.first || box.bottom > canvas.second)
+          clipped.push_back(texts.back());
+        for (std::size_t n = 0; n < boxes.size() && texts.back().size() > 3; ++n)
+          if (std::min(box.right, boxes[n].right) - std::max(box.left, boxes[n].left) > 1 &&
+              std::min(box.bottom, boxes[n].bottom) - std::max(box.top, boxes[n].top) > 1)
+            overlapping.push_back(texts[n] + " and " + texts.back());
+        boxes.push_back(box);
         if (has_curves && group.find("paint-order") != std::string::npos)
           hiding.push_back(texts.back());
         const bool is_level = line.size() >= 2 && line.front().first != line.back().first;
@@ -145,8 +159,9 @@ struct DrawnPicture {
 
   std::vector<DrawnCurve> curves;
   std::vector<std::string> texts;
-  std::vector<std::string> clipped;  ///< texts that reach beyond the canvas
-  std::vector<std::string> hiding;   ///< texts whose white edge is drawn over curves of their panel
+  std::vector<std::string> clipped;      ///< texts that reach beyond the canvas
+  std::vector<std::string> overlapping;  ///< texts over an earlier one; marks do, which are short
+  std::vector<std::string> hiding;  ///< texts whose white edge is drawn over curves of their panel
 };
 
 }  // namespace rotor

@@ -1,5 +1,5 @@
 // The curves over time and their units.
-import { whirlAt } from "./motion.js";
+import { rhoAt, whirlAt } from "./motion.js";
 
 const scaled = (column, factor) => column.map((value) => factor * value);
 
@@ -7,13 +7,13 @@ const force = {
   title: "normal force",
   unit: "kN",
   share: 0.4,
-  curves: [{ label: "normal force", of: ({ motion }) => scaled(motion.normal_force_N, -1e-3) }],
+  curves: [{ of: ({ motion }) => scaled(motion.normal_force_N, -1e-3) }],
 };
 const speed = {
   title: "speed",
   unit: "Hz",
   share: 0.25,
-  curves: [{ label: "speed", of: ({ motion }) => motion.speed_Hz }],
+  curves: [{ of: ({ motion }) => motion.speed_Hz }],
 };
 const distance = {
   title: "distance of O from the axis",
@@ -23,12 +23,7 @@ const distance = {
     value: 1e3 * (inputs.stator_radius - inputs.rotor_radius),
     text: "clearance",
   }),
-  curves: [
-    {
-      label: "distance",
-      of: ({ motion }) => motion.x_a_m.map((x, row) => 1e3 * Math.hypot(x, motion.y_a_m[row])),
-    },
-  ],
+  curves: [{ of: ({ motion }) => motion.x_a_m.map((x, row) => 1e3 * rhoAt(motion, row)) }],
 };
 const velocity = {
   title: "velocity: rim, and O backwards",
@@ -43,13 +38,7 @@ const velocity = {
       label: "O",
       dashes: [6, 3],
       of: ({ motion }) =>
-        motion.time_s.map(
-          (time_s, row) =>
-            -2 *
-            Math.PI *
-            whirlAt(motion, time_s) *
-            Math.hypot(motion.x_a_m[row], motion.y_a_m[row]),
-        ),
+        motion.time_s.map((at_s, row) => -2 * Math.PI * whirlAt(motion, at_s) * rhoAt(motion, row)),
     },
   ],
 };

@@ -211,9 +211,23 @@ at("show-accident").addEventListener("click", () => plots.showPart(...accident()
 
 map.showKey(at("map-key"));
 
+// The tabulator stops once at many numbers; arrow keys move on from there.
+for (const group of document.querySelectorAll(".claims-picture, #claims .scroll")) {
+  const rows = [...group.querySelectorAll("a, summary")];
+  for (const row of rows) row.tabIndex = -1;
+  group.addEventListener("keydown", (event) => {
+    const shown = rows.filter((row) => row.checkVisibility()),
+      step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    (shown[shown.indexOf(event.target) + step] ?? group).focus();
+  });
+}
+
 // A phone shows the names of figures first; a link opens its target, and whatever that is in.
-if (matchMedia("(max-width: 48rem)").matches)
-  for (const folded of document.querySelectorAll(".card")) folded.open = false;
+for (const card of document.querySelectorAll(".card"))
+  if (matchMedia("(max-width: 40rem)").matches) card.open = false;
+  else card.firstElementChild.tabIndex = -1;
 function openTarget() {
   const target = at(location.hash.slice(1));
   const inside =

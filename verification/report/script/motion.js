@@ -29,13 +29,14 @@ export function stateAt(motion, time_s) {
   return now;
 }
 
+/// The distance of O from the ring's centre, m.
+export const rhoAt = ({ x_a_m, y_a_m }, row) => Math.hypot(x_a_m[row], y_a_m[row]);
+
 /// Turns of O per second about the ring's centre, positive with the rotation (from x_a to y_a).
 export function whirlAt(motion, time_s) {
   const about_s = 5e-5; // a small part of a turn
-  const [{ x_a_m: x, y_a_m: y }, { x_a_m: x1, y_a_m: y1 }] = [
-    time_s - about_s,
-    time_s + about_s,
-  ].map((at) => stateAt(motion, at));
+  const { x_a_m: x, y_a_m: y } = stateAt(motion, time_s - about_s);
+  const { x_a_m: x1, y_a_m: y1 } = stateAt(motion, time_s + about_s);
   return Math.atan2(x * y1 - y * x1, x * x1 + y * y1) / (4 * Math.PI * about_s);
 }
 
@@ -50,7 +51,7 @@ export function climaxOf({ summary, events, motion, mass_loss_s: loss_s }) {
   let best = motion.time_s.length - 1,
     most = -1;
   motion.time_s.forEach((time_s, row) => {
-    const rho = Math.hypot(motion.x_a_m[row], motion.y_a_m[row]);
+    const rho = rhoAt(motion, row);
     if (time_s >= loss_s && rho > most) [best, most] = [row, rho];
   });
   return motion.time_s[best];

@@ -8,15 +8,10 @@ const inSeconds = (time_s) => `${time_s.toFixed(4)} s`;
 
 export function sentence(summary) {
   const parts = [`The rotor ${outcomes[summary.outcome]}.`];
-  const {
-    touch_downs: touchDowns,
-    first_contact_s,
-    rolling_onset_s,
-    peak_normal_force_N,
-  } = summary;
-  if (touchDowns > 0)
+  const { touch_downs: count, first_contact_s, rolling_onset_s, peak_normal_force_N } = summary;
+  if (count > 0)
     parts.push(
-      `It touches down ${touchDowns === 1 ? "once" : `${touchDowns} times`}, first at ` +
+      `It touches down ${count === 1 ? "once" : `${count} times`}, first at ` +
         inSeconds(first_contact_s) +
         (peak_normal_force_N === null
           ? "."

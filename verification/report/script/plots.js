@@ -126,12 +126,9 @@ export class Plots {
     ctx.fillStyle = colour("text");
     ctx.fillRect(x - 0.75, top, 1.5, height - top - bottom);
     ctx.beginPath();
-    for (const [dx, dy] of [
-      [-6, -9],
-      [6, -9],
-      [0, 0],
-    ])
-      ctx.lineTo(x + dx, top + dy);
+    ctx.moveTo(x - 6, top - 9);
+    ctx.lineTo(x + 6, top - 9);
+    ctx.lineTo(x, top);
     ctx.fill();
   }
 

@@ -45,11 +45,8 @@ export class RotorView {
     paintRing(ctx, ring);
     paintRotor(ctx, centre, radius, now.q3_rad, loses && (lost ? "lost" : "held"));
     const behind = [];
-    for (
-      let row = rowAt(motion.time_s, this.#time_s - trail_s);
-      row < rowAt(motion.time_s, this.#time_s);
-      ++row
-    )
+    const last = rowAt(motion.time_s, this.#time_s);
+    for (let row = rowAt(motion.time_s, this.#time_s - trail_s); row < last; ++row)
       behind.push(at({ x_a_m: motion.x_a_m[row], y_a_m: motion.y_a_m[row] }));
     const ink = summary.equations; // the colour of what the run does
     paintTrail(ctx, [...behind, centre], ink);
@@ -160,13 +157,8 @@ function paintTurn(ctx, [x, y], radius, sense, name, text, ink, begin = 0) {
 
 /// The ring's force on the rotor: inwards, and along the rim by friction (positive in the sense of
 /// q3).
-function paintForce(
-  ctx,
-  { x_a_m, y_a_m, normal_force_N: normal, friction_force_N: friction },
-  ring,
-  peak_N,
-  ink,
-) {
+function paintForce(ctx, now, ring, peak_N, ink) {
+  const { x_a_m, y_a_m, normal_force_N: normal, friction_force_N: friction } = now;
   const rho = Math.hypot(x_a_m, y_a_m),
     n = [y_a_m / rho, x_a_m / rho];
   const scale = (0.75 * ring) / Math.max(peak_N, full_N),

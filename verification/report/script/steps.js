@@ -115,7 +115,7 @@ class Stage {
     this.#plots.panels = [{ ...stepPanels[panel], reaches }];
     this.#curve.ariaLabel = `${stepPanels[panel].title} over time`;
     this.#plots.show(compares ? [picture, corrected] : [picture], part, part[0]);
-    this.#key.hidden = !compares;
+    this.#key.lastElementChild.hidden = !compares;
     this.#rotor.picture = picture;
   }
   goTo(time_s) {
@@ -144,16 +144,10 @@ export function showSteps(recorded) {
     const reaches = step.reaches?.(step.cases.flatMap(inAll));
     const stops = step.stops ?? step.cases?.map((of) => step.names(recorded.answer(of)));
     if (step.cases) input.max = input.value = stops.length - 1;
-    if (stops) {
-      // below the slider; the words beside the control have them
-      const all = stops.map((name) =>
-        Object.assign(document.createElement("span"), { textContent: name }),
-      );
-      input.after(
-        Object.assign(document.createElement("span"), { className: "stops", ariaHidden: "true" }),
-      );
-      input.nextElementSibling.append(...all);
-    }
+    // Below the slider; the words beside the control have them.
+    const names = stops?.map((name) => `<span>${name}</span>`).join("");
+    const row = `<span class="stops" aria-hidden="true">${names}</span>`;
+    if (stops) input.insertAdjacentHTML("afterend", row);
     const goTo = (time_s) => {
       for (const stage of [shared, own]) stage.goTo(time_s);
       output.textContent = step.says(

@@ -26,4 +26,4 @@ export const results = {
  "final_time_s": "end of the run",
  "final_speed_Hz": "speed at the end"
 };
-export const lines = [{"width":2.0,"dashes":[],"words":"closed forms: border of contact"},{"width":1.6,"dashes":[5,4],"words":"limit of possible contact"},{"width":1.6,"dashes":[1,4],"words":"steady response reaches the ring"},{"width":1.6,"dashes":[14,4],"words":"limit of lasting forward rub"},{"width":1.6,"dashes":[10,4,2,4],"words":"limit of backward whirl by rebounds"},{"width":1.6,"dashes":[14,4,2,4,2,4],"words":"largest force of 300 kN"}];
+export const lines = [{"width":2.0,"dashes":[],"words":"closed forms: border of contact"},{"width":1.6,"dashes":[5,4],"words":"upper bound of the swing reaches the ring"},{"width":1.6,"dashes":[1,4],"words":"steady response reaches the ring"},{"width":1.6,"dashes":[14,4],"words":"friction up to which forward rub lasts"},{"width":1.6,"dashes":[10,4,2,4],"words":"friction from which rebounds lead to backward whirl"},{"width":1.6,"dashes":[14,4,2,4,2,4],"words":"largest force of 300 kN"}];
