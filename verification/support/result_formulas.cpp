@@ -352,7 +352,9 @@ constexpr auto result_formulas = std::to_array<ResultFormula>({
      [](const Record& r) {
        Value force = r.column("bearing_force_N", r.largest(&Sample::bearing_force,
                                                            [](const Sample&) { return true; }));
-       force.error = rounding * r.p.support_stiffness * std::abs(offset(r.p));  // a difference
+       // A difference, of places that are turned by an angle which is known to its rounding.
+       force.error = rounding * std::max(1., std::abs(r.last().at.state[2])) *
+                     r.p.support_stiffness * std::abs(offset(r.p));
        return force;
      }},
     {"whirl_frequency_Hz", whirl_frequency},
