@@ -503,8 +503,11 @@ void plot_sweep(const PlotOptions& options) {
   if (options.drafts.empty()) require_picture(out, options.file);
   ResultHeads heads{head};
   if (const std::string other = heads_of(sweep).sections; !other.empty() && !is_map && !is_sample) {
-    const auto end_of_provenance = [](const std::string& of) { return of.rfind('\n', of.size() - 2) + 1; };
-    heads.sections = head.substr(0, end_of_provenance(head)) + other.substr(end_of_provenance(other));  // of any version
+    const auto end_of_provenance = [](const std::string& of) {
+      return of.rfind('\n', of.size() - 2) + 1;
+    };
+    heads.sections = head.substr(0, end_of_provenance(head)) +
+                     other.substr(end_of_provenance(other));  // of any version
   }
   read_rows(options.file, heads, results);
   std::string settings =

@@ -37,7 +37,7 @@ class SweepRows {
   std::string operator()(long n);
 
  private:
-  std::string results(const SweepPoint& point, const std::string& varied, std::string& section);
+  std::string results(const SweepPoint& point, const std::string& start, std::string& section);
 
   const Sweep& sweep_;
   SweepPoints points_;
