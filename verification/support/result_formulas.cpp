@@ -353,8 +353,10 @@ constexpr auto result_formulas = std::to_array<ResultFormula>({
        Value force = r.column("bearing_force_N", r.largest(&Sample::bearing_force,
                                                            [](const Sample&) { return true; }));
        // A difference, of places that are turned by an angle which is known to its rounding.
-       force.error = rounding * std::max(1., std::abs(r.last().at.state[2])) *
-                     r.p.support_stiffness * std::abs(offset(r.p));
+       force.error =
+           rounding * std::max(1., std::abs(r.last().at.state[2])) *
+           (r.p.support_stiffness + r.p.support_damping * std::abs(r.last().at.state[5])) *
+           std::abs(offset(r.p));
        return force;
      }},
     {"whirl_frequency_Hz", whirl_frequency},
