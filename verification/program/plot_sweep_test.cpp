@@ -159,7 +159,7 @@ TEST_F(PlotSweep, DrawsACurveForEachCombinationOfTheOtherAxes) {
     EXPECT_TRUE(shows(drawn, text)) << text;
 }
 
-// Of each outcome the bars have as many percent as there are draws.
+// Of each outcome the bars have as many percent as there are draws, and each value is in one.
 TEST_F(PlotSweep, DrawsAHistogramOfASample) {
   sweep("start_speed_Hz = 150\n" + sets_ + sample_);
   draft();
@@ -183,6 +183,16 @@ TEST_F(PlotSweep, DrawsAHistogramOfASample) {
       if (column == "3") continue;
       for (const auto& [code, percent] : wanted) EXPECT_NEAR(found[code], percent, 1e-6);
     }
+  }
+  for (const CsvRow& row : rows) {
+    const double force = static_cast<double>(row.number("peak_force_to_rolling_N")) / 1e3,
+                 digits = 1e-6 * force;
+    const auto bars =
+        drafts(row["equations_varied"] == "corrected" ? "bars1-2.csv" : "bars2-2.csv");
+    EXPECT_TRUE(std::ranges::any_of(bars, [&](const auto& bar) {
+      return std::stod(bar[0]) <= force + digits && std::stod(bar[1]) >= force - digits &&
+             std::stoi(bar[4]) == code_of(row["outcome"]);
+    })) << force;
   }
   EXPECT_TRUE(shows(picture(), "Sample of friction"));
 }
