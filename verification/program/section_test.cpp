@@ -171,6 +171,7 @@ TEST_F(Sections, OfASweepAreKeptJoinedAndResumed) {
   };
   for (const char* part : {"1/2", "2/2"})
     ASSERT_EQ(rotor(fmt::format("sweep s.toml --part {}", part)).status, 0);
+  write("s.1-of-9.png", "not a part");
   EXPECT_EQ(rotor("sweep s.toml --join").status, 0);
   expect_whole("s.csv", "s-sections.csv");
   // A point is refused still, the others are kept with their sections.
