@@ -11,7 +11,7 @@ do for [paper in "4000 3000 1050"] {
   eval level(real(paper), published).says("paper: ".(paper eq "3000" ? "4000 − 1000" : paper)." J", \
     paper eq "1050" ? 0.99 : 0.01, real(paper), paper eq "1050" ? "right offset 0,-1" : "offset 0,0.7")
 }
-eval table(0.02, 0.64,  20)                        # its rows are between the lines
+eval table(0.02, 0.64, 20)                         # its rows are between the lines
 eval row(1, "at the mass loss", "4000 J"); eval row(2, "after it", "")
 eval row(3, "lost in collisions", "1000 J"); eval row(4, "lost in sliding", "1950 J")
 eval row(5, "left at the onset of rolling", "1050 J"); eval row(6, "left at the largest force", "")

@@ -108,6 +108,21 @@ CLI::Validator whole_number() {
           ""};
 }
 
+/// An option that is a whole number from 1 on.
+template <class Number>
+CLI::Option* add_count(CLI::App& command, const char* option, Number& into, long most,
+                       const char* meaning) {
+  return command.add_option(option, into, meaning)
+      ->transform(whole_number())
+      ->check({[most](const std::string& text) -> std::string {
+                 const long number = std::stol(text);
+                 return number >= 1 && number <= most
+                            ? ""
+                            : fmt::format("must be from 1 to {}, not {}", most, number);
+               },
+               "", ""});
+}
+
 /// An option whose text is a name, and not empty.
 CLI::Option* add_name(CLI::App& command, const char* option, std::string& into, const char* meaning,
                       const char* what = "a file") {
@@ -182,15 +197,7 @@ void add_options(CLI::App& command, SweepOptions& options) {
       ->required();
   add_name(command, "--out", options.out,
            "results, one row per point (default: the file's name with .csv)");
-  command.add_option("--jobs", options.jobs, "threads (default: one per core)")
-      ->transform(whole_number())
-      ->check({[](const std::string& text) -> std::string {
-                 const long jobs = std::stol(text);
-                 return jobs >= 1 && jobs <= 4096
-                            ? ""
-                            : fmt::format("must be from 1 to 4096, not {}", jobs);
-               },
-               "", ""});
+  add_count(command, "--jobs", options.jobs, 4096, "threads (default: one per core)");
   add_seconds(command, "--budget", options.budget_s,
               "time allowed for each point, instead of the file's budget")
       ->default_str(fmt::format("none; {} with digits", usual_budget_s));
@@ -300,10 +307,9 @@ void add_options(CLI::App& command, RunOptions& options) {
       command, "--section", options.section,
       "at constant speed, write position, velocity and normal force once a turn, when e_x points "
       "down, in the last turns to this CSV file, and add to the summary after how many turns the "
-      "position repeats, and its orders: parts at 1/3 to 2 times the rotation");
-  command.add_option("--section-turns", options.section_turns, "how many of the last turns it has")
-      ->type_name("N")
-      ->check(CLI::Range(1L, Section::most_turns).description(""))
+      "motion repeats, and its orders: parts at 1/3 to 2 times the rotation");
+  add_count(command, "--section-turns", options.section_turns, Section::most_turns,
+            "how many of the last turns it has")
       ->capture_default_str()
       ->needs(section);
   add_text(

@@ -97,6 +97,12 @@ std::string head_in(const std::string& file) {
   return start.substr(0, end == std::string::npos ? start.size() : end + 1);
 }
 
+/// The names of columns in a head.
+std::string_view last_line_of(std::string_view head) {
+  if (head.ends_with('\n')) head.remove_suffix(1);
+  return head.substr(head.rfind('\n') + 1);
+}
+
 void read_rows(const std::string& file, const ResultHeads& heads, Results& into) {
   const Sweep& sweep = into.sweep;
   std::vector<std::size_t> places;
@@ -104,7 +110,9 @@ void read_rows(const std::string& file, const ResultHeads& heads, Results& into)
   const std::size_t fields = place_of(sweep.columns.back(), sweep).value() + 2;  // and the refusal
   const std::optional<std::size_t> outcome = place_of("outcome", sweep);
   const std::optional<std::size_t> remarks = place_of("remarks", sweep);
-  const std::size_t place_in_section = 1 + sweep.quantities().size() + 1;  // point, varied, time
+  const std::vector<std::string> in_head = csv_cells(last_line_of(heads.sections));
+  const auto x_a = static_cast<std::size_t>(std::find(in_head.begin(), in_head.end(), "x_a_m") -
+                                            in_head.begin());
   long points = 0;
   std::string fault;  // of the first row with one
   const auto see = [&](std::string_view line) {
@@ -121,9 +129,8 @@ void read_rows(const std::string& file, const ResultHeads& heads, Results& into)
     if (remarks && !cells[*remarks].empty()) ++into.remarked;
     if (sweep.section_turns) into.x_once_a_turn.emplace_back();
     for (const std::string_view row : point.section) {
-      const std::vector<std::string> in_section = csv_cells(row);
-      const std::string cell =
-          in_section.size() > place_in_section ? in_section[place_in_section] : "";
+      const std::vector<std::string> turn = csv_cells(row);
+      const std::string cell = x_a < turn.size() ? turn[x_a] : "";
       const std::optional<double> number = number_in(cell);
       if (!number) refuse("x_a_m", cell, "a number");
       into.x_once_a_turn.back().push_back(1e3 * number.value_or(none));
@@ -503,11 +510,9 @@ void plot_sweep(const PlotOptions& options) {
   if (options.drafts.empty()) require_picture(out, options.file);
   ResultHeads heads{head};
   if (const std::string other = heads_of(sweep).sections; !other.empty() && !is_map && !is_sample) {
-    const auto end_of_provenance = [](const std::string& of) {
-      return of.rfind('\n', of.size() - 2) + 1;
-    };
-    heads.sections = head.substr(0, end_of_provenance(head)) +
-                     other.substr(end_of_provenance(other));  // of any version
+    heads.sections = head;  // perhaps of another version
+    heads.sections.replace(head.size() - last_line_of(head).size() - 1, std::string::npos,
+                           std::string(last_line_of(other)) + '\n');
   }
   read_rows(options.file, heads, results);
   std::string settings =

@@ -15,9 +15,11 @@ const std::vector<SectionValue>& section_values() {
       {"section_turns", "The number of turns in the section", "integer",
        [](const SectionSummary& s) { return Json(s.turns); }},
       {"repeats_after_turns",
-       "After how many turns position and velocity of O come back, in all turns of the section, to "
-       "within a millionth of the clearance, and of the clearance times the speed; null if after "
-       "none up to 64, or half of the turns",
+       fmt::format(
+           "After how many turns position and velocity of O come back, in all turns of the "
+           "section, to within a millionth of the clearance, and of the clearance times the "
+           "speed; null if after none up to {}, or half of the turns",
+           SectionSummary::longest_period),
        "integer",
        [](const SectionSummary& s) {
          return s.repeats_after_turns ? Json(*s.repeats_after_turns) : Json();
@@ -71,7 +73,7 @@ Json section_schema() {
   };
   Json values, of_orders;
   for (const SectionValue& value : section_values())
-    values[std::string(value.key)] = described(value.type, std::string(value.meaning));
+    values[std::string(value.key)] = described(value.type, value.meaning);
   for (const OrderValue& value : order_values)
     of_orders[fmt::format("^order_.*_{}$", value.ending)] = described(
         "number", fmt::format("{} at the order o of the rotation, 1_2 for 1/2", value.meaning));

@@ -35,7 +35,9 @@ inline constexpr auto order_values = std::to_array<OrderValue>({
 
 /// A key besides those of orders.
 struct SectionValue {
-  std::string_view key, meaning, type;  ///< in JSON schema, besides null
+  std::string_view key;
+  std::string meaning;
+  std::string_view type;  ///< in JSON schema, besides null
   Json (*of)(const SectionSummary&);
 };
 const std::vector<SectionValue>& section_values();

@@ -53,11 +53,11 @@ void Simulation::run_to_end(Observer& observer) {
 }
 
 Simulation Simulation::branch(const Scenario& scenario) const {
-  Simulation branch = *this;
-  branch.state_->scenario = scenario;
-  branch.state_->method =
+  Simulation other = *this;
+  other.state_->scenario = scenario;
+  other.state_->method =
       state_->visit([&](auto& method) -> AnyMethod { return method.branch(scenario); });
-  return branch;
+  return other;
 }
 
 const Instant& Simulation::instant() const {

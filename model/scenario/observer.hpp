@@ -148,25 +148,25 @@ class NextMaximum {
     const S force = at.contact_force(ring_, at.motion());
     largest_ = std::max(largest_, force);
     if (last_force_) {
-      const S change = force - *last_force_, least = rounding() * *last_force_;
-      found_ = rises_ && change < -least;
-      rises_ = rises_ || change > least;
+      const S change = force - *last_force_;
+      found_ = rises_ && change < -rounding();
+      rises_ = rises_ || change > rounding();
     }
     last_force_ = force;
   }
   void on_maximum(const BasicMaximum<S>& maximum) {
-    if (maximum.of == Extreme::normal_force && awaited_ && maximum.value > rounding() * largest_)
+    if (maximum.of == Extreme::normal_force && awaited_ && maximum.value > rounding())
       found_ = true;
   }
 
  private:
-  /// More than rounding changes a force by, where a contact begins or ends, too.
-  static S rounding() { return S(1e-9); }
+  /// More than rounding makes of a force, also of none where a contact begins or ends.
+  S rounding() const { return S(1e-9) * largest_; }
 
   Ring<S> ring_;
   bool awaited_ = false, found_ = false, rises_ = false;
   std::optional<S> last_force_;
-  S largest_{0};
+  S largest_{0};  ///< of the instants so far
 };
 
 }  // namespace rotor

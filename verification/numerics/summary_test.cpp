@@ -176,5 +176,25 @@ TEST(Summary, HasTheEndOfTheLastRollingAlone) {
   EXPECT_EQ(observer.summary().touch_downs_to_rolling, 1);
 }
 
+// As where a contact ends, and a graze begins and ends.
+TEST(NextMaximum, IsNoneOfRounding) {
+  const Scenario scenario;
+  const Ring<double> ring(scenario.parameters);
+  NextMaximum<double> maximum(scenario);
+  const auto pressed_by = [&](double indentation) {
+    Instant at;
+    at.state[0] = ring.clearance + indentation;
+    at.contact = indentation > 0 ? ContactState::sliding : ContactState::free;
+    maximum.on_instant(at);
+  };
+  maximum.await();
+  for (const double indentation : {1e-4, 1e-6, 0., 1e-16, 0., 1e-15, 1e-17})
+    pressed_by(indentation);
+  maximum.on_maximum({Extreme::normal_force, 1e-8, {}});
+  EXPECT_FALSE(maximum.is_found());
+  for (const double indentation : {1e-6, 1e-7}) pressed_by(indentation);
+  EXPECT_TRUE(maximum.is_found());
+}
+
 }  // namespace
 }  // namespace rotor
