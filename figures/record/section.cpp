@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "model/integration/quadrature.hpp"
+#include "model/results/quadrature.hpp"
 
 namespace rotor {
 

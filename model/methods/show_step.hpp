@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "model/integration/maxima.hpp"
@@ -44,7 +45,19 @@ class DenseOutputOf : public BasicDenseOutput<S> {
   Step& step_;
 };
 
-/// The maxima that an observer wants to see, in order.
+/// Shows an observer those of some maxima that exceed its thresholds, in order.
+template <class S>
+void show_in_order(std::vector<BasicMaximum<S>> found, BasicObserver<S>& observer) {
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.at.time_s < b.at.time_s; });
+  for (const BasicMaximum<S>& maximum : found) {
+    const S& time_s = maximum.at.time_s;
+    if (maximum.value > observer.threshold(maximum.of, time_s, time_s))  // the last may raise it
+      observer.on_maximum(maximum);
+  }
+}
+
+/// The maxima of a step that an observer wants to see, in order.
 template <class S, class Step>
 void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
                  BasicObserver<S>& observer) {
@@ -101,13 +114,7 @@ void show_maxima(Step& step, const BasicInstant<S>& start, const S& until_s,
     from = until;
     left = right;
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.at.time_s < b.at.time_s; });
-  for (const BasicMaximum<S>& maximum : found) {
-    const S& time_s = maximum.at.time_s;
-    if (maximum.value > observer.threshold(maximum.of, time_s, time_s))  // the last may raise it
-      observer.on_maximum(maximum);
-  }
+  show_in_order(std::move(found), observer);
 }
 
 /// Shows an observer what it wants to see of a step from an instant to a time.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "model/integration/quadrature.hpp"
+#include "model/results/quadrature.hpp"
 
 namespace rotor {
 namespace {
