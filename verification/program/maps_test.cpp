@@ -8,6 +8,7 @@
 
 #include "figures/data/read_csv.hpp"
 #include "figures/input/words.hpp"
+#include "model/theory/accident.hpp"
 #include "verification/support/command_line.hpp"
 #include "verification/support/content.hpp"
 #include "verification/support/pattern.hpp"
@@ -35,14 +36,19 @@ class Maps : public CommandLine {
     write("map.csv", csv);
   }
 
-  /// The speeds at which each closed form is written, Hz: the least and the greatest.
-  std::map<std::string, std::pair<double, double>> speeds() const {
+  /// What is written of the closed forms, by speed, friction and panel.
+  std::vector<CsvRow> closed_forms() const {
     EXPECT_EQ(
         shell("'" ROTOR_BUILD "/map-theory' map.toml map.csv | sed 's/^# x/x/' >theory.csv").output,
         "");
     std::istringstream table(replaced(content("theory.csv"), "\n\n+", "\n"));
+    return read_csv(table, "theory");
+  }
+
+  /// The speeds at which each closed form is written, Hz: the least and the greatest.
+  std::map<std::string, std::pair<double, double>> speeds() const {
     std::map<std::string, std::pair<double, double>> all;
-    for (const CsvRow& row : read_csv(table, "theory"))
+    for (const CsvRow& row : closed_forms())
       for (const LineInWords& line : lines_in_words)
         if (row[line.name] != "nan") {
           const auto speed = static_cast<double>(row.number("x"));
@@ -79,6 +85,24 @@ TEST_F(Maps, HaveClosedFormsWhereTheRunsDoWhatTheyAssume) {
     }
     EXPECT_NEAR(found.at(forms.at(low).front()).second, border_Hz, near_Hz) << low;
   }
+}
+
+// What the legend calls "largest force of 300 kN".
+TEST_F(Maps, HaveALineBetweenForcesBelowAndAboveTheOneOfItsWords) {
+  EXPECT_TRUE(has(lines_in_words.back().words, "300 kN"));
+  write_map("rolling", "rolling");
+  const std::vector<CsvRow> rows = closed_forms();
+  long above = 0;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const Parameters p{.torque = 0, .friction = static_cast<double>(rows[n].number("y"))};
+    const Equations set = 2 * n < rows.size() ? Equations::published : Equations::corrected;
+    const auto speed = two_pi * static_cast<double>(rows[n].number("x"));
+    const bool is_above = Accident(p, set, speed).peak_force().value_or(0) > 300e3;
+    EXPECT_EQ(rows[n].number("peak") > 0, is_above) << n;
+    above += is_above ? 1 : 0;
+  }
+  EXPECT_GT(above, 0);
+  EXPECT_LT(above, static_cast<long>(rows.size()));
 }
 
 TEST_F(Maps, RefuseResultsOfOthers) {
@@ -119,10 +143,14 @@ TEST_F(Maps, HaveTheSharesOfTheDrawsAtEachPoint) {
             "published,0.1,4,0.25,0.399785\npublished,0.2,4,1,0.301182\n");
   EXPECT_EQ(statistics("others map.csv map.csv"), "0 % of 8 points\n");
   EXPECT_EQ(statistics("others map.csv other.csv"), "38 % of 8 points\n");
-  EXPECT_TRUE(has(statistics("shares map.toml cut.csv"),
-                  "map-statistics: cut.csv: its last point lacks draws\n"));
-  EXPECT_EQ(statistics("others map.csv cut.csv"),
-            "map-statistics: map.csv and cut.csv must have the same points\n");
+  for (const auto& [of, message] : std::vector<std::pair<std::string, std::string>>{
+           {"shares map.toml cut.csv", "map-statistics: cut.csv: its last point lacks draws\n"},
+           {"others map.csv cut.csv",
+            "map-statistics: map.csv and cut.csv must have the same points\n"}}) {
+    const auto [status, output] = shell("'" ROTOR_BUILD "/map-statistics' " + of);
+    EXPECT_EQ(status, 1);
+    EXPECT_TRUE(has(output, message)) << output;
+  }
 }
 
 }  // namespace

@@ -39,14 +39,22 @@ TEST(ComputeInOrder, PassesEachRowOnOnce) {
   EXPECT_LT(computed_while_slow, 20000);  // memory is bounded
 }
 
+// The other threads take no more work.
 TEST(ComputeInOrder, EndsWithWhatTheWorkThrows) {
   long passed = 0;
-  const auto make = []() -> Work {
-    return [](long n) -> std::string { return n == 500 ? throw std::runtime_error("at 500") : ""; };
+  std::atomic<long> computed = 0;
+  const auto make = [&]() -> Work {
+    return [&](long n) -> std::string {
+      if (n == 500) throw std::runtime_error("at 500");
+      if (n > 500) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ++computed;
+      return "";
+    };
   };
-  EXPECT_THROW(compute_in_order(0, 1000, 2, make, [&](const std::string&) { ++passed; }),
+  EXPECT_THROW(compute_in_order(0, 3000, 2, make, [&](const std::string&) { ++passed; }),
                std::runtime_error);
   EXPECT_LE(passed, 500);
+  EXPECT_LT(computed, 1500);
 }
 
 // With run-ups to a speed, refusals and both methods.
