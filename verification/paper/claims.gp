@@ -12,6 +12,8 @@ shows(set) = strcol("decides") eq "yes" && strcol("equations") eq set
 row_of(set) = shows(set) ? column("row") : NaN
 glyph(verdict) = verdict eq "reproduced" ? "●" : verdict eq "refuted" ? "✖" : "◐"
 within(x) = x < -clip ? -clip : x > clip ? clip : x
+# Of its line of draws. Less than a tenth of a pixel is no line, which gnuplot 6 would draw as a dot.
+length(set) = shows(set) ? within(column("high")) - within(column("low")) : 0
 side(set) = is_printed(set) ? -0.2 : 0.2           # as printed above corrected
 percent(share) = share < 0.995 ? sprintf("%.0f %%", 100*share) : ""
 new_heading(text) = !shows("published") || text eq last_heading ? "" : (last_heading = text, sprintf("{/:Bold %s}", text))
@@ -42,8 +44,8 @@ do for [set in sets_of_claims = "published corrected"] {
 }
 write = "with labels left noenhanced font text"
 plot \
-  for [set in sets_of_claims] data using (within(column("low"))):(row_of(set) + side(set)): \
-    (within(column("high")) - within(column("low"))):(0) with vectors nohead linecolor rgb lighter(tint_of(set), 0.35) linewidth 2.2, \
+  for [set in sets_of_claims] data using (within(column("low"))):(length(set) > 0.003 ? row_of(set) + side(set) : NaN):(length(set)):(0) \
+    with vectors nohead linecolor rgb lighter(tint_of(set), 0.35) linewidth 2.2, \
   for [set in sets_of_claims] data using (abs(column("distance")) <= clip ? column("distance") : NaN):(row_of(set) + side(set)) \
     with points pointtype 7 pointsize 0.38 linecolor rgb tint_of(set), \
   for [set in sets_of_claims] data using (column("distance") > clip ? clip + 0.25 : column("distance") < -clip ? -clip - 0.25 : NaN): \

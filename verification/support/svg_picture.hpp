@@ -155,6 +155,7 @@ struct DrawnPicture {
       }
     }
     std::erase_if(curves, [](const DrawnCurve& curve) { return curve.points.empty(); });
+    std::erase(texts, "");  // which gnuplot 6 leaves out
   }
 
   std::vector<DrawnCurve> curves;
