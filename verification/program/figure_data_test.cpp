@@ -16,9 +16,6 @@
 namespace rotor {
 namespace {
 
-/// Rounding of velocities near 17 m/s: in rolling the slip has nothing else.
-constexpr double rounding = 1e-13;
-
 /// The rows of each run, their columns in the figure's order.
 using Rows = std::vector<std::vector<double>>;
 
@@ -85,6 +82,7 @@ class FigureData : public testing::TestWithParam<Figure> {};
 // may be slightly further off than at them.
 TEST_P(FigureData, IsTheMotionOfItsRuns) {
   const auto& [number, scene] = GetParam();
+  constexpr double rounding = 1e-13;  // of velocities near 17 m/s; slip in rolling is nothing else
   std::map<std::string, Rows> data;
   for (auto& [name, rows] : rows_of(GetParam(), Equations::published)) data[name] = rows;
   for (const SceneRun& scene_run : scene.runs) {
