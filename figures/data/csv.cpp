@@ -42,6 +42,10 @@ std::string csv_head(const std::vector<std::string>& provenance,
   return head + fmt::format("{}\n", fmt::join(headings, ","));
 }
 
+std::size_t start_of_header_row(std::string_view head) {
+  return head.rfind('\n', head.size() - 2) + 1;  // it ends with one
+}
+
 std::string csv_row(std::string_view name, std::span<const double> values) {
   std::string row = csv_field(name);
   for (const double value : values) {

@@ -42,6 +42,9 @@ std::string csv_field(std::string_view text);
 std::string csv_head(const std::vector<std::string>& provenance,
                      const std::vector<std::string_view>& headings);
 
+/// Where its header row begins.
+std::size_t start_of_header_row(std::string_view head);
+
 /// A row: a name, then numbers, with as many digits as are needed to read them back; NaN is empty.
 std::string csv_row(std::string_view name, std::span<const double> values);
 

@@ -28,7 +28,7 @@ class CsvRow {
   std::vector<std::string> cells_;
 };
 
-/// The cells of one row, which has no line end.
+/// The cells of one row, with or without its line end.
 std::vector<std::string> csv_cells(std::string_view row);
 
 /// The rows of a CSV file below its header row, one after the other. Lines that start with "#" are

@@ -97,12 +97,6 @@ std::string head_in(const std::string& file) {
   return start.substr(0, end == std::string::npos ? start.size() : end + 1);
 }
 
-/// The names of columns in a head.
-std::string_view last_line_of(std::string_view head) {
-  if (head.ends_with('\n')) head.remove_suffix(1);
-  return head.substr(head.rfind('\n') + 1);
-}
-
 void read_rows(const std::string& file, const ResultHeads& heads, Results& into) {
   const Sweep& sweep = into.sweep;
   std::vector<std::size_t> places;
@@ -110,7 +104,8 @@ void read_rows(const std::string& file, const ResultHeads& heads, Results& into)
   const std::size_t fields = place_of(sweep.columns.back(), sweep).value() + 2;  // and the refusal
   const std::optional<std::size_t> outcome = place_of("outcome", sweep);
   const std::optional<std::size_t> remarks = place_of("remarks", sweep);
-  const std::vector<std::string> in_head = csv_cells(last_line_of(heads.sections));
+  const std::vector<std::string> in_head =
+      csv_cells(std::string_view(heads.sections).substr(start_of_header_row(heads.sections)));
   const auto x_a = static_cast<std::size_t>(std::find(in_head.begin(), in_head.end(), "x_a_m") -
                                             in_head.begin());
   long points = 0;
@@ -510,9 +505,8 @@ void plot_sweep(const PlotOptions& options) {
   if (options.drafts.empty()) require_picture(out, options.file);
   ResultHeads heads{head};
   if (const std::string other = heads_of(sweep).sections; !other.empty() && !is_map && !is_sample) {
-    heads.sections = head;  // perhaps of another version
-    heads.sections.replace(head.size() - last_line_of(head).size() - 1, std::string::npos,
-                           std::string(last_line_of(other)) + '\n');
+    heads.sections = head.substr(0, start_of_header_row(head)) +  // perhaps of another version
+                     other.substr(start_of_header_row(other));
   }
   read_rows(options.file, heads, results);
   std::string settings =

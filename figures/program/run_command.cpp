@@ -160,7 +160,7 @@ class Files {
  private:
   static std::string shortened(const std::string& head, std::optional<CsvHeader> header) {
     if (!header || header == CsvHeader::full) return head;
-    return header == CsvHeader::none ? "" : head.substr(head.rfind('\n', head.size() - 2) + 1);
+    return header == CsvHeader::none ? "" : head.substr(start_of_header_row(head));
   }
 };
 

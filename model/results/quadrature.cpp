@@ -4,7 +4,9 @@
 
 namespace rotor {
 
-std::array<GaussNode, 7> gauss_rule() {
+namespace {
+
+std::array<GaussNode, 7> computed_rule() {
   using Rule = boost::math::quadrature::gauss<double, 7>;
   const auto& at = Rule::abscissa();  // of one half, from the middle
   const auto& weights = Rule::weights();
@@ -13,6 +15,13 @@ std::array<GaussNode, 7> gauss_rule() {
     rule[2 * i - 1] = {at[i], weights[i]};
     rule[2 * i] = {-at[i], weights[i]};
   }
+  return rule;
+}
+
+}  // namespace
+
+const std::array<GaussNode, 7>& gauss_rule() {
+  static const auto rule = computed_rule();
   return rule;
 }
 

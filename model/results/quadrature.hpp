@@ -11,17 +11,17 @@ struct GaussNode {
 };
 
 /// The rule with seven nodes, exact for polynomials of degree 13.
-std::array<GaussNode, 7> gauss_rule();
+const std::array<GaussNode, 7>& gauss_rule();
 
 /// Shows the nodes of this rule in each of so many equal parts of an interval, with the weights:
 /// use(at, weight).
 template <class Use>
 void gauss_nodes(double from, double until, long parts, const Use& use) {
-  static const auto rule = gauss_rule();
   const double part = (until - from) / static_cast<double>(parts);
   for (long n = 0; n < parts; ++n) {
     const double middle = from + part * (static_cast<double>(n) + 0.5);
-    for (const GaussNode& node : rule) use(middle + part / 2 * node.at, part / 2 * node.weight);
+    for (const GaussNode& node : gauss_rule())
+      use(middle + part / 2 * node.at, part / 2 * node.weight);
   }
 }
 

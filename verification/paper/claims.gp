@@ -12,7 +12,7 @@ shows(set) = strcol("decides") eq "yes" && strcol("equations") eq set
 row_of(set) = shows(set) ? column("row") : NaN
 glyph(verdict) = verdict eq "reproduced" ? "●" : verdict eq "refuted" ? "✖" : "◐"
 within(x) = x < -clip ? -clip : x > clip ? clip : x
-# Of its line of draws. Less than a tenth of a pixel is no line, which gnuplot 6 would draw as a dot.
+# The length of a line of draws: not drawn up to a tenth of a pixel, 0.003, where gnuplot 6 would draw a dot.
 length(set) = shows(set) ? within(column("high")) - within(column("low")) : 0
 side(set) = is_printed(set) ? -0.2 : 0.2           # as printed above corrected
 percent(share) = share < 0.995 ? sprintf("%.0f %%", 100*share) : ""

@@ -54,7 +54,7 @@ TEST(ComputeInOrder, EndsWithWhatTheWorkThrows) {
   EXPECT_THROW(compute_in_order(0, 3000, 2, make, [&](const std::string&) { ++passed; }),
                std::runtime_error);
   EXPECT_LE(passed, 500);
-  EXPECT_LT(computed, 1500);
+  EXPECT_LT(computed, 2999);  // not all the others
 }
 
 // With run-ups to a speed, refusals and both methods.
